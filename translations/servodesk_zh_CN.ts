@@ -6794,7 +6794,7 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     </message>
 </context>
 <context>
-    <name>ui::About</name>
+    <name>ui::AboutDialog</name>
     <message>
         <source>About ServoDesk</source>
         <translation>关于 ServoDesk</translation>
@@ -7113,6 +7113,117 @@ In all: servos found: %1; requests: %2, answered: %3, repeated: %4; half of the 
     <message>
         <source>Tick off what you have looked at</source>
         <translation>检查过的打勾</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CloseConfirmation</name>
+    <message>
+        <source>Servo %1 is turning. Stop it before closing?</source>
+        <translation>舵机 %1 正在转动。关闭前停止它吗？</translation>
+    </message>
+    <message>
+        <source>Servos %1 are turning. Stop them before closing?</source>
+        <translation>舵机 %1 正在转动。关闭前停止它们吗？</translation>
+    </message>
+    <message>
+        <source>Servo %1 is turning. Stop it before disconnecting?</source>
+        <translation>舵机 %1 正在转动。断开前停止它吗？</translation>
+    </message>
+    <message>
+        <source>Servos %1 are turning. Stop them before disconnecting?</source>
+        <translation>舵机 %1 正在转动。断开前停止它们吗？</translation>
+    </message>
+    <message>
+        <source>Stopping ends the motion; torque stays on where the servo can hold its position.</source>
+        <translation>停止会结束运动；舵机能保持位置时扭矩保持开启。</translation>
+    </message>
+    <message>
+        <source>Left turning, it does not stop by itself, and ServoDesk can no longer stop it.</source>
+        <translation>若继续转动，它不会自行停止，ServoDesk 也无法再停止它。</translation>
+    </message>
+    <message>
+        <source>Left moving, it goes on to its goal, and ServoDesk can no longer stop it.</source>
+        <translation>若继续运动，它会走到目标位置，ServoDesk 无法再停止它。</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>停止并关闭</translation>
+    </message>
+    <message>
+        <source>Stop and disconnect</source>
+        <translation>停止并断开</translation>
+    </message>
+    <message>
+        <source>Leave it turning</source>
+        <translation>让它继续转动</translation>
+    </message>
+    <message>
+        <source>Leave them turning</source>
+        <translation>让它们继续转动</translation>
+    </message>
+    <message>
+        <source>A test is running. Stop it and close?</source>
+        <translation>测试正在运行。停止测试并关闭？</translation>
+    </message>
+    <message>
+        <source>A test is running. Stop it and disconnect?</source>
+        <translation>测试正在运行。停止测试并断开连接？</translation>
+    </message>
+    <message>
+        <source>Its servos then hold their position with torque on.</source>
+        <translation>之后舵机保持位置，扭矩开启。</translation>
+    </message>
+    <message>
+        <source>Its servos then have no torque.</source>
+        <translation>之后舵机卸力。</translation>
+    </message>
+    <message>
+        <source>A write is unfinished. Close anyway?</source>
+        <translation>有写入尚未写完。仍要关闭吗？</translation>
+    </message>
+    <message>
+        <source>A write is unfinished. Disconnect anyway?</source>
+        <translation>有写入尚未写完。仍要断开吗？</translation>
+    </message>
+    <message>
+        <source>ID %1: the journal still holds the unfinished write. The next connection offers to finish or undo it.</source>
+        <translation>ID %1：写入日志中仍有未写完的写入。下次连接时可选择完成或撤销。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>断开</translation>
+    </message>
+    <message>
+        <source>The EPROM lock of ID %1 is open. It is closed first.</source>
+        <translation>ID %1 的 EPROM 锁处于打开状态，将先上锁。</translation>
+    </message>
+    <message>
+        <source>The EPROM lock of ID %1 is open and cannot be closed now.</source>
+        <translation>ID %1 的 EPROM 锁处于打开状态，现在无法上锁。</translation>
+    </message>
+    <message>
+        <source>The EPROM lock of the servo with ID %1 was opened and has not been proven closed.</source>
+        <translation>ID 为 %1 的舵机的 EPROM 锁已打开，无法确认已重新上锁。</translation>
+    </message>
+    <message>
+        <source>Lock and close</source>
+        <translation>上锁并关闭</translation>
+    </message>
+    <message>
+        <source>Lock and disconnect</source>
+        <translation>上锁并断开</translation>
+    </message>
+    <message>
+        <source>Leave it open</source>
+        <translation>保持打开</translation>
+    </message>
+    <message>
+        <source>The EPROM lock stays open: settings written by any program are kept at power-off.</source>
+        <translation>EPROM 锁保持打开：任何程序写入的设置都会断电保存。</translation>
     </message>
 </context>
 <context>
@@ -7801,47 +7912,6 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
-    <name>ui::ControlHint</name>
-    <message>
-        <source>Before the first torque of this session</source>
-        <translation>本次首次打开扭矩之前</translation>
-    </message>
-    <message>
-        <source>• No bracket or horn that could catch or jam
-• Fingers and cables away from the shaft
-• Polarity and voltage of the supply checked
-• Thick leads above 12 V</source>
-        <translation>• 没有安装会卡住的支架或舵盘
-• 手指和线缆远离输出轴
-• 已检查电源极性和电压
-• 高于 12 V 时使用粗导线</translation>
-    </message>
-    <message>
-        <source>Do not show this again</source>
-        <translation>不再显示</translation>
-    </message>
-    <message>
-        <source>Also not in later sessions</source>
-        <translation>以后启动也不显示</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>Leave the servo as it is</source>
-        <translation>保持舵机现状</translation>
-    </message>
-    <message>
-        <source>Checked, go on</source>
-        <translation>已检查，继续</translation>
-    </message>
-    <message>
-        <source>Do what was asked for; the hint stays away until the program is started again</source>
-        <translation>执行所请求的操作；本次运行不再提示</translation>
-    </message>
-</context>
-<context>
     <name>ui::ControlLimit</name>
     <message>
         <source>Torque limit (until power-off)</source>
@@ -8221,37 +8291,6 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
-    <name>ui::HistoryModel</name>
-    <message>
-        <source>Not ended: still being written, or interrupted.</source>
-        <translation>未结束：正在写入，或已中断。</translation>
-    </message>
-    <message>
-        <source>Begun and taken back: the old value was restored.</source>
-        <translation>已开始并撤回：已恢复原值。</translation>
-    </message>
-    <message>
-        <source>Given up: it was never finished or undone.</source>
-        <translation>已放弃：既未完成也未撤回。</translation>
-    </message>
-    <message>
-        <source>It did not end as wanted.</source>
-        <translation>未按预期结束。</translation>
-    </message>
-    <message>
-        <source>Written temporarily: lost at power-off.</source>
-        <translation>临时写入：断电后丢失。</translation>
-    </message>
-    <message>
-        <source>Written and read back.</source>
-        <translation>已写入并回读确认。</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>撤销：%1</translation>
-    </message>
-</context>
-<context>
     <name>ui::HistoryPage</name>
     <message>
         <source>This computer</source>
@@ -8507,25 +8546,6 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
-    <name>ui::HistoryPanel</name>
-    <message>
-        <source>History of this servo</source>
-        <translation>本舵机记录</translation>
-    </message>
-    <message>
-        <source>No write to this servo is known. Servos are told by model, firmware and ID.</source>
-        <translation>没有这个舵机的写入记录。舵机凭型号、固件和 ID 区分。</translation>
-    </message>
-    <message>
-        <source>Writes to this servo, newest first, also under its earlier IDs</source>
-        <translation>对这个舵机的写入，最新的在前，包括它以前的 ID</translation>
-    </message>
-    <message>
-        <source>Choose a servo at the left to see what was written to it.</source>
-        <translation>请在左侧选择舵机，以查看对它的写入。</translation>
-    </message>
-</context>
-<context>
     <name>ui::HistoryServerDialog</name>
     <message>
         <source>History server</source>
@@ -8582,117 +8602,6 @@ Asked more than once: %9</source>
     <message>
         <source>Store the password in ~/.pgpass, not in the string. A server on another computer must use TLS with a valid certificate; to change that, add ?sslmode=… to the string.</source>
         <translation>密码请存放在 ~/.pgpass 中，不要写在连接字符串里。其他计算机上的服务器必须使用带有效证书的 TLS；如需更改，请在字符串后加 ?sslmode=…。</translation>
-    </message>
-</context>
-<context>
-    <name>ui::LeaveQuestion</name>
-    <message>
-        <source>Servo %1 is turning. Stop it before closing?</source>
-        <translation>舵机 %1 正在转动。关闭前停止它吗？</translation>
-    </message>
-    <message>
-        <source>Servos %1 are turning. Stop them before closing?</source>
-        <translation>舵机 %1 正在转动。关闭前停止它们吗？</translation>
-    </message>
-    <message>
-        <source>Servo %1 is turning. Stop it before disconnecting?</source>
-        <translation>舵机 %1 正在转动。断开前停止它吗？</translation>
-    </message>
-    <message>
-        <source>Servos %1 are turning. Stop them before disconnecting?</source>
-        <translation>舵机 %1 正在转动。断开前停止它们吗？</translation>
-    </message>
-    <message>
-        <source>Stopping ends the motion; torque stays on where the servo can hold its position.</source>
-        <translation>停止会结束运动；舵机能保持位置时扭矩保持开启。</translation>
-    </message>
-    <message>
-        <source>Left turning, it does not stop by itself, and ServoDesk can no longer stop it.</source>
-        <translation>若继续转动，它不会自行停止，ServoDesk 也无法再停止它。</translation>
-    </message>
-    <message>
-        <source>Left moving, it goes on to its goal, and ServoDesk can no longer stop it.</source>
-        <translation>若继续运动，它会走到目标位置，ServoDesk 无法再停止它。</translation>
-    </message>
-    <message>
-        <source>Stop and close</source>
-        <translation>停止并关闭</translation>
-    </message>
-    <message>
-        <source>Stop and disconnect</source>
-        <translation>停止并断开</translation>
-    </message>
-    <message>
-        <source>Leave it turning</source>
-        <translation>让它继续转动</translation>
-    </message>
-    <message>
-        <source>Leave them turning</source>
-        <translation>让它们继续转动</translation>
-    </message>
-    <message>
-        <source>A test is running. Stop it and close?</source>
-        <translation>测试正在运行。停止测试并关闭？</translation>
-    </message>
-    <message>
-        <source>A test is running. Stop it and disconnect?</source>
-        <translation>测试正在运行。停止测试并断开连接？</translation>
-    </message>
-    <message>
-        <source>Its servos then hold their position with torque on.</source>
-        <translation>之后舵机保持位置，扭矩开启。</translation>
-    </message>
-    <message>
-        <source>Its servos then have no torque.</source>
-        <translation>之后舵机卸力。</translation>
-    </message>
-    <message>
-        <source>A write is unfinished. Close anyway?</source>
-        <translation>有写入尚未写完。仍要关闭吗？</translation>
-    </message>
-    <message>
-        <source>A write is unfinished. Disconnect anyway?</source>
-        <translation>有写入尚未写完。仍要断开吗？</translation>
-    </message>
-    <message>
-        <source>ID %1: the journal still holds the unfinished write. The next connection offers to finish or undo it.</source>
-        <translation>ID %1：写入日志中仍有未写完的写入。下次连接时可选择完成或撤销。</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
-        <source>Disconnect</source>
-        <translation>断开</translation>
-    </message>
-    <message>
-        <source>The EPROM lock of ID %1 is open. It is closed first.</source>
-        <translation>ID %1 的 EPROM 锁处于打开状态，将先上锁。</translation>
-    </message>
-    <message>
-        <source>The EPROM lock of ID %1 is open and cannot be closed now.</source>
-        <translation>ID %1 的 EPROM 锁处于打开状态，现在无法上锁。</translation>
-    </message>
-    <message>
-        <source>The EPROM lock of the servo with ID %1 was opened and has not been proven closed.</source>
-        <translation>ID 为 %1 的舵机的 EPROM 锁已打开，无法确认已重新上锁。</translation>
-    </message>
-    <message>
-        <source>Lock and close</source>
-        <translation>上锁并关闭</translation>
-    </message>
-    <message>
-        <source>Lock and disconnect</source>
-        <translation>上锁并断开</translation>
-    </message>
-    <message>
-        <source>Leave it open</source>
-        <translation>保持打开</translation>
-    </message>
-    <message>
-        <source>The EPROM lock stays open: settings written by any program are kept at power-off.</source>
-        <translation>EPROM 锁保持打开：任何程序写入的设置都会断电保存。</translation>
     </message>
 </context>
 <context>
@@ -8878,6 +8787,45 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::LinkErrorBanner</name>
+    <message>
+        <source>The connection to %1 broke off.</source>
+        <translation>与 %1 的连接已断开。</translation>
+    </message>
+    <message>
+        <source>%1 was unplugged.</source>
+        <translation>%1 已被拔出。</translation>
+    </message>
+    <message>
+        <source>Plug it in again: then you can go on here. What was being written is in the journal, and is looked at first.</source>
+        <translation>重新插入后可在此继续。正在写入的内容已记入日志，连接后首先检查。</translation>
+    </message>
+    <message>
+        <source>The adapter is back at %1.</source>
+        <translation>适配器已重新出现在 %1。</translation>
+    </message>
+    <message>
+        <source>Connect again to go on with its servos; nothing is written.</source>
+        <translation>重新连接即可继续使用其舵机；不写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
+    </message>
+    <message>
+        <source>Open the port once more, as the fields above say</source>
+        <translation>按上方设置再次打开串口</translation>
+    </message>
+    <message>
+        <source>Connect again</source>
+        <translation>重新连接</translation>
+    </message>
+    <message>
+        <source>Open the port again with the same settings and search it</source>
+        <translation>用相同设置重新打开串口并搜索</translation>
+    </message>
+</context>
+<context>
     <name>ui::LinkOptions</name>
     <message>
         <source>none</source>
@@ -8934,45 +8882,6 @@ Asked more than once: %9</source>
     <message>
         <source>How often a lost question is asked again, where it may be repeated</source>
         <translation>应答丢失时重新询问的次数（仅限可重复的指令）</translation>
-    </message>
-</context>
-<context>
-    <name>ui::LinkTrouble</name>
-    <message>
-        <source>The connection to %1 broke off.</source>
-        <translation>与 %1 的连接已断开。</translation>
-    </message>
-    <message>
-        <source>%1 was unplugged.</source>
-        <translation>%1 已被拔出。</translation>
-    </message>
-    <message>
-        <source>Plug it in again: then you can go on here. What was being written is in the journal, and is looked at first.</source>
-        <translation>重新插入后可在此继续。正在写入的内容已记入日志，连接后首先检查。</translation>
-    </message>
-    <message>
-        <source>The adapter is back at %1.</source>
-        <translation>适配器已重新出现在 %1。</translation>
-    </message>
-    <message>
-        <source>Connect again to go on with its servos; nothing is written.</source>
-        <translation>重新连接即可继续使用其舵机；不写入任何内容。</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>重试</translation>
-    </message>
-    <message>
-        <source>Open the port once more, as the fields above say</source>
-        <translation>按上方设置再次打开串口</translation>
-    </message>
-    <message>
-        <source>Connect again</source>
-        <translation>重新连接</translation>
-    </message>
-    <message>
-        <source>Open the port again with the same settings and search it</source>
-        <translation>用相同设置重新打开串口并搜索</translation>
     </message>
 </context>
 <context>
@@ -10212,6 +10121,56 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
+    <name>ui::ServoHistoryModel</name>
+    <message>
+        <source>Not ended: still being written, or interrupted.</source>
+        <translation>未结束：正在写入，或已中断。</translation>
+    </message>
+    <message>
+        <source>Begun and taken back: the old value was restored.</source>
+        <translation>已开始并撤回：已恢复原值。</translation>
+    </message>
+    <message>
+        <source>Given up: it was never finished or undone.</source>
+        <translation>已放弃：既未完成也未撤回。</translation>
+    </message>
+    <message>
+        <source>It did not end as wanted.</source>
+        <translation>未按预期结束。</translation>
+    </message>
+    <message>
+        <source>Written temporarily: lost at power-off.</source>
+        <translation>临时写入：断电后丢失。</translation>
+    </message>
+    <message>
+        <source>Written and read back.</source>
+        <translation>已写入并回读确认。</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>撤销：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ServoHistoryPanel</name>
+    <message>
+        <source>History of this servo</source>
+        <translation>本舵机记录</translation>
+    </message>
+    <message>
+        <source>No write to this servo is known. Servos are told by model, firmware and ID.</source>
+        <translation>没有这个舵机的写入记录。舵机凭型号、固件和 ID 区分。</translation>
+    </message>
+    <message>
+        <source>Writes to this servo, newest first, also under its earlier IDs</source>
+        <translation>对这个舵机的写入，最新的在前，包括它以前的 ID</translation>
+    </message>
+    <message>
+        <source>Choose a servo at the left to see what was written to it.</source>
+        <translation>请在左侧选择舵机，以查看对它的写入。</translation>
+    </message>
+</context>
+<context>
     <name>ui::ServoListModel</name>
     <message>
         <source>ID</source>
@@ -10254,7 +10213,7 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
-    <name>ui::ShortcutList</name>
+    <name>ui::ShortcutsDialog</name>
     <message>
         <source>Keyboard shortcuts</source>
         <translation>键盘快捷键</translation>
@@ -10289,70 +10248,7 @@ Asked more than once: %9</source>
     </message>
 </context>
 <context>
-    <name>ui::SnapshotPane</name>
-    <message>
-        <source>≠ %1 differ</source>
-        <translation>≠ %1 项不同</translation>
-    </message>
-    <message>
-        <source>= no setting differs</source>
-        <translation>= 没有不同的设置</translation>
-    </message>
-    <message>
-        <source>= %1 the same</source>
-        <translation>= %1 项相同</translation>
-    </message>
-    <message>
-        <source>%1 read-only, %2 missing, %3 not known</source>
-        <translation>%1 项只读，%2 项缺少，%3 项未知</translation>
-    </message>
-    <message>
-        <source>%1 others</source>
-        <translation>其他 %1 项</translation>
-    </message>
-    <message>
-        <source>Nothing to set differs.</source>
-        <translation>没有不同的设置。</translation>
-    </message>
-    <message>
-        <source>All rows</source>
-        <translation>所有行</translation>
-    </message>
-    <message>
-        <source>Show the rows that are the same, too, and those that are only read</source>
-        <translation>也显示相同的行和只读的行</translation>
-    </message>
-    <message>
-        <source>Columns</source>
-        <translation>对比列</translation>
-    </message>
-    <message>
-        <source>Compare with the factory default and with other servos, too. More snapshots: hold Ctrl while clicking them</source>
-        <translation>同时与出厂默认值和其他舵机比较。按住 Ctrl 点击可选择更多快照</translation>
-    </message>
-    <message>
-        <source>Tables side by side</source>
-        <translation>并排的内存表</translation>
-    </message>
-    <message>
-        <source>Space ticks a row; what is ticked is written</source>
-        <translation>按空格键勾选一行；勾选的行会被写入</translation>
-    </message>
-    <message>
-        <source>≠ %1 not restored</source>
-        <translation>≠ %1 项不恢复</translation>
-    </message>
-    <message>
-        <source>= no setting differed then</source>
-        <translation>= 当时没有不同的设置</translation>
-    </message>
-    <message>
-        <source>Nothing to set differed when the servo was last read.</source>
-        <translation>上次读取舵机时没有不同的设置。</translation>
-    </message>
-</context>
-<context>
-    <name>ui::SnapshotShelf</name>
+    <name>ui::SnapshotBrowser</name>
     <message>
         <source>before a change</source>
         <translation>修改之前</translation>
@@ -10424,6 +10320,69 @@ Asked more than once: %9</source>
     <message>
         <source>before commissioning</source>
         <translation>批量设置前</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SnapshotPane</name>
+    <message>
+        <source>≠ %1 differ</source>
+        <translation>≠ %1 项不同</translation>
+    </message>
+    <message>
+        <source>= no setting differs</source>
+        <translation>= 没有不同的设置</translation>
+    </message>
+    <message>
+        <source>= %1 the same</source>
+        <translation>= %1 项相同</translation>
+    </message>
+    <message>
+        <source>%1 read-only, %2 missing, %3 not known</source>
+        <translation>%1 项只读，%2 项缺少，%3 项未知</translation>
+    </message>
+    <message>
+        <source>%1 others</source>
+        <translation>其他 %1 项</translation>
+    </message>
+    <message>
+        <source>Nothing to set differs.</source>
+        <translation>没有不同的设置。</translation>
+    </message>
+    <message>
+        <source>All rows</source>
+        <translation>所有行</translation>
+    </message>
+    <message>
+        <source>Show the rows that are the same, too, and those that are only read</source>
+        <translation>也显示相同的行和只读的行</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>对比列</translation>
+    </message>
+    <message>
+        <source>Compare with the factory default and with other servos, too. More snapshots: hold Ctrl while clicking them</source>
+        <translation>同时与出厂默认值和其他舵机比较。按住 Ctrl 点击可选择更多快照</translation>
+    </message>
+    <message>
+        <source>Tables side by side</source>
+        <translation>并排的内存表</translation>
+    </message>
+    <message>
+        <source>Space ticks a row; what is ticked is written</source>
+        <translation>按空格键勾选一行；勾选的行会被写入</translation>
+    </message>
+    <message>
+        <source>≠ %1 not restored</source>
+        <translation>≠ %1 项不恢复</translation>
+    </message>
+    <message>
+        <source>= no setting differed then</source>
+        <translation>= 当时没有不同的设置</translation>
+    </message>
+    <message>
+        <source>Nothing to set differed when the servo was last read.</source>
+        <translation>上次读取舵机时没有不同的设置。</translation>
     </message>
 </context>
 <context>
@@ -11768,6 +11727,47 @@ Asked more than once: %9</source>
     <message>
         <source>Save nothing</source>
         <translation>不保存</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TorqueHint</name>
+    <message>
+        <source>Before the first torque of this session</source>
+        <translation>本次首次打开扭矩之前</translation>
+    </message>
+    <message>
+        <source>• No bracket or horn that could catch or jam
+• Fingers and cables away from the shaft
+• Polarity and voltage of the supply checked
+• Thick leads above 12 V</source>
+        <translation>• 没有安装会卡住的支架或舵盘
+• 手指和线缆远离输出轴
+• 已检查电源极性和电压
+• 高于 12 V 时使用粗导线</translation>
+    </message>
+    <message>
+        <source>Do not show this again</source>
+        <translation>不再显示</translation>
+    </message>
+    <message>
+        <source>Also not in later sessions</source>
+        <translation>以后启动也不显示</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Leave the servo as it is</source>
+        <translation>保持舵机现状</translation>
+    </message>
+    <message>
+        <source>Checked, go on</source>
+        <translation>已检查，继续</translation>
+    </message>
+    <message>
+        <source>Do what was asked for; the hint stays away until the program is started again</source>
+        <translation>执行所请求的操作；本次运行不再提示</translation>
     </message>
 </context>
 <context>

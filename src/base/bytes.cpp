@@ -9,8 +9,8 @@ std::uint64_t readUnsigned(ByteView bytes, ByteOrder order)
 {
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
-        const std::size_t place = order == ByteOrder::Big ? i : bytes.size() - 1 - i;
-        value = (value << 8) | bytes[place];
+        const std::size_t index = order == ByteOrder::Big ? i : bytes.size() - 1 - i;
+        value = (value << 8) | bytes[index];
     }
     return value;
 }
@@ -19,8 +19,8 @@ Bytes writeUnsigned(std::uint64_t value, std::size_t size, ByteOrder order)
 {
     Bytes bytes(size);
     for (std::size_t i = 0; i < size; ++i) {
-        const std::size_t place = order == ByteOrder::Little ? i : size - 1 - i;
-        bytes[place] = static_cast<std::uint8_t>(value & 0xFF);
+        const std::size_t index = order == ByteOrder::Little ? i : size - 1 - i;
+        bytes[index] = static_cast<std::uint8_t>(value & 0xFF);
         value >>= 8;
     }
     return bytes;

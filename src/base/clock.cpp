@@ -13,7 +13,7 @@ Duration SystemClock::now() const
     return std::chrono::duration_cast<Duration>(Steady::now().time_since_epoch());
 }
 
-bool SystemClock::sleepUntil(Duration instant, const Stop* stop)
+bool SystemClock::sleepUntil(Duration instant, const StopToken* stop)
 {
     const Steady::time_point deadline{std::chrono::duration_cast<Steady::duration>(instant)};
     if (stop != nullptr)
@@ -22,12 +22,12 @@ bool SystemClock::sleepUntil(Duration instant, const Stop* stop)
     return true;
 }
 
-bool ManualClock::sleepUntil(Duration instant, const Stop* stop)
+bool ManualClock::sleepUntil(Duration instant, const StopToken* stop)
 {
-    if (stop != nullptr && stop->requested())
+    if (stop != nullptr && stop->isRequested())
         return false;
-    auto seen = m_now.load(std::memory_order_relaxed);
-    while (seen < instant.count() && !m_now.compare_exchange_weak(seen, instant.count())) {
+    auto current = m_now.load(std::memory_order_relaxed);
+    while (current < instant.count() && !m_now.compare_exchange_weak(current, instant.count())) {
     }
     return true;
 }

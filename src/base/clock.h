@@ -18,9 +18,9 @@ public:
     virtual Duration now() const = 0;
 
     /// Waits until `instant`; false as soon as `stop` is requested. Thread-safe.
-    virtual bool sleepUntil(Duration instant, const Stop* stop = nullptr) = 0;
+    virtual bool sleepUntil(Duration instant, const StopToken* stop = nullptr) = 0;
 
-    bool sleepFor(Duration span, const Stop* stop = nullptr)
+    bool sleepFor(Duration span, const StopToken* stop = nullptr)
     {
         return sleepUntil(now() + span, stop);
     }
@@ -33,14 +33,14 @@ public:
 class SystemClock final : public Clock {
 public:
     Duration now() const override;
-    bool sleepUntil(Duration instant, const Stop* stop = nullptr) override;
+    bool sleepUntil(Duration instant, const StopToken* stop = nullptr) override;
 };
 
 /// Time that passes only when somebody waits or advances it. For tests and fast simulation.
 class ManualClock final : public Clock {
 public:
     Duration now() const override { return Duration(m_now.load(std::memory_order_relaxed)); }
-    bool sleepUntil(Duration instant, const Stop* stop = nullptr) override;
+    bool sleepUntil(Duration instant, const StopToken* stop = nullptr) override;
     bool isManual() const override { return true; }
     void advance(Duration span) { m_now.fetch_add(span.count(), std::memory_order_relaxed); }
 

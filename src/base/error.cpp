@@ -17,11 +17,11 @@ QString errorName(ErrorCode code)
         return QStringLiteral("rate-unsupported");
     case ErrorCode::LinkLost:
         return QStringLiteral("link-lost");
-    case ErrorCode::NoAnswer:
+    case ErrorCode::NoReply:
         return QStringLiteral("no-answer");
     case ErrorCode::Garbled:
         return QStringLiteral("garbled");
-    case ErrorCode::WrongAnswer:
+    case ErrorCode::UnexpectedReply:
         return QStringLiteral("wrong-answer");
     case ErrorCode::LineBusy:
         return QStringLiteral("line-busy");
@@ -55,13 +55,13 @@ QString errorName(ErrorCode code)
         return QStringLiteral("lock-open");
     case ErrorCode::UnknownModel:
         return QStringLiteral("unknown-model");
-    case ErrorCode::FamilyUnclear:
+    case ErrorCode::FamilyConflict:
         return QStringLiteral("family-unclear");
-    case ErrorCode::SeveralServos:
+    case ErrorCode::DuplicateId:
         return QStringLiteral("several-servos");
-    case ErrorCode::IdentityDiffers:
+    case ErrorCode::IdentityMismatch:
         return QStringLiteral("identity-differs");
-    case ErrorCode::SeveralProtocols:
+    case ErrorCode::AmbiguousProtocol:
         return QStringLiteral("several-protocols");
     case ErrorCode::TurnsUnknown:
         return QStringLiteral("turns-unknown");

@@ -16,14 +16,14 @@ enum class ErrorCode {
     RateUnsupported, ///< the adapter cannot run this baud rate
     LinkLost,        ///< unplugged, hung up, connection closed
     // wire
-    NoAnswer,    ///< nothing came before the deadline
-    Garbled,     ///< bytes came, but no valid reply (checksum, noise, collision)
-    WrongAnswer, ///< a valid reply of another shape than the one asked for
-    LineBusy,    ///< something sends without a pause: no reply can be told from it
-    Uncertain,   ///< a request that must not be repeated lost its answer
-    Stopped,     ///< the user stopped it
-    Preempted,   ///< the emergency lane took the wire
-    Held,        ///< the servo belongs to a running job
+    NoReply,         ///< nothing came before the deadline
+    Garbled,         ///< bytes came, but no valid reply (checksum, noise, collision)
+    UnexpectedReply, ///< a valid reply of another shape than the one asked for
+    LineBusy,        ///< something sends without a pause: no reply can be told from it
+    Uncertain,       ///< a request that must not be repeated lost its answer
+    Stopped,         ///< the user stopped it
+    Preempted,       ///< the emergency lane took the wire
+    Held,            ///< the servo belongs to a running job
     // request
     BadArgument,     ///< malformed or contradictory input; detail says what
     UnknownRegister, ///< this map has no such register
@@ -33,15 +33,15 @@ enum class ErrorCode {
     NotSupported, ///< this family has no such thing; detail says why
     // servo
     IdInUse,
-    Refused,         ///< the servo did not take it
-    Mismatch,        ///< read back differs from what was written
-    LockOpen,        ///< the EPROM lock could not be proven closed
-    UnknownModel,    ///< identity read, but no register map fits
-    FamilyUnclear,   ///< firmware, byte order, model or lock contradict each other; see FamilyFacts
-    SeveralServos,   ///< two servos seem to answer under this ID; detail says what was seen
-    IdentityDiffers, ///< another servo answers under this ID than the one expected
-    TurnsUnknown,    ///< multi-turn position not known since power-on
-    SeveralProtocols, ///< the ID answers in more than one; detail lists them
+    Refused,        ///< the servo did not take it
+    Mismatch,       ///< read back differs from what was written
+    LockOpen,       ///< the EPROM lock could not be proven closed
+    UnknownModel,   ///< identity read, but no register map fits
+    FamilyConflict, ///< firmware, byte order, model or lock contradict each other; see FamilyFacts
+    DuplicateId,    ///< two servos seem to answer under this ID; detail says what was seen
+    IdentityMismatch,  ///< another servo answers under this ID than the one expected
+    TurnsUnknown,      ///< multi-turn position not known since power-on
+    AmbiguousProtocol, ///< the ID answers in more than one; detail lists them
     // files
     FileMissing,
     FileUnreadable,

@@ -23,13 +23,13 @@ constexpr std::array kindNames{
     KindName{IntentKind::Undo, QLatin1String("undo")},
 };
 
-bool concerns(const Intent& intent, const ServoIdentity& who)
+bool concerns(const Intent& intent, const ServoIdentity& identity)
 {
-    if (!intent.servo.sameKind(who))
+    if (!intent.servo.isSameKind(identity))
         return false;
-    const bool becameThis = intent.kind == IntentKind::SetId && !intent.items.empty() &&
-                            intent.items.front().newRaw == who.id;
-    return intent.servo.id == who.id || becameThis;
+    const bool becomesThis = intent.kind == IntentKind::SetId && !intent.items.empty() &&
+                             intent.items.front().newRaw == identity.id;
+    return intent.servo.id == identity.id || becomesThis;
 }
 } // namespace
 
@@ -64,16 +64,17 @@ Result<std::vector<Intent>> Journal::open() const
     return intents;
 }
 
-Result<std::vector<JournalEntry>> Journal::entriesOf(const ServoIdentity& servo, int most) const
+Result<std::vector<JournalEntry>> Journal::entriesFor(const ServoIdentity& servo,
+                                                      int maxCount) const
 {
     auto all = entries();
     if (!all)
         return all;
-    std::vector<JournalEntry> own;
-    std::copy_if(all->begin(), all->end(), std::back_inserter(own),
+    std::vector<JournalEntry> matching;
+    std::copy_if(all->begin(), all->end(), std::back_inserter(matching),
                  [&](const JournalEntry& entry) { return concerns(entry.intent, servo); });
-    if (own.size() > std::size_t(most))
-        own.erase(own.begin(), own.end() - most);
-    return own;
+    if (matching.size() > std::size_t(maxCount))
+        matching.erase(matching.begin(), matching.end() - maxCount);
+    return matching;
 }
 } // namespace base

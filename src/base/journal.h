@@ -34,7 +34,7 @@ struct ServoIdentity {
     /// By its port: what is done to a simulated servo says nothing about a real one.
     bool isSimulated() const { return port.startsWith(QLatin1String("sim:")); }
 
-    bool sameKind(const ServoIdentity& other) const
+    bool isSameKind(const ServoIdentity& other) const
     {
         return protocol == other.protocol && modelMajor == other.modelMajor &&
                modelMinor == other.modelMinor && firmwareMajor == other.firmwareMajor &&
@@ -75,26 +75,26 @@ struct Intent {
     std::vector<JournalItem> items;
     /// Set by open(): another program that is running has it under way. It is that program's to
     /// end; free as soon as that program has ended, however that came about.
-    bool underWayElsewhere = false;
+    bool isActiveElsewhere = false;
 };
 
 /// An item's end: kept, temporary, mismatch, refused, not-sent, no-answer, unknown, or undone (put
 /// back).
-struct ItemEnd {
+struct ItemResult {
     QString key;
     std::optional<std::int64_t> readBack{};
     QString outcome{}; ///< one of these words, as device::outcomeName() has all but the last
 };
 
-struct IntentEnd {
+struct IntentResult {
     QString outcome; ///< "done", "undone", "failed", "abandoned"
     QString detail;
-    std::vector<ItemEnd> items{}; ///< as far as known, in any order
+    std::vector<ItemResult> items{}; ///< as far as known, in any order
 };
 
 struct JournalEntry {
     Intent intent;
-    std::optional<IntentEnd> end;
+    std::optional<IntentResult> end;
 };
 
 class Journal {
@@ -103,7 +103,7 @@ public:
 
     /// Records the intent durably and returns its uuid. The write must not begin if this fails.
     virtual Result<QString> begin(const Intent& intent) = 0;
-    virtual Result<void> end(const QString& uuid, const IntentEnd& end) = 0;
+    virtual Result<void> end(const QString& uuid, const IntentResult& end) = 0;
 
     /// Oldest first.
     virtual Result<std::vector<JournalEntry>> entries() const = 0;
@@ -111,12 +111,13 @@ public:
     virtual Result<std::vector<Intent>> open() const;
     /// The latest `most` that may be about this servo: of its kind, and under its ID or on the way
     /// to it. Servos carry no serial number, so more cannot be told.
-    virtual Result<std::vector<JournalEntry>> entriesOf(const ServoIdentity& servo, int most) const;
+    virtual Result<std::vector<JournalEntry>> entriesFor(const ServoIdentity& servo,
+                                                         int maxCount) const;
 
     /// Small facts by servo (kind and ID) and name; the latest value counts.
-    virtual Result<void> keep(const ServoIdentity& servo, const QString& name,
-                              const std::vector<std::int64_t>& values) = 0;
-    virtual Result<std::optional<std::vector<std::int64_t>>> kept(const ServoIdentity& servo,
-                                                                  const QString& name) const = 0;
+    virtual Result<void> saveServoValues(const ServoIdentity& servo, const QString& name,
+                                         const std::vector<std::int64_t>& values) = 0;
+    virtual Result<std::optional<std::vector<std::int64_t>>>
+    servoValues(const ServoIdentity& servo, const QString& name) const = 0;
 };
 } // namespace base

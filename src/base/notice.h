@@ -11,50 +11,50 @@
 
 namespace base {
 enum class NoticeCode : std::uint8_t {
-    TorqueSwitchedOff,    ///< because a register or mode asked for it
-    TorqueSwitchedOn,     ///< the goal written energises the servo
-    TorqueStaysOff,       ///< after the manoeuvre; on only when asked
-    HoldingAt,            ///< a = goal raw at which the servo holds
-    LockFoundOpen,        ///< someone left the EPROM lock open
-    LockClosed,           ///< after LockFoundOpen, or recovered
-    LockLeftOpen,         ///< could not be closed; it is in the journal
-    CommandZeroed,        ///< key = goal_speed / goal_pwm …
-    LimitsKept,           ///< a, b = limits remembered for the way back
-    LimitsRestored,       ///< a, b
-    LimitsDefaulted,      ///< a, b: nothing was remembered, factory values used
-    SpeedRestored,        ///< a = raw speed for position mode put back
-    SpeedZeroForTime,     ///< SCS: the time acts only while the speed is 0, so 46 was set to 0
-    AnswerLostButDone,    ///< the acknowledgement was lost, reading proved the write
-    AnswerLostSentAgain,  ///< the acknowledgement was lost, reading proved nothing had happened
-    AckFromNewId,         ///< a = the ID that acknowledged
-    AlreadySo,            ///< nothing to do
-    ActsAfterRestart,     ///< the new rate or bit takes effect at the next power-on
-    AboveUsual,           ///< key, a = value above what the sheet calls useful
-    BelowStop,            ///< stopped by the user before key was written
-    OverloadHolds,        ///< overload: released by a goal away from the stall
-    OvercurrentHolds,     ///< overcurrent: torque is off until a new goal
-    VoltageHolds,         ///< voltage alarm: passes when the supply returns to its limits
-    TemperatureHolds,     ///< temperature alarm: passes by cooling only
-    SensorHolds,          ///< encoder alarm: power-cycle, repair if it returns
-    RebootedAfter,        ///< a = milliseconds until it answered
-    RateChanged,          ///< a = baud at which it answers now
-    StillMoving,          ///< no longer waited for, it goes on; a = 1: it may, unseen
-    IdChanged,            ///< a = ID at which it answers now
-    SentAgain,            ///< reading proved that a write without acknowledgement never arrived
-    PersistenceNotStated, ///< nobody says whether key survives power-off
-    SavedPerSheet,        ///< the save command was sent; only a power cycle could prove it
-    NoCurrentAllowed,     ///< key = the current limit, which is 0: no torque at all
-    CurrentRestored,      ///< key, a = current limit put back after a mode that uses it otherwise
-    DerivedTemperature,   ///< key, a = reading, b = limit: worked out here, not reported
-    DerivedVoltage,       ///< key, a = reading, b = the limit it is beyond
-    FamiliesMixed,        ///< SCS beside STS or SMS on one line
-    LedNotPutBack,        ///< key: still as it was made to blink; it is in the journal
-    NotRecorded,          ///< key = why: the end of a change that was made is not in the journal
-    SettingNotPutBack,    ///< key, a = value before: still as a test had set it; in the journal
+    TorqueSwitchedOff,       ///< because a register or mode asked for it
+    TorqueSwitchedOn,        ///< the goal written energizes the servo
+    TorqueStaysOff,          ///< after the manoeuvre; on only when asked
+    HoldingAt,               ///< a = goal raw at which the servo holds
+    LockFoundOpen,           ///< someone left the EPROM lock open
+    LockClosed,              ///< after LockFoundOpen, or recovered
+    LockLeftOpen,            ///< could not be closed; it is in the journal
+    CommandZeroed,           ///< key = goal_speed / goal_pwm …
+    LimitsSaved,             ///< a, b = limits remembered for the way back
+    LimitsRestored,          ///< a, b
+    LimitsSetToDefault,      ///< a, b: nothing was remembered, factory values used
+    SpeedRestored,           ///< a = raw speed for position mode put back
+    SpeedZeroedForTime,      ///< SCS: the time acts only while the speed is 0, so 46 was set to 0
+    ReplyLostButWritten,     ///< the acknowledgement was lost, reading proved the write
+    ReplyLostResent,         ///< the acknowledgement was lost, reading proved nothing had happened
+    AckFromNewId,            ///< a = the ID that acknowledged
+    AlreadySet,              ///< nothing to do
+    EffectiveAfterRestart,   ///< the new rate or bit takes effect at the next power-on
+    AboveRecommended,        ///< key, a = value above what the sheet calls useful
+    StoppedByUser,           ///< stopped by the user before key was written
+    OverloadActive,          ///< overload: released by a goal away from the stall
+    OvercurrentActive,       ///< overcurrent: torque is off until a new goal
+    VoltageAlarmActive,      ///< voltage alarm: passes when the supply returns to its limits
+    TemperatureAlarmActive,  ///< temperature alarm: passes by cooling only
+    SensorAlarmActive,       ///< encoder alarm: power-cycle, repair if it returns
+    RebootedAfter,           ///< a = milliseconds until it answered
+    RateChanged,             ///< a = baud at which it answers now
+    StillMoving,             ///< no longer waited for, it goes on; a = 1: it may, unseen
+    IdChanged,               ///< a = ID at which it answers now
+    Resent,                  ///< reading proved that a write without acknowledgement never arrived
+    PersistenceUndocumented, ///< nobody says whether key survives power-off
+    SaveUnverified,          ///< the save command was sent; only a power cycle could prove it
+    CurrentLimitZero,        ///< key = the current limit, which is 0: no torque at all
+    CurrentRestored,    ///< key, a = current limit put back after a mode that uses it otherwise
+    DerivedTemperature, ///< key, a = reading, b = limit: worked out here, not reported
+    DerivedVoltage,     ///< key, a = reading, b = the limit it is beyond
+    MixedFamilies,      ///< SCS beside STS or SMS on one line
+    LedNotRestored,     ///< key: still as it was made to blink; it is in the journal
+    NotRecorded,        ///< key = why: the end of a change that was made is not in the journal
+    SettingNotRestored, ///< key, a = value before: still as a test had set it; in the journal
 };
 
 struct Notice {
-    NoticeCode code = NoticeCode::AlreadySo;
+    NoticeCode code = NoticeCode::AlreadySet;
     int id = -1;
     QString key{};
     std::int64_t a = 0;

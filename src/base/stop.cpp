@@ -2,7 +2,7 @@
 #include "base/stop.h"
 
 namespace base {
-void Stop::request()
+void StopToken::request()
 {
     {
         const std::lock_guard lock(m_mutex);
@@ -11,9 +11,9 @@ void Stop::request()
     m_wake.notify_all();
 }
 
-bool Stop::waitUntil(std::chrono::steady_clock::time_point deadline) const
+bool StopToken::waitUntil(std::chrono::steady_clock::time_point deadline) const
 {
     std::unique_lock lock(m_mutex);
-    return !m_wake.wait_until(lock, deadline, [this] { return requested(); });
+    return !m_wake.wait_until(lock, deadline, [this] { return isRequested(); });
 }
 } // namespace base

@@ -9,14 +9,14 @@
 #include <mutex>
 
 namespace base {
-class Stop {
+class StopToken {
 public:
-    Stop() = default;
-    Stop(const Stop&) = delete;
-    Stop& operator=(const Stop&) = delete;
+    StopToken() = default;
+    StopToken(const StopToken&) = delete;
+    StopToken& operator=(const StopToken&) = delete;
 
     void request();
-    bool requested() const { return m_requested.load(std::memory_order_acquire); }
+    bool isRequested() const { return m_requested.load(std::memory_order_acquire); }
 
     /// Waits until `deadline`; true if it passed, false as soon as stop is requested.
     bool waitUntil(std::chrono::steady_clock::time_point deadline) const;

@@ -23,11 +23,19 @@ namespace bus {
 enum class Priority : std::uint8_t { Emergency, Interactive, Job, Poll };
 
 /// Unrest: the line never fell silent, so what came cannot be told from what was asked for.
-enum class FaultKind : std::uint8_t { TimeOut, BadCheck, Foreign, Late, Noise, WrongShape, Unrest };
+enum class FaultKind : std::uint8_t {
+    Timeout,
+    BadChecksum,
+    Foreign,
+    Late,
+    Noise,
+    UnexpectedReply,
+    LineBusy
+};
 
 /// A trouble that was overcome by repeating, kept on the reply so that nothing is hidden.
 struct Fault {
-    FaultKind kind = FaultKind::TimeOut;
+    FaultKind kind = FaultKind::Timeout;
     base::Duration at{};
 };
 
@@ -37,12 +45,12 @@ struct Transaction {
     int retries = -1; ///< -1: the bus' default; requests with Repeat::Never are never repeated
     /// Patience beyond wire time and reply delay. 0: adaptive (25 ms, growing). A scan asks for
     /// 4 ms, a confirmation for a long one.
-    base::Duration patience{};
+    base::Duration timeout{};
     std::uint64_t hold = 0; ///< token of a Hold this transaction belongs to
     /// Ends the transaction early with Stopped. A request that must not be repeated is waited for
     /// to its deadline once it is sent, so that its fate is known. Null: nothing stops it (a lock
     /// that must be closed after the user has stopped the job).
-    const base::Stop* stop = nullptr;
+    const base::StopToken* stop = nullptr;
     /// What emergencies() said when the work this belongs to was asked for: after another one it
     /// is refused with Preempted before its first byte. Inside a Hold the hold sees to that.
     std::optional<std::uint64_t> epoch{};
@@ -51,18 +59,21 @@ struct Transaction {
 struct Outcome {
     /// In order of arrival; sync reads may miss servos; empty when nothing was to be answered. A
     /// raw request has one part of ID -1 with all bytes that came, maybe none.
-    std::vector<protocol::Part> parts;
+    std::vector<protocol::Reply> replies;
     std::vector<Fault> faults;
     int attempts = 0;
     base::Duration sentAt{};
     base::Duration roundTrip{}; ///< of the attempt that succeeded
 
-    const base::Bytes& data() const { return parts.front().data; }
-    std::uint8_t status() const { return parts.empty() ? std::uint8_t{0} : parts.front().status; }
+    const base::Bytes& data() const { return replies.front().data; }
+    std::uint8_t status() const
+    {
+        return replies.empty() ? std::uint8_t{0} : replies.front().status;
+    }
 };
 
 /// A valid frame nobody waited for: a late reply, or another servo. Scans collect them.
-struct Stray {
+struct UnexpectedFrame {
     int id = 0;
     std::uint8_t status = 0;
     base::Bytes data;
@@ -107,7 +118,7 @@ class Bus {
 public:
     virtual ~Bus() = default;
 
-    /// NoAnswer, Garbled, WrongAnswer, LineBusy, Uncertain, LinkLost, Stopped, Preempted,
+    /// NoReply, Garbled, UnexpectedReply, LineBusy, Uncertain, LinkLost, Stopped, Preempted,
     /// BadArgument. Where bytes fill the line, or are frames without a pause, nothing is asked:
     /// LineBusy after no attempt; only a write that may be repeated is still sent, without
     /// believing what follows it. Waits for servos another thread holds; Held at once when the
@@ -116,18 +127,19 @@ public:
 
     /// Only listens for `span`; valid frames become strays.
     virtual base::Result<void> listen(base::Duration span) = 0;
-    virtual std::vector<Stray> takeStrays() = 0;
+    virtual std::vector<UnexpectedFrame> takeUnexpectedFrames() = 0;
 
     virtual base::Result<void> setBaud(int baud) = 0;
     virtual int baud() const = 0;
-    virtual bool hasBaud() const = 0;
+    virtual bool canSetBaud() const = 0;
     virtual QString portName() const = 0;
-    virtual bool lost() const = 0;   ///< the link is gone and will not come back
-    virtual bool away() const = 0;   ///< the link is gone and awaited; see awaitReturn()
-    virtual bool echoes() const = 0; ///< the adapter returns what is sent
+    virtual bool lost() const = 0; ///< the link is gone and will not come back
+    virtual bool
+    isReconnecting() const = 0;       ///< the link is gone and awaited; see setReconnectTimeout()
+    virtual bool hasEcho() const = 0; ///< the adapter returns what is sent
 
     /// Waits while polls run; false when `stop` is requested first.
-    virtual bool pauseUntil(base::Duration instant, const base::Stop* stop) = 0;
+    virtual bool pauseUntil(base::Duration instant, const base::StopToken* stop) = 0;
 
     /// Empty `ids`: all servos. Blocks until other threads have let go of them; the same thread may
     /// hold a servo more than once.
@@ -147,15 +159,15 @@ public:
     virtual void emergency() = 0;
     /// How many there have been. A hold or transaction of work that was asked for before the latest
     /// one (its `epoch`) is preempted at its first word, however late it gets to it.
-    virtual std::uint64_t emergencies() const = 0;
+    virtual std::uint64_t emergencyCount() const = 0;
 
     virtual void setRetries(int retries) = 0;
     /// Replaces the starting patience (25 ms) of ordinary transactions.
-    virtual void setPatience(base::Duration patience) = 0;
+    virtual void setTimeout(base::Duration timeout) = 0;
     /// How long beyond the wire time a reply may still come: the latest one this link has shown and
     /// half as much again, never less than the patience that was set, nor than 25 ms, nor than
     /// 250 ms before the first reply. Whoever draws a conclusion from silence waits for so long.
-    virtual base::Duration replyTimeout() const = 0;
+    virtual base::Duration maxReplyLateness() const = 0;
     /// The largest reply delay of any servo on this bus (SMS: up to 508 µs).
     virtual void setReplyDelay(base::Duration delay) = 0;
     /// Replaces the silence a protocol asks for between frames (Modbus: 1.75 ms above 19200 baud).
@@ -163,8 +175,8 @@ public:
 
     /// A link that dies from now on is opened again, for so long; 0: it is lost at once. Meanwhile
     /// everything goes unanswered, and a stop that is asked for is the first word after it. Whoever
-    /// asks for it must expect servos that have restarted. See LinkPatience.
-    virtual void awaitReturn(base::Duration span) = 0;
+    /// asks for it must expect servos that have restarted. See ReconnectScope.
+    virtual void setReconnectTimeout(base::Duration span) = 0;
 
     virtual Statistics statistics() const = 0;
     virtual std::vector<TraceEntry> takeTrace() = 0;
@@ -183,16 +195,16 @@ private:
 
 /// While it lives a pulled plug may be put back. One at a time: for work that has the bus to
 /// itself. A wait that has begun goes on when it ends.
-class LinkPatience {
+class ReconnectScope {
 public:
-    LinkPatience(Bus& bus, base::Duration span)
+    ReconnectScope(Bus& bus, base::Duration span)
         : m_bus(bus)
     {
-        bus.awaitReturn(span);
+        bus.setReconnectTimeout(span);
     }
-    ~LinkPatience() { m_bus.awaitReturn({}); }
-    LinkPatience(const LinkPatience&) = delete;
-    LinkPatience& operator=(const LinkPatience&) = delete;
+    ~ReconnectScope() { m_bus.setReconnectTimeout({}); }
+    ReconnectScope(const ReconnectScope&) = delete;
+    ReconnectScope& operator=(const ReconnectScope&) = delete;
 
 private:
     Bus& m_bus;

@@ -49,31 +49,31 @@ QString operationName(Op op)
 /// Silence says least: if anything came in any attempt, that is what the user is told.
 ErrorCode errorFor(const std::vector<Fault>& faults)
 {
-    ErrorCode code = ErrorCode::NoAnswer;
+    ErrorCode code = ErrorCode::NoReply;
     for (const Fault& fault : faults) {
-        if (fault.kind != FaultKind::TimeOut)
+        if (fault.kind != FaultKind::Timeout)
             code = errorFor(fault.kind);
     }
     return code;
 }
 
 /// A servo that refuses in so many words (Modbus exceptions) is not asked again.
-std::optional<Error> refusalIn(const Attempt& attempt)
+std::optional<Error> exceptionIn(const Attempt& attempt)
 {
-    for (const Arrival& arrival : attempt.arrivals) {
+    for (const ReceivedReply& arrival : attempt.receivedReplies) {
         if (arrival.part.exception != 0)
             return Error{ErrorCode::Refused, {}, exceptionName(arrival.part.exception)};
     }
     return std::nullopt;
 }
 
-std::vector<protocol::Part> partsOf(std::vector<Arrival> arrivals)
+std::vector<protocol::Reply> repliesOf(std::vector<ReceivedReply> receivedReplies)
 {
-    std::vector<protocol::Part> parts;
-    parts.reserve(arrivals.size());
-    for (Arrival& arrival : arrivals)
-        parts.push_back(std::move(arrival.part));
-    return parts;
+    std::vector<protocol::Reply> replies;
+    replies.reserve(receivedReplies.size());
+    for (ReceivedReply& arrival : receivedReplies)
+        replies.push_back(std::move(arrival.part));
+    return replies;
 }
 } // namespace
 
@@ -85,13 +85,13 @@ BusCore::BusCore(std::unique_ptr<transport::Link> link, const protocol::Codec& c
     , m_statistics(clock.now())
     , m_line(std::move(link), clock, m_options.bitsPerByte, m_statistics, m_trace,
              std::move(m_options.reopen))
-    , m_exchange(m_line, codec, clock, m_guard, m_statistics, m_trace, m_strays)
+    , m_exchange(m_line, codec, clock, m_lateReplyGuard, m_statistics, m_trace, m_unexpectedFrames)
 {
     if (const auto echoes = m_exchange.probeEcho(interruptBy(nullptr)); echoes)
-        m_line.setEchoes(*echoes);
+        m_line.setHasEcho(*echoes);
 }
 
-Interrupt BusCore::interruptBy(const base::Stop* stop) const
+Interrupt BusCore::interruptBy(const base::StopToken* stop) const
 {
     return {&m_emergency, m_options.shutdown, stop};
 }
@@ -108,13 +108,13 @@ Result<Outcome> BusCore::execute(const Transaction& transaction, HoldTable::Acce
     case HoldTable::Access::Pass:
         return run(transaction);
     case HoldTable::Access::Preempted:
-        serveEmergency();
-        return tl::unexpected(described({ErrorCode::Preempted}, transaction.request, 0));
+        handleEmergency();
+        return tl::unexpected(withContext({ErrorCode::Preempted}, transaction.request, 0));
     case HoldTable::Access::Wait:
     case HoldTable::Access::Refused:
         break;
     }
-    return tl::unexpected(described({ErrorCode::Held}, transaction.request, 0));
+    return tl::unexpected(withContext({ErrorCode::Held}, transaction.request, 0));
 }
 
 Result<Outcome> BusCore::run(const Transaction& transaction)
@@ -123,102 +123,102 @@ Result<Outcome> BusCore::run(const Transaction& transaction)
     const auto frame = protocol::codecFor(request.protocol).encode(request);
     if (!frame)
         return tl::unexpected(frame.error());
-    if (serveEmergency() && transaction.priority != Priority::Emergency) {
-        m_holds.forgetPreemption(transaction.hold);
-        return tl::unexpected(described({ErrorCode::Preempted}, request, 0));
+    if (handleEmergency() && transaction.priority != Priority::Emergency) {
+        m_holds.clearPreemption(transaction.hold);
+        return tl::unexpected(withContext({ErrorCode::Preempted}, request, 0));
     }
-    sharePolls(transaction.priority);
-    auto outcome = repeat(transaction, *frame);
+    runOverduePoll(transaction.priority);
+    auto outcome = transactWithRetries(transaction, *frame);
     if (!outcome && outcome.error().code == ErrorCode::Preempted) {
-        m_holds.forgetPreemption(transaction.hold);
-        serveEmergency();
+        m_holds.clearPreemption(transaction.hold);
+        handleEmergency();
         // What looks after a stop hears that nobody answers, not that there is another stop.
-        if (m_line.away() && transaction.priority == Priority::Emergency)
-            return tl::unexpected(described({ErrorCode::NoAnswer}, request, 1));
+        if (m_line.isReconnecting() && transaction.priority == Priority::Emergency)
+            return tl::unexpected(withContext({ErrorCode::NoReply}, request, 1));
     }
     return outcome;
 }
 
-Result<Outcome> BusCore::repeat(const Transaction& transaction, base::ByteView frame)
+Result<Outcome> BusCore::transactWithRetries(const Transaction& transaction, base::ByteView frame)
 {
     const protocol::Request& request = transaction.request;
-    const int wanted = transaction.retries >= 0 ? transaction.retries : m_retries.load();
-    const int attempts = request.repeat == Repeat::Never ? 1 : wanted + 1;
+    const int maxRetries = transaction.retries >= 0 ? transaction.retries : m_retries.load();
+    const int attempts = request.repeat == Repeat::Never ? 1 : maxRetries + 1;
     const Interrupt interrupt = interruptBy(transaction.stop);
     const int countedId = request.id <= protocol::maxId ? request.id : -1;
     Outcome outcome;
     bool refused = false;
     std::optional<int> foreignId;
     while (outcome.attempts < attempts) {
-        if (const auto turn = awaitTurn(transaction, interrupt); !turn)
-            return tl::unexpected(described(turn.error(), request, outcome.attempts));
+        if (const auto ready = waitForTurn(transaction, interrupt); !ready)
+            return tl::unexpected(withContext(ready.error(), request, outcome.attempts));
         if (outcome.attempts == 1)
             m_statistics.count(StatisticsCollector::Event::Retried, countedId);
         ++outcome.attempts;
-        auto attempt =
-            m_exchange.run(request, frame, transaction.patience, replyDelay(), interrupt);
+        auto attempt = m_exchange.run(request, frame, transaction.timeout, replyDelay(), interrupt);
         if (!attempt)
-            return tl::unexpected(described(attempt.error(), request, outcome.attempts));
-        if (const auto refusal = refusalIn(*attempt))
-            return tl::unexpected(described(*refusal, request, outcome.attempts));
-        if (!attempt->arrivals.empty() || !attempt->fault) {
+            return tl::unexpected(withContext(attempt.error(), request, outcome.attempts));
+        if (const auto exception = exceptionIn(*attempt))
+            return tl::unexpected(withContext(*exception, request, outcome.attempts));
+        if (!attempt->receivedReplies.empty() || !attempt->fault) {
             outcome.sentAt = attempt->sentAt;
             outcome.roundTrip = attempt->endedAt - attempt->sentAt;
-            outcome.parts = partsOf(std::move(attempt->arrivals));
+            outcome.replies = repliesOf(std::move(attempt->receivedReplies));
             return outcome;
         }
         refused = attempt->refused;
         foreignId = attempt->foreignId;
         outcome.faults.push_back({*attempt->fault, attempt->endedAt});
-        const bool first = outcome.attempts == 1 && attempts > 1 && transaction.patience <= 0us;
-        if (first && *attempt->fault == FaultKind::TimeOut) {
-            if (const auto heard = awaitFirstReply(attempt->sentAt, interrupt); !heard)
-                return tl::unexpected(described(heard.error(), request, outcome.attempts));
+        const bool first = outcome.attempts == 1 && attempts > 1 && transaction.timeout <= 0us;
+        if (first && *attempt->fault == FaultKind::Timeout) {
+            if (const auto listened = awaitFirstReply(attempt->sentAt, interrupt); !listened)
+                return tl::unexpected(withContext(listened.error(), request, outcome.attempts));
         }
     }
     Error error{errorFor(outcome.faults)};
-    if (foreignId && error.code == ErrorCode::NoAnswer)
+    if (foreignId && error.code == ErrorCode::NoReply)
         error.detail = QStringLiteral("from %1").arg(*foreignId);
     if (request.repeat == Repeat::Never && !refused) {
         error.detail = base::errorName(error.code);
         error.code = ErrorCode::Uncertain;
     }
-    return tl::unexpected(described(std::move(error), request, refused ? 0 : outcome.attempts));
+    return tl::unexpected(withContext(std::move(error), request, refused ? 0 : outcome.attempts));
 }
 
 /// On a link that has shown nothing yet silence says nothing either: its adapter may be slower than
 /// the patience it is given at first. A late reply ends the wait, and teaches.
 Result<void> BusCore::awaitFirstReply(Duration sentAt, const Interrupt& interrupt)
 {
-    const Duration limit = sentAt + LateGuard::longestLateness;
-    while (!m_guard.hasMeasured() && m_clock.now() < limit) {
+    const Duration limit = sentAt + LateReplyGuard::maxLateness;
+    while (!m_lateReplyGuard.hasMeasured() && m_clock.now() < limit) {
         const Duration until = std::min(limit, m_clock.now() + waitSlice);
-        if (const auto heard = m_exchange.listenUntil(until, interrupt); !heard)
-            return heard;
+        if (const auto listened = m_exchange.listenUntil(until, interrupt); !listened)
+            return listened;
     }
     return {};
 }
 
 /// Listens until the servos may be spoken to; polls of others run meanwhile.
-Result<void> BusCore::awaitTurn(const Transaction& transaction, const Interrupt& interrupt)
+Result<void> BusCore::waitForTurn(const Transaction& transaction, const Interrupt& interrupt)
 {
     for (;;) {
         if (const auto reason = interrupt.due())
             return base::fail(*reason);
         const Duration now = m_clock.now();
-        const Duration quiet = m_guard.quietUntil(transaction.request);
+        const Duration quiet = m_lateReplyGuard.quietUntil(transaction.request);
         if (now >= quiet)
             return {};
         if (transaction.priority != Priority::Emergency && runPoll())
             continue;
         const Duration next = nextPoll().value_or(quiet);
         const Duration until = std::clamp(next, now + 1ms, std::max(quiet, now + 1ms));
-        if (const auto heard = m_exchange.listenUntil(std::min(until, quiet), interrupt); !heard)
-            return heard;
+        if (const auto listened = m_exchange.listenUntil(std::min(until, quiet), interrupt);
+            !listened)
+            return listened;
     }
 }
 
-Error BusCore::described(Error error, const protocol::Request& request, int attempts) const
+Error BusCore::withContext(Error error, const protocol::Request& request, int attempts) const
 {
     error.operation = operationName(request.op);
     error.id = request.id <= protocol::maxId ? request.id : -1;
@@ -230,11 +230,11 @@ Error BusCore::described(Error error, const protocol::Request& request, int atte
 
 Result<void> BusCore::listen(Duration span)
 {
-    serveEmergency();
-    auto heard = m_exchange.listenUntil(m_clock.now() + span, interruptBy(nullptr));
-    if (!heard && heard.error().code == ErrorCode::Preempted)
-        serveEmergency();
-    return heard;
+    handleEmergency();
+    auto listened = m_exchange.listenUntil(m_clock.now() + span, interruptBy(nullptr));
+    if (!listened && listened.error().code == ErrorCode::Preempted)
+        handleEmergency();
+    return listened;
 }
 
 Result<void> BusCore::setBaud(int baud)
@@ -242,7 +242,7 @@ Result<void> BusCore::setBaud(int baud)
     const Interrupt interrupt = interruptBy(nullptr);
     auto quiet = m_exchange.awaitSilence(interrupt);
     while (!quiet && quiet.error().code == ErrorCode::Preempted) {
-        serveEmergency();
+        handleEmergency();
         quiet = m_exchange.awaitSilence(interrupt);
     }
     if (!quiet)
@@ -250,18 +250,18 @@ Result<void> BusCore::setBaud(int baud)
     return m_line.setBaud(baud);
 }
 
-bool BusCore::pauseUntil(Duration instant, const base::Stop* stop)
+bool BusCore::pauseUntil(Duration instant, const base::StopToken* stop)
 {
     for (;;) {
         if (interruptBy(stop).due() == ErrorCode::Stopped)
             return false;
-        serveEmergency();
+        handleEmergency();
         const Duration now = m_clock.now();
         if (now >= instant)
             return true;
         if (runPoll())
             continue;
-        if (m_line.away()) {
+        if (m_line.isReconnecting()) {
             static_cast<void>(m_exchange.listenUntil(std::min(instant, now + waitSlice), {}));
             continue;
         }
@@ -295,17 +295,17 @@ void BusCore::emergency()
 {
     requestEmergency();
     if (std::this_thread::get_id() == m_thread)
-        serveEmergency();
+        handleEmergency();
 }
 
-bool BusCore::serveEmergency()
+bool BusCore::handleEmergency()
 {
     if (!m_emergency.load(std::memory_order_acquire))
         return false;
     // Nothing to say it on: until the link is back it is owed, and nothing else is said before it.
-    if (m_line.away())
+    if (m_line.isReconnecting())
         static_cast<void>(m_exchange.listenUntil(m_clock.now() + waitSlice, {}));
-    if (m_line.away() || !m_emergency.exchange(false, std::memory_order_acq_rel))
+    if (m_line.isReconnecting() || !m_emergency.exchange(false, std::memory_order_acq_rel))
         return false;
     std::vector<StopFrame> frames;
     {
@@ -315,7 +315,7 @@ bool BusCore::serveEmergency()
     m_trace.note(m_clock.now(), QStringLiteral("emergency"));
     // A lost link shows in the next transaction.
     static_cast<void>(m_exchange.sendStopFrames(frames, replyDelay()));
-    if (m_line.away()) // the link has died under it
+    if (m_line.isReconnecting()) // the link has died under it
         m_emergency.store(true, std::memory_order_release);
     return true;
 }
@@ -323,12 +323,12 @@ bool BusCore::serveEmergency()
 Statistics BusCore::statistics() const
 {
     Statistics statistics = m_statistics.snapshot(m_clock.now());
-    statistics.patience = m_guard.patience();
+    statistics.timeout = m_lateReplyGuard.timeout();
     statistics.samplesLost = m_samples.lost();
     return statistics;
 }
 
-void BusCore::lookAtLink()
+void BusCore::checkLink()
 {
     static_cast<void>(m_exchange.listenUntil(Duration{}, {}));
 }

@@ -2,8 +2,8 @@
 // The bus on the caller's thread: runs a transaction, and the polls that are due, while the caller
 // waits. For tests, fast simulation on a manual clock, and as the engine of BusThread. One thread,
 // except what fetches or sets plain values: emergency(), take…(), statistics(), setRetries(),
-// setPatience(), replyTimeout(), setReplyDelay(), setStopFrames(), awaitReturn(), lost(), away()
-// may be called from any.
+// setTimeout(), maxReplyLateness(), setReplyDelay(), setStopFrames(), setReconnectTimeout(),
+// lost(), away() may be called from any.
 #pragma once
 
 #include "bus/exchange.h"
@@ -17,9 +17,9 @@
 
 namespace bus {
 struct CoreOptions {
-    int bitsPerByte = 10;                 ///< 11 with parity
-    const base::Stop* shutdown = nullptr; ///< ends every wait with Stopped
-    Reopener reopen{};                    ///< opens the same port again; none: lost is lost
+    int bitsPerByte = 10;                      ///< 11 with parity
+    const base::StopToken* shutdown = nullptr; ///< ends every wait with Stopped
+    Reopener reopen{};                         ///< opens the same port again; none: lost is lost
 };
 
 class BusCore final : public Bus {
@@ -32,17 +32,20 @@ public:
 
     base::Result<Outcome> transact(const Transaction& transaction) override;
     base::Result<void> listen(base::Duration span) override;
-    std::vector<Stray> takeStrays() override { return m_strays.take(); }
+    std::vector<UnexpectedFrame> takeUnexpectedFrames() override
+    {
+        return m_unexpectedFrames.take();
+    }
 
     base::Result<void> setBaud(int baud) override;
     int baud() const override { return m_line.baud(); }
-    bool hasBaud() const override { return m_line.hasBaud(); }
+    bool canSetBaud() const override { return m_line.canSetBaud(); }
     QString portName() const override { return m_line.name(); }
-    bool echoes() const override { return m_line.echoes(); }
-    bool away() const override { return m_line.away(); }
-    void awaitReturn(base::Duration span) override { m_line.awaitReturn(span); }
+    bool hasEcho() const override { return m_line.hasEcho(); }
+    bool isReconnecting() const override { return m_line.isReconnecting(); }
+    void setReconnectTimeout(base::Duration span) override { m_line.setReconnectTimeout(span); }
 
-    bool pauseUntil(base::Duration instant, const base::Stop* stop) override;
+    bool pauseUntil(base::Duration instant, const base::StopToken* stop) override;
     Hold hold(const std::vector<int>& ids, std::optional<std::uint64_t> epoch = {}) override;
 
     PollId startPoll(const PollPlan& plan) override;
@@ -51,11 +54,11 @@ public:
 
     void setStopFrames(std::vector<StopFrame> frames) override;
     void emergency() override;
-    std::uint64_t emergencies() const override { return m_holds.emergencies(); }
+    std::uint64_t emergencyCount() const override { return m_holds.emergencyCount(); }
 
     void setRetries(int retries) override { m_retries.store(retries); }
-    void setPatience(base::Duration patience) override { m_guard.setPatience(patience); }
-    base::Duration replyTimeout() const override { return m_guard.replyTimeout(); }
+    void setTimeout(base::Duration timeout) override { m_lateReplyGuard.setTimeout(timeout); }
+    base::Duration maxReplyLateness() const override { return m_lateReplyGuard.maxReplyLateness(); }
     void setReplyDelay(base::Duration delay) override { m_replyDelay.store(delay.count()); }
 
     void setSilence(base::Duration silence) override { m_exchange.setSilence(silence); }
@@ -75,8 +78,8 @@ public:
     /// Runs one read that is due; false if there is none.
     bool runPoll();
     void requestEmergency(); ///< served by the bus' thread
-    bool serveEmergency();   ///< true if there was one
-    void lookAtLink();       ///< notices unplugging; what has come becomes strays
+    bool handleEmergency();  ///< true if there was one
+    void checkLink();        ///< notices unplugging; what has come becomes strays
     bool lost() const override { return m_line.lost(); }
     void closeLink() { m_line.close(); }
 
@@ -84,15 +87,16 @@ protected:
     void release(std::uint64_t token) override { m_holds.release(token); }
 
 private:
-    Interrupt interruptBy(const base::Stop* stop) const;
+    Interrupt interruptBy(const base::StopToken* stop) const;
     base::Duration replyDelay() const { return base::Duration(m_replyDelay.load()); }
     base::Result<Outcome> run(const Transaction& transaction);
-    base::Result<void> awaitTurn(const Transaction& transaction, const Interrupt& interrupt);
-    base::Result<Outcome> repeat(const Transaction& transaction, base::ByteView frame);
+    base::Result<void> waitForTurn(const Transaction& transaction, const Interrupt& interrupt);
+    base::Result<Outcome> transactWithRetries(const Transaction& transaction, base::ByteView frame);
     base::Result<void> awaitFirstReply(base::Duration sentAt, const Interrupt& interrupt);
-    void sharePolls(Priority priority);
+    void runOverduePoll(Priority priority);
     void storeSamples(const PollRead& read, Attempt attempt, base::ErrorCode error);
-    base::Error described(base::Error error, const protocol::Request& request, int attempts) const;
+    base::Error withContext(base::Error error, const protocol::Request& request,
+                            int attempts) const;
 
     base::Clock& m_clock;
     CoreOptions m_options;
@@ -102,10 +106,10 @@ private:
     std::atomic<base::Duration::rep> m_replyDelay{508};
     StatisticsCollector m_statistics;
     TraceRing m_trace;
-    StrayList m_strays;
-    SampleStore m_samples;
+    UnexpectedFrameList m_unexpectedFrames;
+    PollBuffer m_samples;
     HoldTable m_holds;
-    LateGuard m_guard;
+    LateReplyGuard m_lateReplyGuard;
     Line m_line;
     Exchange m_exchange;
     PollRunner m_polls;

@@ -7,9 +7,9 @@ using base::Duration;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr Duration pollShare = 20ms;
+constexpr Duration maxPollDelay = 20ms;
 /// A held servo is looked at again after this time.
-constexpr Duration heldPause = 5ms;
+constexpr Duration heldPollDelay = 5ms;
 } // namespace
 
 PollId BusCore::startPoll(const PollPlan& plan)
@@ -31,9 +31,9 @@ void BusCore::stopPoll(PollId id)
 }
 
 /// Feedback must not stop while transactions keep the wire busy.
-void BusCore::sharePolls(Priority priority)
+void BusCore::runOverduePoll(Priority priority)
 {
-    if (priority != Priority::Emergency && m_clock.now() >= m_lastPoll + pollShare)
+    if (priority != Priority::Emergency && m_clock.now() >= m_lastPoll + maxPollDelay)
         runPoll();
 }
 
@@ -42,8 +42,9 @@ bool BusCore::runPoll()
     if (m_line.lost())
         return false;
     const Duration now = m_clock.now();
-    const auto read = m_polls.next(
-        now, [&](int id) { return m_holds.isHeld(id) ? now + heldPause : m_guard.quietUntil(id); });
+    const auto read = m_polls.next(now, [&](int id) {
+        return m_holds.isHeld(id) ? now + heldPollDelay : m_lateReplyGuard.quietUntil(id);
+    });
     if (!read)
         return false;
     const auto request =
@@ -63,7 +64,7 @@ bool BusCore::runPoll()
     m_lastPoll = m_clock.now();
     if (!attempt)
         return attempt.error().code != base::ErrorCode::LinkLost;
-    const auto error = attempt->fault ? errorFor(*attempt->fault) : base::ErrorCode::NoAnswer;
+    const auto error = attempt->fault ? errorFor(*attempt->fault) : base::ErrorCode::NoReply;
     storeSamples(*read, std::move(*attempt), error);
     return true;
 }
@@ -71,19 +72,19 @@ bool BusCore::runPoll()
 namespace {
 /// No adapter is as late as that: it was this program that stood still (suspended, a busy machine).
 /// The servo has answered long ago.
-Duration momentOf(const Arrival& arrival, const Attempt& attempt)
+Duration sampleTime(const ReceivedReply& arrival, const Attempt& attempt)
 {
-    const bool stoodStill = arrival.at > attempt.onTime + LateGuard::longestLateness;
-    return stoodStill ? attempt.onTime : arrival.at;
+    const bool arrivedTooLate = arrival.at > attempt.expectedAt + LateReplyGuard::maxLateness;
+    return arrivedTooLate ? attempt.expectedAt : arrival.at;
 }
 } // namespace
 
 void BusCore::storeSamples(const PollRead& read, Attempt attempt, base::ErrorCode error)
 {
     m_polls.finished(read, attempt.missing, attempt.endedAt);
-    for (Arrival& arrival : attempt.arrivals) {
-        protocol::Part& part = arrival.part;
-        const Duration at = momentOf(arrival, attempt);
+    for (ReceivedReply& arrival : attempt.receivedReplies) {
+        protocol::Reply& part = arrival.part;
+        const Duration at = sampleTime(arrival, attempt);
         const bool answered = part.exception == 0;
         m_samples.add(read.plan,
                       {part.id, read.block.address, std::move(part.data), part.status, at, answered,

@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 
 namespace {
 /// Unplugging is noticed within this time although nothing is said on the wire.
-constexpr Duration lookInterval = 200ms;
+constexpr Duration linkCheckInterval = 200ms;
 /// A caller whose turn has not come yet looks at its stop this often.
 constexpr auto stopInterval = 20ms;
 } // namespace
@@ -29,15 +29,15 @@ struct BusThread::Pending {
 
 /// Keeps the object alive until the callers inside have left it. Constructed and destroyed with the
 /// mutex held.
-struct BusThread::Visit {
-    explicit Visit(BusThread& thread)
+struct BusThread::CallGuard {
+    explicit CallGuard(BusThread& thread)
         : bus(thread)
     {
-        ++bus.m_visitors;
+        ++bus.m_activeCalls;
     }
-    ~Visit()
+    ~CallGuard()
     {
-        if (--bus.m_visitors == 0)
+        if (--bus.m_activeCalls == 0)
             bus.m_changed.notify_all();
     }
     BusThread& bus;
@@ -74,7 +74,7 @@ BusThread::~BusThread()
     wake();
     {
         std::unique_lock lock(m_mutex);
-        m_changed.wait(lock, [this] { return m_ended && m_visitors == 0; });
+        m_changed.wait(lock, [this] { return m_ended && m_activeCalls == 0; });
     }
     m_thread->wait();
 }
@@ -97,8 +97,8 @@ void BusThread::run(const Opener& opener)
 
 void BusThread::serve()
 {
-    while (!m_shutdown.requested()) {
-        m_core->serveEmergency();
+    while (!m_shutdown.isRequested()) {
+        m_core->handleEmergency();
         if (!runNext() && !m_core->runPoll())
             idle();
     }
@@ -138,14 +138,14 @@ bool BusThread::runNext()
             command(*m_core);
             return true;
         }
-        const auto place = std::find_if(m_queue.begin(), m_queue.end(), [&](const auto& pending) {
+        const auto entry = std::find_if(m_queue.begin(), m_queue.end(), [&](const auto& pending) {
             access = accessOf(*pending);
             return access != HoldTable::Access::Wait;
         });
-        if (place == m_queue.end())
+        if (entry == m_queue.end())
             return false;
-        next = *place;
-        m_queue.erase(place);
+        next = *entry;
+        m_queue.erase(entry);
     }
     finish(*next, next->work ? next->work(*m_core).map([] { return Outcome{}; })
                              : m_core->execute(next->transaction, access));
@@ -158,7 +158,7 @@ HoldTable::Access BusThread::accessOf(const Pending& pending)
     if (pending.work)
         return HoldTable::Access::Pass;
     if (pending.preempted) {
-        m_core->holds().forgetPreemption(transaction.hold);
+        m_core->holds().clearPreemption(transaction.hold);
         return HoldTable::Access::Preempted;
     }
     return m_core->holds().access(transaction.request, transaction.hold, pending.caller,
@@ -181,11 +181,11 @@ void BusThread::finish(Pending& pending, Result<Outcome> result)
 void BusThread::idle()
 {
     const Duration now = m_clock.now();
-    if (now >= m_lastLook + lookInterval) {
-        m_lastLook = now;
-        m_core->lookAtLink();
+    if (now >= m_lastLinkCheck + linkCheckInterval) {
+        m_lastLinkCheck = now;
+        m_core->checkLink();
     }
-    Duration until = m_lastLook + lookInterval;
+    Duration until = m_lastLinkCheck + linkCheckInterval;
     if (!lost())
         until = std::min(until, m_core->nextPoll().value_or(until));
     std::unique_lock lock(m_mutex);
@@ -211,20 +211,20 @@ void BusThread::post(Command command)
 /// With the mutex held. Equal priorities keep their order.
 void BusThread::enqueue(std::shared_ptr<Pending> pending)
 {
-    const auto place =
+    const auto entry =
         std::upper_bound(m_queue.begin(), m_queue.end(), pending, [](const auto& a, const auto& b) {
             return a->transaction.priority < b->transaction.priority;
         });
-    m_queue.insert(place, std::move(pending));
+    m_queue.insert(entry, std::move(pending));
     m_signal = true;
     m_work.notify_one();
 }
 
 Result<Outcome> BusThread::await(const std::shared_ptr<Pending>& pending)
 {
-    const base::Stop* const stop = pending->transaction.stop;
+    const base::StopToken* const stop = pending->transaction.stop;
     std::unique_lock lock(m_mutex);
-    const Visit visit(*this);
+    const CallGuard callGuard(*this);
     if (m_ended)
         return base::fail(ErrorCode::Stopped);
     enqueue(pending);
@@ -232,9 +232,9 @@ Result<Outcome> BusThread::await(const std::shared_ptr<Pending>& pending)
     if (stop == nullptr)
         pending->finished.wait(lock, finished);
     while (!pending->finished.wait_for(lock, stopInterval, finished)) {
-        const auto place = std::find(m_queue.begin(), m_queue.end(), pending);
-        if (stop->requested() && place != m_queue.end()) {
-            m_queue.erase(place);
+        const auto entry = std::find(m_queue.begin(), m_queue.end(), pending);
+        if (stop->isRequested() && entry != m_queue.end()) {
+            m_queue.erase(entry);
             return base::fail(ErrorCode::Stopped);
         }
     }
@@ -282,7 +282,7 @@ Result<void> BusThread::setBaud(int baud)
     return onBusThread([baud](BusCore& core) { return core.setBaud(baud); });
 }
 
-bool BusThread::pauseUntil(Duration instant, const base::Stop* stop)
+bool BusThread::pauseUntil(Duration instant, const base::StopToken* stop)
 {
     return m_clock.sleepUntil(instant, stop);
 }
@@ -291,11 +291,11 @@ Hold BusThread::hold(const std::vector<int>& ids, std::optional<std::uint64_t> e
 {
     std::uint64_t token = 0;
     std::unique_lock lock(m_mutex);
-    const Visit visit(*this);
+    const CallGuard callGuard(*this);
     m_changed.wait(lock, [&] {
-        if (!m_shutdown.requested())
+        if (!m_shutdown.isRequested())
             token = m_core->holds().take(ids, std::this_thread::get_id(), epoch);
-        return token != 0 || m_shutdown.requested();
+        return token != 0 || m_shutdown.isRequested();
     });
     return {this, token};
 }

@@ -18,7 +18,7 @@ public:
     using Done = std::function<void(base::Result<Outcome>)>;
 
     /// Blocks until the port is open (about 0.3 s more to find out about echo) or failed to. The
-    /// opener is kept, for awaitReturn().
+    /// opener is kept, for setReconnectTimeout().
     static base::Result<std::unique_ptr<BusThread>>
     open(Opener opener, const protocol::Codec& codec, base::Clock& clock, int bitsPerByte = 10);
 
@@ -29,20 +29,23 @@ public:
     /// still waiting when the bus ends is done with Stopped.
     void submit(Transaction transaction, Done done);
     bool lost() const override { return m_core->lost(); }
-    bool away() const override { return m_core->away(); }
-    void awaitReturn(base::Duration span) override { m_core->awaitReturn(span); }
+    bool isReconnecting() const override { return m_core->isReconnecting(); }
+    void setReconnectTimeout(base::Duration span) override { m_core->setReconnectTimeout(span); }
 
     base::Result<Outcome> transact(const Transaction& transaction) override;
     base::Result<void> listen(base::Duration span) override;
-    std::vector<Stray> takeStrays() override { return m_core->takeStrays(); }
+    std::vector<UnexpectedFrame> takeUnexpectedFrames() override
+    {
+        return m_core->takeUnexpectedFrames();
+    }
 
     base::Result<void> setBaud(int baud) override;
     int baud() const override { return m_core->baud(); }
-    bool hasBaud() const override { return m_core->hasBaud(); }
+    bool canSetBaud() const override { return m_core->canSetBaud(); }
     QString portName() const override { return m_core->portName(); }
-    bool echoes() const override { return m_core->echoes(); }
+    bool hasEcho() const override { return m_core->hasEcho(); }
 
-    bool pauseUntil(base::Duration instant, const base::Stop* stop) override;
+    bool pauseUntil(base::Duration instant, const base::StopToken* stop) override;
     Hold hold(const std::vector<int>& ids, std::optional<std::uint64_t> epoch = {}) override;
 
     PollId startPoll(const PollPlan& plan) override;
@@ -51,11 +54,11 @@ public:
 
     void setStopFrames(std::vector<StopFrame> frames) override;
     void emergency() override;
-    std::uint64_t emergencies() const override { return m_core->emergencies(); }
+    std::uint64_t emergencyCount() const override { return m_core->emergencyCount(); }
 
     void setRetries(int retries) override { m_core->setRetries(retries); }
-    void setPatience(base::Duration patience) override { m_core->setPatience(patience); }
-    base::Duration replyTimeout() const override { return m_core->replyTimeout(); }
+    void setTimeout(base::Duration timeout) override { m_core->setTimeout(timeout); }
+    base::Duration maxReplyLateness() const override { return m_core->maxReplyLateness(); }
     void setReplyDelay(base::Duration delay) override { m_core->setReplyDelay(delay); }
     void setSilence(base::Duration silence) override { m_core->setSilence(silence); }
 
@@ -69,7 +72,7 @@ protected:
 private:
     using Command = std::function<void(BusCore&)>;
     struct Pending;
-    struct Visit; ///< a caller inside the object
+    struct CallGuard; ///< a caller inside the object
 
     BusThread(const protocol::Codec& codec, base::Clock& clock, int bitsPerByte);
     base::Result<void> start(Opener opener);
@@ -89,7 +92,7 @@ private:
     const protocol::Codec& m_codec;
     base::Clock& m_clock;
     int m_bitsPerByte;
-    base::Stop m_shutdown;
+    base::StopToken m_shutdown;
     std::unique_ptr<BusCore> m_core; ///< made on the bus thread, never replaced
     std::unique_ptr<QThread> m_thread;
 
@@ -101,7 +104,7 @@ private:
     bool m_signal = false; ///< there may be something to do
     std::optional<base::Result<void>> m_opened;
     bool m_ended = false;
-    int m_visitors = 0;
-    base::Duration m_lastLook{}; ///< bus thread only
+    int m_activeCalls = 0;
+    base::Duration m_lastLinkCheck{}; ///< bus thread only
 };
 } // namespace bus

@@ -7,13 +7,13 @@ namespace bus {
 using base::Duration;
 using base::Result;
 using protocol::Expectation;
-using protocol::Part;
+using protocol::Reply;
 using protocol::ScanKind;
 using Event = StatisticsCollector::Event;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr std::size_t longestFrame = 256;
+constexpr std::size_t maxFrameSize = 256;
 /// No decision needs more: the longest frame, and what may begin inside it.
 constexpr std::size_t scanWindow = 1024;
 /// What answers a raw request is kept up to this much.
@@ -34,11 +34,11 @@ int countedId(int id)
 int rank(FaultKind kind)
 {
     switch (kind) {
-    case FaultKind::Unrest:
+    case FaultKind::LineBusy:
         return 5;
-    case FaultKind::BadCheck:
+    case FaultKind::BadChecksum:
         return 4;
-    case FaultKind::WrongShape:
+    case FaultKind::UnexpectedReply:
         return 3;
     case FaultKind::Noise:
         return 2;
@@ -49,7 +49,7 @@ int rank(FaultKind kind)
 
 /// What must reach the servo as far as the wire allows: a lock that is to be closed, torque that is
 /// to go off. Reading tells later what became of it.
-bool isSentRegardless(const protocol::Request& request)
+bool isSentOnBusyLine(const protocol::Request& request)
 {
     switch (request.op) {
     case protocol::Op::Write:
@@ -68,15 +68,15 @@ bool isSentRegardless(const protocol::Request& request)
 base::ErrorCode errorFor(FaultKind kind)
 {
     switch (kind) {
-    case FaultKind::BadCheck:
+    case FaultKind::BadChecksum:
     case FaultKind::Noise:
         return base::ErrorCode::Garbled;
-    case FaultKind::WrongShape:
-        return base::ErrorCode::WrongAnswer;
-    case FaultKind::Unrest:
+    case FaultKind::UnexpectedReply:
+        return base::ErrorCode::UnexpectedReply;
+    case FaultKind::LineBusy:
         return base::ErrorCode::LineBusy;
     default:
-        return base::ErrorCode::NoAnswer;
+        return base::ErrorCode::NoReply;
     }
 }
 
@@ -84,21 +84,21 @@ base::ErrorCode errorFor(FaultKind kind)
 struct Exchange::Wait {
     Expectation expected; ///< `ids` shrinks as the replies come
     Attempt attempt;
-    Duration onTime{}; ///< when a prompt adapter would have shown the last reply
+    Duration expectedAt{}; ///< when a prompt adapter would have shown the last reply
     Duration deadline{};
     std::vector<int> broken; ///< answered with a wrong checksum
     /// A PING asks whether a servo is there: silence is an answer to that, not an error.
-    bool asksWhoIsThere = false;
+    bool isPing = false;
 
-    bool asks(int id) const { return has(expected.ids, id); }
+    bool expects(int id) const { return has(expected.ids, id); }
     /// The servo that noise is counted for.
-    int blamed() const { return expected.ids.size() == 1 ? expected.ids.front() : -1; }
-    void trouble(FaultKind kind)
+    int soleTarget() const { return expected.ids.size() == 1 ? expected.ids.front() : -1; }
+    void addFault(FaultKind kind)
     {
         if (!attempt.fault || rank(kind) > rank(*attempt.fault))
             attempt.fault = kind;
     }
-    bool done() const
+    bool isDone() const
     {
         return std::all_of(expected.ids.begin(), expected.ids.end(),
                            [this](int id) { return has(broken, id); });
@@ -106,19 +106,19 @@ struct Exchange::Wait {
 };
 
 Exchange::Exchange(Line& line, const protocol::Codec& probeCodec, base::Clock& clock,
-                   LateGuard& guard, StatisticsCollector& statistics, TraceRing& trace,
-                   StrayList& strays)
+                   LateReplyGuard& lateReplyGuard, StatisticsCollector& statistics,
+                   TraceRing& trace, UnexpectedFrameList& strays)
     : m_line(line)
     , m_codec(&probeCodec)
     , m_clock(clock)
-    , m_guard(guard)
+    , m_lateReplyGuard(lateReplyGuard)
     , m_statistics(statistics)
     , m_trace(trace)
-    , m_strays(strays)
+    , m_unexpectedFrames(strays)
 {}
 
 Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView frame,
-                              Duration patience, Duration replyDelay, const Interrupt& interrupt)
+                              Duration timeout, Duration replyDelay, const Interrupt& interrupt)
 {
     if (const auto quiet = awaitSilence(interrupt); !quiet)
         return tl::unexpected(quiet.error());
@@ -126,86 +126,86 @@ Result<Attempt> Exchange::run(const protocol::Request& request, base::ByteView f
     Wait wait;
     const protocol::Codec& codec = protocol::codecFor(request.protocol);
     // Nothing is sent yet, so stop may end this even if the request must not be repeated.
-    if (unrest() == Unrest::None) {
-        if (const auto silent = keepSilence(codec, interrupt); !silent)
+    if (lineState() == LineState::None) {
+        if (const auto silent = awaitFrameGap(codec, interrupt); !silent)
             return tl::unexpected(silent.error());
     }
-    const Unrest before = unrest();
+    const LineState before = lineState();
     m_codec = &codec;
-    m_language = request.protocol;
-    m_trace.speak(request.protocol);
+    m_protocol = request.protocol;
+    m_trace.setProtocol(request.protocol);
     wait.expected = m_codec->expect(request);
-    wait.asksWhoIsThere = request.op == protocol::Op::Ping;
-    if (before == Unrest::Unreadable && !isSentRegardless(request))
+    wait.isPing = request.op == protocol::Op::Ping;
+    if (before == LineState::Unreadable && !isSentOnBusyLine(request))
         return refused(wait, interrupt);
     const std::size_t replies = wait.expected.ids.size();
     // An emergency that came while the line was looked at goes first.
     if (const auto reason = interrupt.due())
         return base::fail(*reason);
-    m_guard.sending(request);
+    m_lateReplyGuard.aboutToSend(request);
     const auto sentAt = m_line.send(frame);
-    if (!sentAt && !m_line.away())
+    if (!sentAt && !m_line.isReconnecting())
         return tl::unexpected(sentAt.error());
     countSent(request, wait.expected);
     if (!sentAt)
-        return unheard(wait, interrupt);
+        return sendFailed(wait, interrupt);
 
     wait.attempt.sentAt = *sentAt;
-    wait.onTime = m_line.freeAt() +
-                  m_line.wireTime(replies * static_cast<std::size_t>(wait.expected.replyBytes));
+    wait.expectedAt = m_line.freeAt() +
+                      m_line.wireTime(replies * static_cast<std::size_t>(wait.expected.replyBytes));
     if (raw || replies > 0)
-        wait.onTime += replyDelay * std::max<std::size_t>(replies, 1);
-    wait.attempt.onTime = wait.onTime;
-    wait.deadline = wait.onTime + (patience > 0us ? patience : m_guard.patience());
-    m_repliesUntil = wait.onTime;
-    m_unsettled = true;
-    return receiveFor(request, wait, before, interrupt);
+        wait.expectedAt += replyDelay * std::max<std::size_t>(replies, 1);
+    wait.attempt.expectedAt = wait.expectedAt;
+    wait.deadline = wait.expectedAt + (timeout > 0us ? timeout : m_lateReplyGuard.timeout());
+    m_repliesUntil = wait.expectedAt;
+    m_awaitingSilence = true;
+    return receiveAttempt(request, wait, before, interrupt);
 }
 
-Result<Attempt> Exchange::receiveFor(const protocol::Request& request, Wait& wait, Unrest before,
-                                     const Interrupt& interrupt)
+Result<Attempt> Exchange::receiveAttempt(const protocol::Request& request, Wait& wait,
+                                         LineState before, const Interrupt& interrupt)
 {
     const bool raw = request.op == protocol::Op::Raw;
     const std::size_t replies = wait.expected.ids.size();
-    Interrupt early = interrupt;
+    Interrupt interruptible = interrupt;
     if (request.repeat == protocol::Repeat::Never)
-        early.caller = nullptr;
-    const bool believed = raw || before != Unrest::Unreadable;
-    const auto received = raw                       ? receiveRaw(wait, early)
-                          : believed && replies > 0 ? receiveReplies(wait, early)
-                                                    : listenUntil(m_line.freeAt(), {});
+        interruptible.caller = nullptr;
+    const bool isReadable = raw || before != LineState::Unreadable;
+    const auto received = raw                         ? receiveRaw(wait, interruptible)
+                          : isReadable && replies > 0 ? receiveReplies(wait, interruptible)
+                                                      : listenUntil(m_line.freeAt(), {});
     if (!received)
         return tl::unexpected(received.error());
     wait.attempt.endedAt = m_clock.now();
-    if (!believed)
+    if (!isReadable)
         giveUp(wait, true);
-    if (before != Unrest::None && !wait.attempt.missing.empty())
-        wait.trouble(FaultKind::Unrest);
+    if (before != LineState::None && !wait.attempt.missing.empty())
+        wait.addFault(FaultKind::LineBusy);
     // Nobody was to answer, but the link has died under it: it may not have got through.
-    if (replies == 0 && m_line.away())
-        wait.trouble(FaultKind::TimeOut);
+    if (replies == 0 && m_line.isReconnecting())
+        wait.addFault(FaultKind::Timeout);
     return std::move(wait.attempt);
 }
 
 /// The link is away, and nothing was sent: to whoever asks that is silence.
-Result<Attempt> Exchange::unheard(Wait& wait, const Interrupt& interrupt)
+Result<Attempt> Exchange::sendFailed(Wait& wait, const Interrupt& interrupt)
 {
     wait.attempt.sentAt = m_clock.now();
     // Nobody goes round faster than the line can come back.
-    if (const auto heard = listenUntil(wait.attempt.sentAt + waitSlice, interrupt); !heard)
-        return tl::unexpected(heard.error());
+    if (const auto listened = listenUntil(wait.attempt.sentAt + waitSlice, interrupt); !listened)
+        return tl::unexpected(listened.error());
     wait.attempt.endedAt = m_clock.now();
     wait.attempt.missing = wait.expected.ids;
     for (const int id : wait.expected.ids)
-        countSilence(wait, id);
-    wait.trouble(FaultKind::TimeOut);
+        countTimeout(wait, id);
+    wait.addFault(FaultKind::Timeout);
     return std::move(wait.attempt);
 }
 
-void Exchange::countSilence(const Wait& wait, int id)
+void Exchange::countTimeout(const Wait& wait, int id)
 {
-    if (!wait.asksWhoIsThere)
-        m_statistics.count(Event::TimeOut, countedId(id));
+    if (!wait.isPing)
+        m_statistics.count(Event::Timeout, countedId(id));
 }
 
 Duration Exchange::tolerance() const
@@ -213,23 +213,23 @@ Duration Exchange::tolerance() const
     return maxNoiseTime + m_line.wireTime(maxNoiseBytes);
 }
 
-bool Exchange::overloaded() const
+bool Exchange::isOverloaded() const
 {
-    return m_unrest.overloaded(tolerance(), m_clock.now());
+    return m_lineNoise.isOverloaded(tolerance(), m_clock.now());
 }
 
-void Exchange::unasked(std::size_t bytes, bool frame)
+void Exchange::countUnsolicited(std::size_t bytes, bool frame)
 {
     // Forgotten soon after it has ended, however much it was.
-    const Duration most = tolerance() + waitSlice;
-    m_unrest.heard(m_line.wireTime(bytes), frame, m_line.lastByteAt(), most);
+    const Duration maxLevel = tolerance() + waitSlice;
+    m_lineNoise.addBytes(m_line.wireTime(bytes), frame, m_line.lastByteAt(), maxLevel);
 }
 
-Exchange::Unrest Exchange::unrest() const
+Exchange::LineState Exchange::lineState() const
 {
-    if (overloaded() || (m_neverSilent && m_unrest.framesHeard()))
-        return Unrest::Unreadable;
-    return m_neverSilent ? Unrest::Noisy : Unrest::None;
+    if (isOverloaded() || (m_lineBusy && m_lineNoise.hasFrames()))
+        return LineState::Unreadable;
+    return m_lineBusy ? LineState::Noisy : LineState::None;
 }
 
 /// Whatever came now might be taken for the reply, so nothing is asked.
@@ -238,12 +238,12 @@ Result<Attempt> Exchange::refused(Wait& wait, const Interrupt& interrupt)
     wait.attempt.sentAt = m_clock.now();
     m_trace.note(wait.attempt.sentAt, QStringLiteral("line busy"));
     // A caller that asks again does not do so at the speed of the processor.
-    if (const auto heard = listenUntil(wait.attempt.sentAt + waitSlice, interrupt); !heard)
-        return tl::unexpected(heard.error());
+    if (const auto listened = listenUntil(wait.attempt.sentAt + waitSlice, interrupt); !listened)
+        return tl::unexpected(listened.error());
     wait.attempt.endedAt = m_clock.now();
     wait.attempt.missing = wait.expected.ids;
     wait.attempt.refused = true;
-    wait.trouble(FaultKind::Unrest);
+    wait.addFault(FaultKind::LineBusy);
     return std::move(wait.attempt);
 }
 
@@ -257,11 +257,12 @@ void Exchange::countSent(const protocol::Request& request, const Expectation& ex
 
 /// Receives until `ended`, asked after every arrival, says so; at most until the deadline and the
 /// end of a reply that is running then.
-template <typename Ended>
-Result<void> Exchange::receiveUntil(const Wait& wait, const Interrupt& interrupt, Ended&& ended)
+template <typename Predicate>
+Result<void> Exchange::receiveUntil(const Wait& wait, const Interrupt& interrupt,
+                                    Predicate&& isFinished)
 {
-    const Duration limit = wait.deadline + m_line.wireTime(longestFrame);
-    for (bool lastLook = false; !lastLook;) {
+    const Duration limit = wait.deadline + m_line.wireTime(maxFrameSize);
+    for (bool lastPass = false; !lastPass;) {
         if (const auto reason = interrupt.due())
             return base::fail(*reason);
         const Duration now = m_clock.now();
@@ -269,13 +270,13 @@ Result<void> Exchange::receiveUntil(const Wait& wait, const Interrupt& interrupt
             m_line.received() > 0 ? m_line.lastByteAt() + m_line.silence() : Duration{};
         const Duration until = std::max(wait.deadline, std::min(silentAt, limit));
         // A thread that was not scheduled in time still finds what has come meanwhile.
-        lastLook = now >= until;
-        const auto came = m_line.receive(std::clamp(until - now, Duration{}, waitSlice));
-        if (!came)
-            return tl::unexpected(came.error());
-        if (*came && ended())
+        lastPass = now >= until;
+        const auto hasData = m_line.receive(std::clamp(until - now, Duration{}, waitSlice));
+        if (!hasData)
+            return tl::unexpected(hasData.error());
+        if (*hasData && isFinished())
             return {};
-        lastLook = lastLook && !(*came && now < limit);
+        lastPass = lastPass && !(*hasData && now < limit);
     }
     return {};
 }
@@ -283,25 +284,25 @@ Result<void> Exchange::receiveUntil(const Wait& wait, const Interrupt& interrupt
 Result<void> Exchange::receiveReplies(Wait& wait, const Interrupt& interrupt)
 {
     const auto replyBytes = static_cast<std::size_t>(wait.expected.replyBytes);
-    const bool anybody = wait.asks(protocol::broadcastId);
+    const bool isBroadcastPing = wait.expects(protocol::broadcastId);
     const auto received = receiveUntil(wait, interrupt, [&] {
-        if (m_line.received() >= m_line.echoOwed() + replyBytes)
-            m_line.giveUpEcho();
-        digest(wait, false);
-        return wait.expected.ids.empty() || (wait.done() && m_line.received() == 0);
+        if (m_line.received() >= m_line.pendingEchoBytes() + replyBytes)
+            m_line.discardEcho();
+        parseBuffer(wait, false);
+        return wait.expected.ids.empty() || (wait.isDone() && m_line.received() == 0);
     });
     if (!received) {
         giveUp(wait, true);
         return received;
     }
     if (!wait.expected.ids.empty()) {
-        m_line.giveUpEcho();
-        digest(wait, true);
+        m_line.discardEcho();
+        parseBuffer(wait, true);
         giveUp(wait, false);
     }
     if (wait.attempt.missing.empty())
         wait.attempt.fault.reset();
-    m_unsettled = anybody || !wait.attempt.missing.empty() || m_line.received() > 0;
+    m_awaitingSilence = isBroadcastPing || !wait.attempt.missing.empty() || m_line.received() > 0;
     return {};
 }
 
@@ -310,12 +311,12 @@ Result<void> Exchange::receiveRaw(Wait& wait, const Interrupt& interrupt)
     const auto received =
         receiveUntil(wait, interrupt, [this] { return m_line.received() >= maxRawReply; });
     // Nobody knows whom the bytes spoke to, nor whether all answers are in.
-    m_guard.quietAll(m_clock.now());
-    m_line.giveUpEcho();
+    m_lateReplyGuard.quietAll(m_clock.now());
+    m_line.discardEcho();
     base::Bytes bytes = m_line.takePending();
     if (!bytes.empty())
         m_trace.add(m_line.lastByteAt(), TraceKind::Received, bytes);
-    wait.attempt.arrivals.push_back({{-1, 0, std::move(bytes)}, m_line.lastByteAt()});
+    wait.attempt.receivedReplies.push_back({{-1, 0, std::move(bytes)}, m_line.lastByteAt()});
     return received;
 }
 
@@ -326,16 +327,16 @@ void Exchange::giveUp(Wait& wait, bool interrupted)
         wait.attempt.missing.push_back(id);
         if (has(wait.broken, id))
             continue;
-        m_guard.timedOut(id, wait.onTime, now, m_language);
+        m_lateReplyGuard.timedOut(id, wait.expectedAt, now, m_protocol);
         if (interrupted)
             continue;
-        wait.trouble(FaultKind::TimeOut);
-        countSilence(wait, id);
+        wait.addFault(FaultKind::Timeout);
+        countTimeout(wait, id);
         m_trace.note(now, QStringLiteral("time-out %1").arg(id));
     }
 }
 
-void Exchange::digest(Wait& wait, bool atDeadline)
+void Exchange::parseBuffer(Wait& wait, bool atDeadline)
 {
     while (!m_line.pending().empty()) {
         // However much waits, the work for each byte is the same.
@@ -351,35 +352,35 @@ void Exchange::digest(Wait& wait, bool atDeadline)
         switch (result.kind) {
         case ScanKind::Reply:
             m_trace.add(m_line.lastByteAt(), TraceKind::Received, bytes);
-            takeReply(wait, std::move(result.part));
+            handleReply(wait, std::move(result.part));
             break;
         case ScanKind::Foreign:
-            takeForeign(wait, std::move(result.part), bytes);
+            handleForeign(wait, std::move(result.part), bytes);
             break;
-        case ScanKind::BadCheck:
-            unasked(bytes.size(), false);
-            m_trace.add(m_line.lastByteAt(), TraceKind::BadCheck, bytes);
-            takeBadCheck(wait, result.part.id);
+        case ScanKind::BadChecksum:
+            countUnsolicited(bytes.size(), false);
+            m_trace.add(m_line.lastByteAt(), TraceKind::BadChecksum, bytes);
+            handleBadChecksum(wait, result.part.id);
             break;
         case ScanKind::Noise:
         case ScanKind::Incomplete:
-            unasked(bytes.size(), false);
+            countUnsolicited(bytes.size(), false);
             m_trace.add(m_line.lastByteAt(), TraceKind::Noise, bytes);
-            m_statistics.noise(wait.blamed(), bytes.size());
-            wait.trouble(FaultKind::Noise);
+            m_statistics.addNoise(wait.soleTarget(), bytes.size());
+            wait.addFault(FaultKind::Noise);
             break;
         }
         m_line.consume(result.consumed);
     }
 }
 
-void Exchange::digestStrays(bool atDeadline)
+void Exchange::parseUnexpected(bool atDeadline)
 {
-    Wait nobody;
-    digest(nobody, atDeadline);
+    Wait noRequest;
+    parseBuffer(noRequest, atDeadline);
 }
 
-void Exchange::takeReply(Wait& wait, Part part)
+void Exchange::handleReply(Wait& wait, Reply part)
 {
     const Duration at = m_line.lastByteAt();
     auto& ids = wait.expected.ids;
@@ -388,39 +389,39 @@ void Exchange::takeReply(Wait& wait, Part part)
         asked = ids.begin();
     const int id = *asked == protocol::broadcastId ? part.id : *asked;
     ids.erase(asked);
-    m_guard.answered(id, wait.onTime, at, m_language);
-    m_guard.learn(at - wait.onTime);
-    m_statistics.answered(id, at - wait.attempt.sentAt);
-    wait.attempt.arrivals.push_back({std::move(part), at});
+    m_lateReplyGuard.replyReceived(id, wait.expectedAt, at, m_protocol);
+    m_lateReplyGuard.learn(at - wait.expectedAt);
+    m_statistics.replyReceived(id, at - wait.attempt.sentAt);
+    wait.attempt.receivedReplies.push_back({std::move(part), at});
 }
 
-void Exchange::takeForeign(Wait& wait, Part part, base::ByteView frame)
+void Exchange::handleForeign(Wait& wait, Reply part, base::ByteView frame)
 {
     const Duration at = m_line.lastByteAt();
     const int id = countedId(part.id);
-    if (const auto lateness = m_guard.settle(id, at, m_language)) {
-        m_guard.learn(*lateness);
+    if (const auto lateness = m_lateReplyGuard.matchLateReply(id, at, m_protocol)) {
+        m_lateReplyGuard.learn(*lateness);
         m_statistics.count(Event::Late, id);
         m_trace.add(at, TraceKind::Late, frame);
     } else {
-        unasked(frame.size(), true);
+        countUnsolicited(frame.size(), true);
         m_statistics.count(Event::Foreign, id);
         m_trace.add(at, TraceKind::Foreign, frame);
-        if (wait.asks(part.id))
-            wait.trouble(FaultKind::WrongShape);
+        if (wait.expects(part.id))
+            wait.addFault(FaultKind::UnexpectedReply);
         else if (id >= 0 && !wait.expected.ids.empty())
             wait.attempt.foreignId = id;
     }
     if (id >= 0)
-        m_strays.add({id, part.status, std::move(part.data), at, part.exception});
+        m_unexpectedFrames.add({id, part.status, std::move(part.data), at, part.exception});
 }
 
-void Exchange::takeBadCheck(Wait& wait, int id)
+void Exchange::handleBadChecksum(Wait& wait, int id)
 {
-    m_statistics.count(Event::BadCheck, countedId(id));
-    wait.trouble(FaultKind::BadCheck);
-    const int blamed = wait.asks(id) ? id : wait.blamed();
-    if (!has(wait.broken, blamed))
-        wait.broken.push_back(blamed);
+    m_statistics.count(Event::BadChecksum, countedId(id));
+    wait.addFault(FaultKind::BadChecksum);
+    const int soleTarget = wait.expects(id) ? id : wait.soleTarget();
+    if (!has(wait.broken, soleTarget))
+        wait.broken.push_back(soleTarget);
 }
 } // namespace bus

@@ -20,8 +20,8 @@ namespace bus {
 constexpr base::Duration maxNoiseTime = std::chrono::milliseconds(20);
 constexpr std::size_t maxNoiseBytes = 512;
 
-struct Arrival {
-    protocol::Part part;
+struct ReceivedReply {
+    protocol::Reply part;
     base::Duration at{}; ///< when its last byte had come
 };
 
@@ -30,24 +30,25 @@ base::ErrorCode errorFor(FaultKind kind);
 
 /// What sending a request once brought.
 struct Attempt {
-    std::vector<Arrival> arrivals;
+    std::vector<ReceivedReply> receivedReplies;
     std::vector<int> missing;       ///< asked, but not answered
     std::optional<FaultKind> fault; ///< the most telling trouble, if something is missing
     bool refused = false;           ///< not sent, because of the unrest on the line
     std::optional<int> foreignId;   ///< a reply that came meanwhile, from an ID that was not asked
     base::Duration sentAt{};
-    base::Duration onTime{}; ///< when a prompt adapter would have shown the last reply
+    base::Duration expectedAt{}; ///< when a prompt adapter would have shown the last reply
     base::Duration endedAt{};
 };
 
 class Exchange {
 public:
-    Exchange(Line& line, const protocol::Codec& probeCodec, base::Clock& clock, LateGuard& guard,
-             StatisticsCollector& statistics, TraceRing& trace, StrayList& strays);
+    Exchange(Line& line, const protocol::Codec& probeCodec, base::Clock& clock,
+             LateReplyGuard& lateReplyGuard, StatisticsCollector& statistics, TraceRing& trace,
+             UnexpectedFrameList& strays);
 
     /// `frame` is the encoded request. `patience` 0: adaptive.
     base::Result<Attempt> run(const protocol::Request& request, base::ByteView frame,
-                              base::Duration patience, base::Duration replyDelay,
+                              base::Duration timeout, base::Duration replyDelay,
                               const Interrupt& interrupt);
 
     /// Only listens; frames become strays. At least looks once.
@@ -69,57 +70,59 @@ public:
 
 private:
     struct Wait;
-    template <typename Ended>
-    base::Result<void> receiveUntil(const Wait& wait, const Interrupt& interrupt, Ended&& ended);
+    template <typename Predicate>
+    base::Result<void> receiveUntil(const Wait& wait, const Interrupt& interrupt,
+                                    Predicate&& isFinished);
     base::Result<void> receiveReplies(Wait& wait, const Interrupt& interrupt);
     base::Result<void> receiveRaw(Wait& wait, const Interrupt& interrupt);
-    void countSilence(const Wait& wait, int id);
+    void countTimeout(const Wait& wait, int id);
     void countSent(const protocol::Request& request, const protocol::Expectation& expected);
-    base::Result<Attempt> unheard(Wait& wait, const Interrupt& interrupt);
-    enum class Unrest : std::uint8_t {
+    base::Result<Attempt> sendFailed(Wait& wait, const Interrupt& interrupt);
+    enum class LineState : std::uint8_t {
         None,
         Noisy,      ///< bytes never end, but a reply could be told from them by its checksum
         Unreadable, ///< they fill the line, or are frames: no reply could be told
     };
-    Unrest unrest() const;
+    LineState lineState() const;
     base::Duration tolerance() const;
-    bool overloaded() const;
-    void unasked(std::size_t bytes, bool frame);
-    base::Result<Attempt> receiveFor(const protocol::Request& request, Wait& wait, Unrest before,
-                                     const Interrupt& interrupt);
+    bool isOverloaded() const;
+    void countUnsolicited(std::size_t bytes, bool frame);
+    base::Result<Attempt> receiveAttempt(const protocol::Request& request, Wait& wait,
+                                         LineState before, const Interrupt& interrupt);
     base::Result<Attempt> refused(Wait& wait, const Interrupt& interrupt);
-    void digest(Wait& wait, bool atDeadline);
-    void digestStrays(bool atDeadline);
-    void takeReply(Wait& wait, protocol::Part part);
-    void takeForeign(Wait& wait, protocol::Part part, base::ByteView frame);
-    void takeBadCheck(Wait& wait, int id);
+    void parseBuffer(Wait& wait, bool atDeadline);
+    void parseUnexpected(bool atDeadline);
+    void handleReply(Wait& wait, protocol::Reply part);
+    void handleForeign(Wait& wait, protocol::Reply part, base::ByteView frame);
+    void handleBadChecksum(Wait& wait, int id);
     void giveUp(Wait& wait, bool interrupted);
-    base::Duration silenceOf(const protocol::Codec& codec) const;
-    base::Result<void> keepSilence(const protocol::Codec& next, const Interrupt& interrupt);
+    base::Duration frameGap(const protocol::Codec& codec) const;
+    base::Result<void> awaitFrameGap(const protocol::Codec& next, const Interrupt& interrupt);
     struct EchoProbe {
         base::Bytes probe;
         int sent = 0;
         int echoed = 0;
-        base::Duration echoedAt{};    ///< the latest one
-        base::Duration firstOnTime{}; ///< when a prompt adapter would have returned the first one
-        base::Duration lastOnTime{};
+        base::Duration echoedAt{}; ///< the latest one
+        base::Duration
+            firstExpectedAt{}; ///< when a prompt adapter would have returned the first one
+        base::Duration lastExpectedAt{};
     };
     base::Result<bool> awaitEcho(EchoProbe& state, base::Duration deadline,
                                  const Interrupt& interrupt);
-    base::Result<bool> takeEchoes(EchoProbe& state, const Interrupt& interrupt);
+    base::Result<bool> collectEchoes(EchoProbe& state, const Interrupt& interrupt);
 
     Line& m_line;
     const protocol::Codec* m_codec; ///< of the latest request, which names what strays in
-    base::Protocol m_language = base::Protocol::Feetech; ///< the same
+    base::Protocol m_protocol = base::Protocol::Feetech; ///< the same
     base::Clock& m_clock;
-    LateGuard& m_guard;
+    LateReplyGuard& m_lateReplyGuard;
     StatisticsCollector& m_statistics;
     TraceRing& m_trace;
-    StrayList& m_strays;
+    UnexpectedFrameList& m_unexpectedFrames;
     std::atomic<base::Duration::rep> m_silence{-1}; ///< replaces the protocols' own
     base::Duration m_repliesUntil{}; ///< when the wire is free of the replies asked for
-    bool m_unsettled = true;         ///< the last exchange did not end with its reply's last byte
-    UnrestMeter m_unrest;
-    bool m_neverSilent = false; ///< the last wait for silence ended without any
+    bool m_awaitingSilence = true;   ///< the last exchange did not end with its reply's last byte
+    LineNoiseMeter m_lineNoise;
+    bool m_lineBusy = false; ///< the last wait for silence ended without any
 };
 } // namespace bus

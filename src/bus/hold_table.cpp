@@ -6,17 +6,17 @@
 namespace bus {
 namespace {
 /// Whoever speaks to all servos, or to nobody knows whom, meets every hold.
-constexpr int anybody = -1;
+constexpr int anyServo = -1;
 
-int addressee(const protocol::Request& request)
+int targetId(const protocol::Request& request)
 {
-    return request.id == protocol::broadcastId ? anybody : request.id;
+    return request.id == protocol::broadcastId ? anyServo : request.id;
 }
 } // namespace
 
 bool HoldTable::Entry::covers(int id) const
 {
-    return id == anybody || ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
+    return id == anyServo || ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
 std::uint64_t HoldTable::take(const std::vector<int>& ids, std::thread::id owner,
@@ -24,13 +24,13 @@ std::uint64_t HoldTable::take(const std::vector<int>& ids, std::thread::id owner
 {
     const std::lock_guard lock(m_mutex);
     for (const Entry& entry : m_entries) {
-        const bool meets = ids.empty() || std::any_of(ids.begin(), ids.end(),
-                                                      [&](int id) { return entry.covers(id); });
-        if (meets && entry.owner != owner)
+        const bool overlaps = ids.empty() || std::any_of(ids.begin(), ids.end(),
+                                                         [&](int id) { return entry.covers(id); });
+        if (overlaps && entry.owner != owner)
             return 0;
     }
     m_entries.push_back(
-        {++m_lastToken, ids, owner, epoch.value_or(m_emergencies) != m_emergencies});
+        {++m_lastToken, ids, owner, epoch.value_or(m_emergencyCount) != m_emergencyCount});
     return m_lastToken;
 }
 
@@ -60,7 +60,7 @@ HoldTable::Access HoldTable::access(const protocol::Request& request, std::uint6
                                     std::thread::id caller, std::optional<std::uint64_t> epoch)
 {
     const std::lock_guard lock(m_mutex);
-    if (token == 0 && epoch.value_or(m_emergencies) != m_emergencies)
+    if (token == 0 && epoch.value_or(m_emergencyCount) != m_emergencyCount)
         return Access::Preempted;
     if (m_entries.empty())
         return Access::Pass;
@@ -69,7 +69,7 @@ HoldTable::Access HoldTable::access(const protocol::Request& request, std::uint6
             return Access::Preempted;
     }
     if (request.targets.empty())
-        return accessTo(addressee(request), token, caller);
+        return accessTo(targetId(request), token, caller);
     for (const protocol::Target& target : request.targets) {
         const Access access = accessTo(target.id, token, caller);
         if (access != Access::Pass)
@@ -88,18 +88,18 @@ bool HoldTable::isHeld(int id) const
 void HoldTable::preemptAll()
 {
     const std::lock_guard lock(m_mutex);
-    ++m_emergencies;
+    ++m_emergencyCount;
     for (Entry& entry : m_entries)
         entry.preempted = true;
 }
 
-std::uint64_t HoldTable::emergencies() const
+std::uint64_t HoldTable::emergencyCount() const
 {
     const std::lock_guard lock(m_mutex);
-    return m_emergencies;
+    return m_emergencyCount;
 }
 
-void HoldTable::forgetPreemption(std::uint64_t token)
+void HoldTable::clearPreemption(std::uint64_t token)
 {
     const std::lock_guard lock(m_mutex);
     for (Entry& entry : m_entries) {

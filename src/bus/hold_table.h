@@ -31,8 +31,8 @@ public:
     bool isHeld(int id) const;
 
     void preemptAll(); ///< an emergency
-    std::uint64_t emergencies() const;
-    void forgetPreemption(std::uint64_t token); ///< its running transaction has said so already
+    std::uint64_t emergencyCount() const;
+    void clearPreemption(std::uint64_t token); ///< its running transaction has said so already
 
 private:
     struct Entry {
@@ -47,6 +47,6 @@ private:
     mutable std::mutex m_mutex;
     std::vector<Entry> m_entries;
     std::uint64_t m_lastToken = 0;
-    std::uint64_t m_emergencies = 0;
+    std::uint64_t m_emergencyCount = 0;
 };
 } // namespace bus

@@ -15,15 +15,15 @@ constexpr base::Duration waitSlice = std::chrono::milliseconds(10);
 
 struct Interrupt {
     const std::atomic<bool>* emergency = nullptr;
-    const base::Stop* shutdown = nullptr; ///< the bus itself is to end
-    const base::Stop* caller = nullptr;   ///< the user stopped the job
+    const base::StopToken* shutdown = nullptr; ///< the bus itself is to end
+    const base::StopToken* caller = nullptr;   ///< the user stopped the job
 
     std::optional<base::ErrorCode> due() const
     {
         if (emergency != nullptr && emergency->load(std::memory_order_acquire))
             return base::ErrorCode::Preempted;
-        if ((shutdown != nullptr && shutdown->requested()) ||
-            (caller != nullptr && caller->requested()))
+        if ((shutdown != nullptr && shutdown->isRequested()) ||
+            (caller != nullptr && caller->isRequested()))
             return base::ErrorCode::Stopped;
         return std::nullopt;
     }

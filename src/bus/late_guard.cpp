@@ -10,145 +10,154 @@ using base::Duration;
 using namespace std::chrono_literals;
 
 /// Later than this must not make the bus wait for ever after.
-constexpr Duration believable = LateGuard::longestLateness;
-constexpr Duration shortestWindow = 20ms;
+constexpr Duration plausibleLateness = LateReplyGuard::maxLateness;
+constexpr Duration minWindow = 20ms;
 /// A busy servo takes tens of milliseconds, however quick the adapter is.
-constexpr Duration shortestReplyTimeout = 25ms;
+constexpr Duration minReplyLateness = 25ms;
 
-bool speaksToAll(const protocol::Request& request)
+bool isBroadcast(const protocol::Request& request)
 {
     return request.targets.empty() &&
            (request.id == protocol::broadcastId || request.op == protocol::Op::Raw);
 }
 } // namespace
 
-Duration LateGuard::patience() const
+Duration LateReplyGuard::timeout() const
 {
     return Duration(std::max(m_start.load(std::memory_order_relaxed),
-                             m_learnt.load(std::memory_order_relaxed)));
+                             m_learnedTimeout.load(std::memory_order_relaxed)));
 }
 
-void LateGuard::setPatience(Duration start)
+void LateReplyGuard::setTimeout(Duration start)
 {
     m_start.store(start.count(), std::memory_order_relaxed);
 }
 
-Duration LateGuard::replyTimeout() const
+Duration LateReplyGuard::maxReplyLateness() const
 {
-    return std::max(hasMeasured() ? shortestReplyTimeout : longestLateness, patience());
+    return std::max(hasMeasured() ? minReplyLateness : maxLateness, timeout());
 }
 
-void LateGuard::learn(Duration lateness)
+void LateReplyGuard::learn(Duration lateness)
 {
-    if (lateness > believable)
+    if (lateness > plausibleLateness)
         return;
     m_measured.store(true, std::memory_order_relaxed);
-    const Duration::rep wanted = lateness.count() * 3 / 2;
-    if (wanted > m_learnt.load(std::memory_order_relaxed))
-        m_learnt.store(wanted, std::memory_order_relaxed);
+    const Duration::rep newTimeout = lateness.count() * 3 / 2;
+    if (newTimeout > m_learnedTimeout.load(std::memory_order_relaxed))
+        m_learnedTimeout.store(newTimeout, std::memory_order_relaxed);
 }
 
-Duration LateGuard::window() const
+Duration LateReplyGuard::window() const
 {
-    return std::max(shortestWindow, patience());
+    return std::max(minWindow, timeout());
 }
 
-void LateGuard::timedOut(int id, Duration onTime, Duration now, base::Protocol language)
+void LateReplyGuard::timedOut(int id, Duration expectedAt, Duration now, base::Protocol protocol)
 {
-    if (!known(id)) {
-        m_broadcastOwed = onTime;
+    if (!isServoId(id)) {
+        m_broadcastPendingSince = expectedAt;
         quietAll(now);
         return;
     }
     Servo& servo = m_servos[std::size_t(id)];
-    std::erase_if(servo.owed, [&](const Owed& owed) { return onTime - owed.onTime > believable; });
-    servo.owed.push_back({onTime, language});
+    std::erase_if(servo.pending, [&](const PendingReply& pending) {
+        return expectedAt - pending.expectedAt > plausibleLateness;
+    });
+    servo.pending.push_back({expectedAt, protocol});
     servo.trailing = false;
-    beQuiet(servo, now + window());
+    setQuietUntil(servo, now + window());
 }
 
-void LateGuard::answered(int id, Duration onTime, Duration now, base::Protocol language)
+void LateReplyGuard::replyReceived(int id, Duration expectedAt, Duration now,
+                                   base::Protocol protocol)
 {
-    if (!known(id))
+    if (!isServoId(id))
         return;
     Servo& servo = m_servos[std::size_t(id)];
-    const auto oldest = owedIn(servo, language);
-    if (oldest == servo.owed.end())
+    const auto oldest = findPending(servo, protocol);
+    if (oldest == servo.pending.end())
         return;
     // If this was the reply to the first request, that to the last one comes just as late.
-    beQuiet(servo, now + std::min(onTime - oldest->onTime, believable) + window());
+    setQuietUntil(servo,
+                  now + std::min(expectedAt - oldest->expectedAt, plausibleLateness) + window());
     servo.trailing = true;
-    servo.owed.erase(oldest);
-    servo.owed.push_back({onTime, language});
+    servo.pending.erase(oldest);
+    servo.pending.push_back({expectedAt, protocol});
 }
 
 /// The oldest request in a language: replies keep their order, and no language reads another's.
-std::vector<LateGuard::Owed>::iterator LateGuard::owedIn(Servo& servo, base::Protocol language)
+std::vector<LateReplyGuard::PendingReply>::iterator
+LateReplyGuard::findPending(Servo& servo, base::Protocol protocol)
 {
-    return std::find_if(servo.owed.begin(), servo.owed.end(),
-                        [language](const Owed& owed) { return owed.language == language; });
+    return std::find_if(
+        servo.pending.begin(), servo.pending.end(),
+        [protocol](const PendingReply& pending) { return pending.protocol == protocol; });
 }
 
-void LateGuard::beQuiet(Servo& servo, Duration until)
+void LateReplyGuard::setQuietUntil(Servo& servo, Duration until)
 {
     servo.quietUntil = until;
-    m_latestQuiet = std::max(m_latestQuiet, until);
+    m_latestQuietUntil = std::max(m_latestQuietUntil, until);
 }
 
-template <typename Visit>
-void LateGuard::visit(const protocol::Request& request, Visit&& visitor)
+template <typename Function>
+void LateReplyGuard::forEachServo(const protocol::Request& request, Function&& function)
 {
     for (const protocol::Target& target : request.targets) {
-        if (known(target.id))
-            visitor(m_servos[std::size_t(target.id)]);
+        if (isServoId(target.id))
+            function(m_servos[std::size_t(target.id)]);
     }
-    if (request.targets.empty() && known(request.id))
-        visitor(m_servos[std::size_t(request.id)]);
+    if (request.targets.empty() && isServoId(request.id))
+        function(m_servos[std::size_t(request.id)]);
 }
 
-void LateGuard::sending(const protocol::Request& request)
+void LateReplyGuard::aboutToSend(const protocol::Request& request)
 {
-    visit(request, [](Servo& servo) {
+    forEachServo(request, [](Servo& servo) {
         if (std::exchange(servo.trailing, false))
-            servo.owed.clear();
+            servo.pending.clear();
     });
 }
 
-std::optional<Duration> LateGuard::settle(int id, Duration now, base::Protocol language)
+std::optional<Duration> LateReplyGuard::matchLateReply(int id, Duration now,
+                                                       base::Protocol protocol)
 {
-    if (!known(id))
+    if (!isServoId(id))
         return std::nullopt;
     Servo& servo = m_servos[std::size_t(id)];
-    const auto settled = owedIn(servo, language);
-    if (settled == servo.owed.end()) {
-        const auto owed = std::exchange(m_broadcastOwed, std::nullopt);
-        return owed && now - *owed <= believable ? std::optional(now - *owed) : std::nullopt;
+    const auto matched = findPending(servo, protocol);
+    if (matched == servo.pending.end()) {
+        const auto pending = std::exchange(m_broadcastPendingSince, std::nullopt);
+        return pending && now - *pending <= plausibleLateness ? std::optional(now - *pending)
+                                                              : std::nullopt;
     }
-    const Duration lateness = now - settled->onTime;
-    servo.owed.erase(settled);
+    const Duration lateness = now - matched->expectedAt;
+    servo.pending.erase(matched);
     // The replies to the others come as late as this one.
-    if (!servo.owed.empty() && lateness <= believable)
-        beQuiet(servo, std::max(servo.quietUntil, servo.owed.back().onTime + lateness * 3 / 2));
+    if (!servo.pending.empty() && lateness <= plausibleLateness)
+        setQuietUntil(
+            servo, std::max(servo.quietUntil, servo.pending.back().expectedAt + lateness * 3 / 2));
     return lateness;
 }
 
-Duration LateGuard::quietUntil(int id) const
+Duration LateReplyGuard::quietUntil(int id) const
 {
-    return known(id) ? std::max(m_allQuietUntil, m_servos[std::size_t(id)].quietUntil)
-                     : m_allQuietUntil;
+    return isServoId(id) ? std::max(m_allQuietUntil, m_servos[std::size_t(id)].quietUntil)
+                         : m_allQuietUntil;
 }
 
-Duration LateGuard::quietUntil(const protocol::Request& request) const
+Duration LateReplyGuard::quietUntil(const protocol::Request& request) const
 {
-    if (speaksToAll(request))
-        return std::max(m_allQuietUntil, m_latestQuiet);
+    if (isBroadcast(request))
+        return std::max(m_allQuietUntil, m_latestQuietUntil);
     Duration until = quietUntil(request.id);
     for (const protocol::Target& target : request.targets)
         until = std::max(until, quietUntil(target.id));
     return until;
 }
 
-void LateGuard::quietAll(Duration now)
+void LateReplyGuard::quietAll(Duration now)
 {
     m_allQuietUntil = std::max(m_allQuietUntil, now + window());
 }

@@ -2,7 +2,7 @@
 // What keeps a late reply from being taken for the answer to the next request. Replies carry no
 // address, so after a time-out the bus only listens for a while before it speaks to that servo
 // again; and it learns from every reply how patient it has to be. Bus thread only, except
-// patience(), replyTimeout() and setPatience().
+// patience(), maxReplyLateness() and setTimeout().
 #pragma once
 
 #include "base/clock.h"
@@ -14,27 +14,29 @@
 #include <vector>
 
 namespace bus {
-class LateGuard {
+class LateReplyGuard {
 public:
     /// Patience of ordinary transactions beyond wire time and reply delay.
-    base::Duration patience() const;
-    void setPatience(base::Duration start);
-    /// See Bus::replyTimeout().
-    base::Duration replyTimeout() const;
+    base::Duration timeout() const;
+    void setTimeout(base::Duration start);
+    /// See Bus::maxReplyLateness().
+    base::Duration maxReplyLateness() const;
     /// No adapter is later than this.
-    static constexpr base::Duration longestLateness = std::chrono::milliseconds(250);
+    static constexpr base::Duration maxLateness = std::chrono::milliseconds(250);
     /// A reply has shown how late this link is.
     bool hasMeasured() const { return m_measured.load(std::memory_order_relaxed); }
 
     /// A reply came `lateness` after the instant at which a prompt adapter would have shown it.
     void learn(base::Duration lateness);
 
-    void timedOut(int id, base::Duration onTime, base::Duration now, base::Protocol language);
+    void timedOut(int id, base::Duration expectedAt, base::Duration now, base::Protocol protocol);
     /// `onTime` is that of the request which was answered.
-    void answered(int id, base::Duration onTime, base::Duration now, base::Protocol language);
-    void sending(const protocol::Request& request);
+    void replyReceived(int id, base::Duration expectedAt, base::Duration now,
+                       base::Protocol protocol);
+    void aboutToSend(const protocol::Request& request);
     /// A frame from `id` that nobody waits for: its lateness if that servo owes a reply.
-    std::optional<base::Duration> settle(int id, base::Duration now, base::Protocol language);
+    std::optional<base::Duration> matchLateReply(int id, base::Duration now,
+                                                 base::Protocol protocol);
 
     /// From when on this servo, or all that the request speaks to, may be spoken to.
     base::Duration quietUntil(int id) const;
@@ -44,28 +46,29 @@ public:
 
 private:
     /// A request that timed out; its reply may still come.
-    struct Owed {
-        base::Duration onTime{}; ///< when a prompt reply would have come
-        base::Protocol language{};
+    struct PendingReply {
+        base::Duration expectedAt{}; ///< when a prompt reply would have come
+        base::Protocol protocol{};
     };
     struct Servo {
         base::Duration quietUntil{};
-        std::vector<Owed> owed{}; ///< oldest first
-        bool trailing = false;    ///< answered, maybe by the reply to an earlier request
+        std::vector<PendingReply> pending{}; ///< oldest first
+        bool trailing = false;               ///< answered, maybe by the reply to an earlier request
     };
-    static std::vector<Owed>::iterator owedIn(Servo& servo, base::Protocol language);
+    static std::vector<PendingReply>::iterator findPending(Servo& servo, base::Protocol protocol);
     base::Duration window() const;
-    void beQuiet(Servo& servo, base::Duration until);
-    template <typename Visit>
-    void visit(const protocol::Request& request, Visit&& visitor);
-    bool known(int id) const { return id >= 0 && id <= protocol::maxId; }
+    void setQuietUntil(Servo& servo, base::Duration until);
+    template <typename Function>
+    void forEachServo(const protocol::Request& request, Function&& function);
+    bool isServoId(int id) const { return id >= 0 && id <= protocol::maxId; }
 
     std::array<Servo, protocol::maxId + 1> m_servos{};
     base::Duration m_allQuietUntil{};
-    base::Duration m_latestQuiet{};                ///< of any servo
-    std::optional<base::Duration> m_broadcastOwed; ///< since when: a question to all timed out
+    base::Duration m_latestQuietUntil{}; ///< of any servo
+    std::optional<base::Duration>
+        m_broadcastPendingSince; ///< since when: a question to all timed out
     std::atomic<base::Duration::rep> m_start{25'000};
-    std::atomic<base::Duration::rep> m_learnt{0};
+    std::atomic<base::Duration::rep> m_learnedTimeout{0};
     std::atomic<bool> m_measured{false};
 };
 } // namespace bus

@@ -29,48 +29,48 @@ public:
     /// So long without a byte, and a reply that was running has ended.
     base::Duration silence() const;
 
-    /// Waits until earlier bytes have left the wire, then sends. When the sending began. NoAnswer
+    /// Waits until earlier bytes have left the wire, then sends. When the sending began. NoReply
     /// while the link is away: nothing was sent.
     base::Result<base::Duration> send(base::ByteView frame);
     /// Waits for bytes, at most `span`; true if some came.
     base::Result<bool> receive(base::Duration span);
 
     /// Bytes not understood yet, without echo. Empty while an echo is still being received.
-    base::ByteView pending() const { return m_echo.empty() ? waiting() : base::ByteView{}; }
-    std::size_t received() const { return waiting().size(); } ///< echo included
-    void consume(std::size_t bytes) { m_taken += bytes; }
+    base::ByteView pending() const { return m_echo.empty() ? unreadBytes() : base::ByteView{}; }
+    std::size_t received() const { return unreadBytes().size(); } ///< echo included
+    void consume(std::size_t bytes) { m_consumed += bytes; }
     /// All but the latest `kept` pending bytes are dropped.
-    void consumeAllBut(std::size_t kept);
+    void keepLatest(std::size_t count);
     base::Bytes takePending();
     /// The echo did not come as it was sent: as many bytes as were sent are dropped.
-    void giveUpEcho();
-    std::size_t echoOwed() const { return m_echo.size(); }
+    void discardEcho();
+    std::size_t pendingEchoBytes() const { return m_echo.size(); }
 
     base::Duration lastByteAt() const { return m_lastByteAt; }
     base::Duration freeAt() const { return m_freeAt; } ///< when what was sent has left the wire
 
-    bool echoes() const { return m_echoes.load(std::memory_order_relaxed); }
-    void setEchoes(bool echoes) { m_echoes.store(echoes, std::memory_order_relaxed); }
+    bool hasEcho() const { return m_hasEcho.load(std::memory_order_relaxed); }
+    void setHasEcho(bool echoes) { m_hasEcho.store(echoes, std::memory_order_relaxed); }
 
     base::Result<void> setBaud(int baud);
     int baud() const { return m_baud.load(std::memory_order_relaxed); }
-    bool hasBaud() const { return m_hasBaud; }
+    bool canSetBaud() const { return m_hasBaud; }
     const QString& name() const { return m_name; }
     bool lost() const { return m_lost.load(); }
-    bool away() const { return m_away.load(); }
-    void awaitReturn(base::Duration span) { m_patience.store(span.count()); }
-    base::Result<void> alive() const; ///< LinkLost once it is, NoAnswer while away
+    bool isReconnecting() const { return m_reconnecting.load(); }
+    void setReconnectTimeout(base::Duration span) { m_reconnectTimeout.store(span.count()); }
+    base::Result<void> requireLink() const; ///< LinkLost once it is, NoReply while away
 
     /// The link must be destroyed on the thread that owns it, the line may live on.
     void close();
 
 private:
-    tl::unexpected<base::Error> loss(const base::Error& error);
-    base::Result<bool> lookForReturn(base::Duration span);
-    bool comesBack();
+    tl::unexpected<base::Error> handleLoss(const base::Error& error);
+    base::Result<bool> tryReconnect(base::Duration span);
+    bool reconnect();
     void stripEcho();
-    base::ByteView waiting() const { return base::ByteView(m_buffer).subspan(m_taken); }
-    void dropTaken();
+    base::ByteView unreadBytes() const { return base::ByteView(m_buffer).subspan(m_consumed); }
+    void compactBuffer();
 
     std::unique_ptr<transport::Link> m_link;
     base::Clock& m_clock;
@@ -80,16 +80,16 @@ private:
     QString m_name;
     bool m_hasBaud;
     std::atomic<int> m_baud;
-    std::atomic<bool> m_echoes{false};
+    std::atomic<bool> m_hasEcho{false};
     std::atomic<bool> m_lost{false};
     Reopener m_reopen;
-    std::atomic<base::Duration::rep> m_patience{0};
-    std::atomic<bool> m_away{false};
-    std::optional<base::Duration> m_awayUntil; ///< none since a byte has come
-    base::Duration m_nextTry{};
+    std::atomic<base::Duration::rep> m_reconnectTimeout{0};
+    std::atomic<bool> m_reconnecting{false};
+    std::optional<base::Duration> m_reconnectDeadline; ///< none since a byte has come
+    base::Duration m_nextReconnect{};
     base::Bytes m_buffer;
-    std::size_t m_taken = 0; ///< bytes at the front of the buffer that are understood
-    base::Bytes m_echo;      ///< sent, and still to come back
+    std::size_t m_consumed = 0; ///< bytes at the front of the buffer that are understood
+    base::Bytes m_echo;         ///< sent, and still to come back
     base::Duration m_freeAt{};
     base::Duration m_lastByteAt{};
 };

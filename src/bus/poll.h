@@ -49,7 +49,7 @@ struct Sample {
     /// much later: when it was due.
     base::Duration at{};
     bool answered = false;
-    base::ErrorCode error = base::ErrorCode::NoAnswer; ///< meaningful when not answered
+    base::ErrorCode error = base::ErrorCode::NoReply;  ///< meaningful when not answered
     base::Protocol protocol = base::Protocol::Feetech; ///< IDs are those of one language
     bool endsRound = false; ///< no other block of this servo is due in this round
 };

@@ -7,19 +7,20 @@
 namespace bus {
 namespace {
 /// A SYNC READ request is 8 bytes and one an ID; packets end at 250 bytes.
-constexpr std::size_t mostInOneSync = 242;
+constexpr std::size_t maxSyncReadIds = 242;
 
 std::vector<PollServo> distinctServos(const PollPlan& plan)
 {
     std::vector<PollServo> servos;
-    for (const PollServo& wanted : plan.servos) {
-        const auto known = std::find_if(servos.begin(), servos.end(), [&](const PollServo& s) {
-            return s.id == wanted.id && s.protocol == wanted.protocol;
+    for (const PollServo& requested : plan.servos) {
+        const auto existing = std::find_if(servos.begin(), servos.end(), [&](const PollServo& s) {
+            return s.id == requested.id && s.protocol == requested.protocol;
         });
-        if (known == servos.end())
-            servos.push_back(wanted);
+        if (existing == servos.end())
+            servos.push_back(requested);
         else
-            known->spans.insert(known->spans.end(), wanted.spans.begin(), wanted.spans.end());
+            existing->spans.insert(existing->spans.end(), requested.spans.begin(),
+                                   requested.spans.end());
     }
     for (PollServo& servo : servos)
         servo.spans = mergeSpans(std::move(servo.spans), servo.mergeGap, servo.maxBlock);
@@ -43,9 +44,9 @@ std::vector<PollSpan> mergeSpans(std::vector<PollSpan> spans, int mergeGap, int 
         if (!blocks.empty() && blocks.back().every == span.every) {
             PollSpan& last = blocks.back();
             const int end = std::max(last.address + last.count, span.address + span.count);
-            const bool near = mergeGap >= 0 ? span.address <= last.address + last.count + mergeGap
-                                            : sameBlock(span, last);
-            if (near && end - last.address <= maxBlock) {
+            const bool isNear = mergeGap >= 0 ? span.address <= last.address + last.count + mergeGap
+                                              : sameBlock(span, last);
+            if (isNear && end - last.address <= maxBlock) {
                 last.count = end - last.address;
                 continue;
             }
@@ -58,21 +59,21 @@ std::vector<PollSpan> mergeSpans(std::vector<PollSpan> spans, int mergeGap, int 
 std::vector<PollGroup> planGroups(const PollPlan& plan)
 {
     std::vector<PollGroup> groups;
-    std::vector<int> families;
+    std::vector<int> familyGroups;
     for (const PollServo& servo : distinctServos(plan)) {
         if (servo.spans.empty())
             continue;
-        std::size_t place = 0;
-        while (place < groups.size() &&
-               !(servo.syncRead && groups[place].sync && families[place] == servo.group &&
-                 groups[place].protocol == servo.protocol && groups[place].blocks == servo.spans &&
-                 groups[place].ids.size() < mostInOneSync))
-            ++place;
-        if (place == groups.size()) {
+        std::size_t index = 0;
+        while (index < groups.size() &&
+               !(servo.syncRead && groups[index].sync && familyGroups[index] == servo.group &&
+                 groups[index].protocol == servo.protocol && groups[index].blocks == servo.spans &&
+                 groups[index].ids.size() < maxSyncReadIds))
+            ++index;
+        if (index == groups.size()) {
             groups.push_back({servo.protocol, {}, servo.spans, servo.syncRead});
-            families.push_back(servo.group);
+            familyGroups.push_back(servo.group);
         }
-        groups[place].ids.push_back(servo.id);
+        groups[index].ids.push_back(servo.id);
     }
     return groups;
 }

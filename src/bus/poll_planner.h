@@ -16,7 +16,7 @@ struct PollGroup {
     bool sync = false;
 };
 
-/// Sorted by address; neighbours of equal `every` without overlap. A gap of up to `mergeGap` bytes
+/// Sorted by address; neighbors of equal `every` without overlap. A gap of up to `mergeGap` bytes
 /// is read along, which is cheaper than another transaction; -1: nothing is merged but what is
 /// wanted twice. Empty spans are dropped.
 std::vector<PollSpan> mergeSpans(std::vector<PollSpan> spans, int mergeGap, int maxBlock);

@@ -8,24 +8,24 @@ using base::Duration;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr int patienceInTurns = 5;
-constexpr Duration absentPause = 1s;
+constexpr int maxMisses = 5;
+constexpr Duration absentInterval = 1s;
 /// A plan of which no servo may be asked at the moment is looked at again after this time.
 constexpr Duration idlePause = 5ms;
 } // namespace
 
 void PollRunner::start(PollId id, const PollPlan& plan, Duration now)
 {
-    Plan made;
-    made.id = id;
-    made.period = plan.period;
-    made.due = now;
+    Plan newPlan;
+    newPlan.id = id;
+    newPlan.period = plan.period;
+    newPlan.due = now;
     for (PollGroup& reads : planGroups(plan)) {
         const std::size_t count = reads.ids.size();
-        made.groups.push_back({std::move(reads), std::vector<Servo>(count)});
+        newPlan.groups.push_back({std::move(reads), std::vector<Servo>(count)});
     }
-    if (!made.groups.empty())
-        m_plans.push_back(std::move(made));
+    if (!newPlan.groups.empty())
+        m_plans.push_back(std::move(newPlan));
 }
 
 void PollRunner::stop(PollId id)
@@ -41,7 +41,7 @@ std::optional<Duration> PollRunner::nextDue() const
     return due;
 }
 
-std::optional<PollRead> PollRunner::next(Duration now, const FreeFrom& freeFrom)
+std::optional<PollRead> PollRunner::next(Duration now, const ReadyAt& readyAt)
 {
     for (;;) {
         const auto plan =
@@ -50,39 +50,39 @@ std::optional<PollRead> PollRunner::next(Duration now, const FreeFrom& freeFrom)
         if (plan == m_plans.end() || plan->due > now)
             return std::nullopt;
         if (!plan->inRound()) {
-            beginRound(*plan, now, freeFrom);
+            beginRound(*plan, now, readyAt);
             continue;
         }
         PollRead read = std::move(plan->round[plan->position++]);
         if (!plan->inRound())
             plan->due = std::max(plan->due + plan->period, now);
         // Its earlier reads in this round may have made a servo unavailable.
-        std::erase_if(read.ids, [&](int id) { return freeFrom(id) > now; });
+        std::erase_if(read.ids, [&](int id) { return readyAt(id) > now; });
         if (!read.ids.empty())
             return read;
     }
 }
 
 /// Leaves the plan with a round to do, or due later.
-void PollRunner::beginRound(Plan& plan, Duration now, const FreeFrom& freeFrom)
+void PollRunner::beginRound(Plan& plan, Duration now, const ReadyAt& readyAt)
 {
     plan.round.clear();
     plan.position = 0;
     Duration earliest = Duration::max();
-    bool anybody = false;
+    bool anyDue = false;
     for (std::size_t g = 0; g < plan.groups.size(); ++g) {
         const Group& group = plan.groups[g];
-        std::vector<int> together;
-        std::vector<int> singly;
+        std::vector<int> syncIds;
+        std::vector<int> singleIds;
         for (std::size_t i = 0; i < group.servos.size(); ++i) {
             const int id = group.reads.ids[i];
-            const Duration from = std::max(group.servos[i].notBefore, freeFrom(id));
+            const Duration from = std::max(group.servos[i].notBefore, readyAt(id));
             if (from > now)
                 earliest = std::min(earliest, from);
             else
-                (group.reads.sync && !group.servos[i].single ? together : singly).push_back(id);
+                (group.reads.sync && !group.servos[i].single ? syncIds : singleIds).push_back(id);
         }
-        anybody = anybody || !together.empty() || !singly.empty();
+        anyDue = anyDue || !syncIds.empty() || !singleIds.empty();
         std::vector<PollSpan> due;
         std::copy_if(group.reads.blocks.begin(), group.reads.blocks.end(), std::back_inserter(due),
                      [&](const PollSpan& block) {
@@ -90,16 +90,16 @@ void PollRunner::beginRound(Plan& plan, Duration now, const FreeFrom& freeFrom)
                      });
         for (const PollSpan& block : due) {
             const bool last = block == due.back();
-            if (!together.empty())
-                plan.round.push_back({plan.id, g, group.reads.protocol, together, block, last});
-            for (const int id : singly)
+            if (!syncIds.empty())
+                plan.round.push_back({plan.id, g, group.reads.protocol, syncIds, block, last});
+            for (const int id : singleIds)
                 plan.round.push_back({plan.id, g, group.reads.protocol, {id}, block, last});
         }
     }
     // A round in which nothing is due counts too, or the next one would be the same again.
-    if (anybody)
+    if (anyDue)
         ++plan.rounds;
-    if (!anybody)
+    if (!anyDue)
         plan.due = std::max({plan.due + plan.period, now + idlePause, earliest});
     else if (!plan.inRound())
         plan.due = std::max(plan.due + plan.period, now);
@@ -119,32 +119,32 @@ void PollRunner::finished(const PollRead& read, const std::vector<int>& missing,
             continue;
         const bool sync = read.ids.size() > 1;
         if (std::any_of(missing.begin(), missing.end(), isId))
-            missed(group.servos[i], sync, now);
+            countMiss(group.servos[i], sync, now);
         else
-            answered(group.servos[i], sync);
+            countReply(group.servos[i], sync);
     }
 }
 
-void PollRunner::missed(Servo& servo, bool sync, Duration now)
+void PollRunner::countMiss(Servo& servo, bool sync, Duration now)
 {
     if (sync) {
-        if (++servo.syncMisses >= patienceInTurns) {
+        if (++servo.syncMisses >= maxMisses) {
             servo.single = true;
             servo.misses = 0;
         }
         return;
     }
-    if (++servo.misses >= patienceInTurns)
-        servo.notBefore = now + absentPause;
+    if (++servo.misses >= maxMisses)
+        servo.notBefore = now + absentInterval;
 }
 
-void PollRunner::answered(Servo& servo, bool sync)
+void PollRunner::countReply(Servo& servo, bool sync)
 {
     servo.syncMisses = sync ? 0 : servo.syncMisses;
-    if (!sync && servo.single && !servo.singleOnly) {
+    if (!sync && servo.single && !servo.noSyncRead) {
         // Missed singly too: it was away and has come back.
-        servo.singleOnly = servo.misses == 0;
-        servo.single = servo.singleOnly;
+        servo.noSyncRead = servo.misses == 0;
+        servo.single = servo.noSyncRead;
         servo.syncMisses = 0;
     }
     servo.misses = 0;

@@ -23,14 +23,14 @@ class PollRunner {
 public:
     /// From when on a servo may be polled: a past instant, the end of its quiet time, or some time
     /// ahead for one that is held.
-    using FreeFrom = std::function<base::Duration(int id)>;
+    using ReadyAt = std::function<base::Duration(int id)>;
 
     void start(PollId id, const PollPlan& plan, base::Duration now);
     void stop(PollId id);
 
     /// When to call next() again; nullopt while there are no plans.
     std::optional<base::Duration> nextDue() const;
-    std::optional<PollRead> next(base::Duration now, const FreeFrom& freeFrom);
+    std::optional<PollRead> next(base::Duration now, const ReadyAt& readyAt);
 
     /// `missing`: those of read.ids that did not answer.
     void finished(const PollRead& read, const std::vector<int>& missing, base::Duration now);
@@ -38,7 +38,7 @@ public:
 private:
     struct Servo {
         bool single = false;     ///< not part of the sync read
-        bool singleOnly = false; ///< answered singly at once: this one cannot do sync reads
+        bool noSyncRead = false; ///< answered singly at once: this one cannot do sync reads
         int syncMisses = 0;      ///< in a row
         int misses = 0;          ///< single reads, in a row
         base::Duration notBefore{};
@@ -57,9 +57,9 @@ private:
         std::uint64_t rounds = 0;
         bool inRound() const { return position < round.size(); }
     };
-    void beginRound(Plan& plan, base::Duration now, const FreeFrom& freeFrom);
-    static void missed(Servo& servo, bool sync, base::Duration now);
-    static void answered(Servo& servo, bool sync);
+    void beginRound(Plan& plan, base::Duration now, const ReadyAt& readyAt);
+    static void countMiss(Servo& servo, bool sync, base::Duration now);
+    static void countReply(Servo& servo, bool sync);
 
     std::vector<Plan> m_plans;
 };

@@ -9,12 +9,12 @@ namespace bus {
 namespace {
 constexpr unsigned subBits = 6;
 constexpr std::uint64_t exactBelow = std::uint64_t{2} << subBits;
-constexpr std::uint64_t slowest = std::uint64_t{1} << 30;
+constexpr std::uint64_t maxRoundTrip = std::uint64_t{1} << 30;
 
 /// Values below 128 have a bucket each; above, each power of two is cut in 64.
 std::size_t bucketOf(std::uint64_t value)
 {
-    value = std::min(value, slowest);
+    value = std::min(value, maxRoundTrip);
     if (value < exactBelow)
         return value;
     const auto shift = static_cast<unsigned>(std::bit_width(value)) - subBits - 1;
@@ -31,7 +31,7 @@ std::uint64_t middleOf(std::size_t bucket)
 }
 } // namespace
 
-void RoundTrips::add(base::Duration roundTrip)
+void RoundTripHistogram::add(base::Duration roundTrip)
 {
     const auto count = std::max<base::Duration::rep>(roundTrip.count(), 0);
     const std::size_t bucket = bucketOf(static_cast<std::uint64_t>(count));
@@ -41,14 +41,14 @@ void RoundTrips::add(base::Duration roundTrip)
     ++m_count;
 }
 
-base::Duration RoundTrips::percentile(double fraction) const
+base::Duration RoundTripHistogram::percentile(double fraction) const
 {
-    const auto wanted =
+    const auto rank =
         static_cast<std::uint64_t>(std::ceil(fraction * static_cast<double>(m_count)));
-    std::uint64_t seen = 0;
+    std::uint64_t cumulative = 0;
     for (std::size_t bucket = 0; bucket < m_buckets.size(); ++bucket) {
-        seen += m_buckets[bucket];
-        if (seen > 0 && seen >= wanted)
+        cumulative += m_buckets[bucket];
+        if (cumulative > 0 && cumulative >= rank)
             return base::Duration(static_cast<base::Duration::rep>(middleOf(bucket)));
     }
     return {};

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace bus {
-class RoundTrips {
+class RoundTripHistogram {
 public:
     void add(base::Duration roundTrip);
     base::Duration percentile(double fraction) const; ///< 0…1; zero while empty

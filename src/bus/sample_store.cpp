@@ -4,20 +4,20 @@
 #include <iterator>
 
 namespace bus {
-PollId SampleStore::open()
+PollId PollBuffer::open()
 {
     const std::lock_guard lock(m_mutex);
     m_queues.try_emplace(++m_last);
     return m_last;
 }
 
-void SampleStore::add(PollId id, Sample sample)
+void PollBuffer::add(PollId id, Sample sample)
 {
     const std::lock_guard lock(m_mutex);
-    const auto found = m_queues.find(id);
-    if (found == m_queues.end())
+    const auto queue = m_queues.find(id);
+    if (queue == m_queues.end())
         return;
-    auto& samples = found->second.samples;
+    auto& samples = queue->second.samples;
     if (samples.size() == capacity) {
         samples.pop_front();
         ++m_lost;
@@ -25,34 +25,34 @@ void SampleStore::add(PollId id, Sample sample)
     samples.push_back(std::move(sample));
 }
 
-void SampleStore::close(PollId id)
+void PollBuffer::close(PollId id)
 {
     const std::lock_guard lock(m_mutex);
-    const auto found = m_queues.find(id);
-    if (found == m_queues.end())
+    const auto queue = m_queues.find(id);
+    if (queue == m_queues.end())
         return;
-    if (found->second.samples.empty())
-        m_queues.erase(found);
+    if (queue->second.samples.empty())
+        m_queues.erase(queue);
     else
-        found->second.closed = true;
+        queue->second.closed = true;
 }
 
-std::vector<Sample> SampleStore::take(PollId id)
+std::vector<Sample> PollBuffer::take(PollId id)
 {
     const std::lock_guard lock(m_mutex);
-    const auto found = m_queues.find(id);
-    if (found == m_queues.end())
+    const auto queue = m_queues.find(id);
+    if (queue == m_queues.end())
         return {};
-    auto& samples = found->second.samples;
+    auto& samples = queue->second.samples;
     std::vector<Sample> taken(std::make_move_iterator(samples.begin()),
                               std::make_move_iterator(samples.end()));
     samples.clear();
-    if (found->second.closed)
-        m_queues.erase(found);
+    if (queue->second.closed)
+        m_queues.erase(queue);
     return taken;
 }
 
-std::uint64_t SampleStore::lost() const
+std::uint64_t PollBuffer::lost() const
 {
     const std::lock_guard lock(m_mutex);
     return m_lost;

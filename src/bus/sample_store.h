@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace bus {
-class SampleStore {
+class PollBuffer {
 public:
     static constexpr std::size_t capacity = 65536; ///< samples a plan
 

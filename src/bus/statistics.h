@@ -12,8 +12,8 @@ namespace bus {
 struct Counters {
     std::uint64_t sent = 0; ///< attempts
     std::uint64_t ok = 0;   ///< answered attempts
-    std::uint64_t timeOuts = 0;
-    std::uint64_t badChecks = 0;
+    std::uint64_t timeouts = 0;
+    std::uint64_t badChecksums = 0;
     std::uint64_t foreign = 0;
     std::uint64_t late = 0;
     std::uint64_t retried = 0; ///< transactions that needed more than one attempt
@@ -29,9 +29,9 @@ struct Statistics {
     std::uint64_t bytesIn = 0;
     base::Duration wireTime{};     ///< time the bytes needed at their baud rates
     base::Duration since{};        ///< span the figures cover
-    base::Duration patience{};     ///< what ordinary transactions grant now beyond the wire time
+    base::Duration timeout{};      ///< what ordinary transactions grant now beyond the wire time
     std::uint64_t samplesLost = 0; ///< polled, but not fetched in time
-    double wireUse() const
+    double busLoad() const
     {
         return since.count() > 0 ? double(wireTime.count()) / double(since.count()) : 0.0;
     }

@@ -6,28 +6,28 @@ StatisticsCollector::StatisticsCollector(base::Duration start)
     : m_start(start)
 {}
 
-template <typename Change>
-void StatisticsCollector::change(int id, Change&& apply)
+template <typename Function>
+void StatisticsCollector::update(int id, Function&& function)
 {
     const std::lock_guard lock(m_mutex);
-    apply(m_total);
+    function(m_total);
     if (id >= 0)
-        apply(m_byId[id]);
+        function(m_byId[id]);
 }
 
 void StatisticsCollector::count(Event event, int id)
 {
-    change(id, [event](Entry& entry) {
+    update(id, [event](Entry& entry) {
         Counters& counters = entry.counters;
         switch (event) {
         case Event::Sent:
             ++counters.sent;
             break;
-        case Event::TimeOut:
-            ++counters.timeOuts;
+        case Event::Timeout:
+            ++counters.timeouts;
             break;
-        case Event::BadCheck:
-            ++counters.badChecks;
+        case Event::BadChecksum:
+            ++counters.badChecksums;
             break;
         case Event::Foreign:
             ++counters.foreign;
@@ -42,17 +42,17 @@ void StatisticsCollector::count(Event event, int id)
     });
 }
 
-void StatisticsCollector::answered(int id, base::Duration roundTrip)
+void StatisticsCollector::replyReceived(int id, base::Duration roundTrip)
 {
-    change(id, [roundTrip](Entry& entry) {
+    update(id, [roundTrip](Entry& entry) {
         ++entry.counters.ok;
         entry.roundTrips.add(roundTrip);
     });
 }
 
-void StatisticsCollector::noise(int id, std::size_t bytes)
+void StatisticsCollector::addNoise(int id, std::size_t bytes)
 {
-    change(id, [bytes](Entry& entry) { entry.counters.noiseBytes += bytes; });
+    update(id, [bytes](Entry& entry) { entry.counters.noiseBytes += bytes; });
 }
 
 void StatisticsCollector::bytesSent(std::size_t bytes, base::Duration wireTime)

@@ -13,13 +13,13 @@
 namespace bus {
 class StatisticsCollector {
 public:
-    enum class Event : std::uint8_t { Sent, TimeOut, BadCheck, Foreign, Late, Retried };
+    enum class Event : std::uint8_t { Sent, Timeout, BadChecksum, Foreign, Late, Retried };
 
     explicit StatisticsCollector(base::Duration start);
 
     void count(Event event, int id);
-    void answered(int id, base::Duration roundTrip);
-    void noise(int id, std::size_t bytes);
+    void replyReceived(int id, base::Duration roundTrip);
+    void addNoise(int id, std::size_t bytes);
     void bytesSent(std::size_t bytes, base::Duration wireTime);
     void bytesReceived(std::size_t bytes, base::Duration wireTime);
 
@@ -29,10 +29,10 @@ public:
 private:
     struct Entry {
         Counters counters;
-        RoundTrips roundTrips;
+        RoundTripHistogram roundTrips;
     };
-    template <typename Change>
-    void change(int id, Change&& apply);
+    template <typename Function>
+    void update(int id, Function&& function);
 
     mutable std::mutex m_mutex;
     base::Duration m_start;

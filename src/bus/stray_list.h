@@ -8,27 +8,27 @@
 #include <mutex>
 
 namespace bus {
-class StrayList {
+class UnexpectedFrameList {
 public:
-    void add(Stray stray)
+    void add(UnexpectedFrame stray)
     {
         const std::lock_guard lock(m_mutex);
-        if (m_strays.size() == capacity)
-            m_strays.pop_front();
-        m_strays.push_back(std::move(stray));
+        if (m_unexpectedFrames.size() == capacity)
+            m_unexpectedFrames.pop_front();
+        m_unexpectedFrames.push_back(std::move(stray));
     }
 
-    std::vector<Stray> take()
+    std::vector<UnexpectedFrame> take()
     {
         const std::lock_guard lock(m_mutex);
-        std::vector<Stray> taken(m_strays.begin(), m_strays.end());
-        m_strays.clear();
-        return taken;
+        std::vector<UnexpectedFrame> frames(m_unexpectedFrames.begin(), m_unexpectedFrames.end());
+        m_unexpectedFrames.clear();
+        return frames;
     }
 
 private:
     static constexpr std::size_t capacity = 1024;
     std::mutex m_mutex;
-    std::deque<Stray> m_strays;
+    std::deque<UnexpectedFrame> m_unexpectedFrames;
 };
 } // namespace bus

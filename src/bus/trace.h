@@ -8,7 +8,16 @@
 #include "base/protocol.h"
 
 namespace bus {
-enum class TraceKind : std::uint8_t { Sent, Received, Echo, Foreign, Late, BadCheck, Noise, Note };
+enum class TraceKind : std::uint8_t {
+    Sent,
+    Received,
+    Echo,
+    Foreign,
+    Late,
+    BadChecksum,
+    Noise,
+    Note
+};
 
 struct TraceEntry {
     base::Duration at{};

@@ -8,7 +8,7 @@ TraceRing::TraceRing(std::size_t capacity)
     : m_capacity(capacity)
 {}
 
-void TraceRing::speak(base::Protocol protocol)
+void TraceRing::setProtocol(base::Protocol protocol)
 {
     const std::lock_guard lock(m_mutex);
     m_protocol = protocol;

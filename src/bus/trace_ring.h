@@ -13,7 +13,7 @@ class TraceRing {
 public:
     explicit TraceRing(std::size_t capacity = 4096);
 
-    void speak(base::Protocol protocol); ///< the language of what is added from now on
+    void setProtocol(base::Protocol protocol); ///< the language of what is added from now on
     void add(base::Duration at, TraceKind kind, base::ByteView bytes);
     void note(base::Duration at, const QString& text); ///< ASCII
     std::vector<TraceEntry> take();                    ///< oldest first

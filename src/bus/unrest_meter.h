@@ -7,16 +7,16 @@
 #include "base/clock.h"
 
 namespace bus {
-class UnrestMeter {
+class LineNoiseMeter {
 public:
     /// Bytes that would occupy the line for `wireTime`; `frame`: they are a valid frame. Never more
     /// than `most` is remembered.
-    void heard(base::Duration wireTime, bool frame, base::Duration now, base::Duration most);
+    void addBytes(base::Duration wireTime, bool frame, base::Duration now, base::Duration maxLevel);
 
     /// More than `allowed` has come beyond what the passing time accounts for.
-    bool overloaded(base::Duration allowed, base::Duration now) const;
+    bool isOverloaded(base::Duration allowed, base::Duration now) const;
     /// Valid frames are coming without a pause, not only noise.
-    bool framesHeard() const { return m_frames >= minFrames; }
+    bool hasFrames() const { return m_frames >= minFrames; }
 
 private:
     base::Duration levelAt(base::Duration now) const;

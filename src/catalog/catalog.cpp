@@ -18,7 +18,7 @@ static void initResources()
 
 namespace catalog {
 namespace {
-const QString UnknownMap = QStringLiteral("unknown");
+const QString unknownMapKey = QStringLiteral("unknown");
 
 const SeriesDef* seriesByKey(const Catalog::Data& data, const QString& key)
 {
@@ -126,7 +126,7 @@ void addRegisters(Profile& profile, const MapDef& map, Version firmware)
               [](const Register& a, const Register& b) { return a.offset < b.offset; });
 }
 
-void takeSeries(Profile& profile, const SeriesDef& series)
+void applySeries(Profile& profile, const SeriesDef& series)
 {
     profile.series = series.key;
     profile.line = series.line;
@@ -137,7 +137,7 @@ void takeSeries(Profile& profile, const SeriesDef& series)
 }
 
 /// How blocks may be read: LX commands one by one, Modbus without the holes between its areas.
-void takeProtocol(Profile& profile, base::Protocol protocol)
+void applyProtocol(Profile& profile, base::Protocol protocol)
 {
     profile.protocol = protocol;
     switch (protocol) {
@@ -154,7 +154,7 @@ void takeProtocol(Profile& profile, base::Protocol protocol)
 }
 
 /// What the servo can do beyond reading needs a map to do it with.
-void takeAbilities(Profile& profile, const SeriesDef& series, Version firmware)
+void applyCapabilities(Profile& profile, const SeriesDef& series, Version firmware)
 {
     profile.mapKey = series.map;
     profile.writable = true;
@@ -165,7 +165,7 @@ void takeAbilities(Profile& profile, const SeriesDef& series, Version firmware)
     profile.modes = series.modes;
 }
 
-void takeModel(Profile& profile, const ModelEntry& model)
+void applyModel(Profile& profile, const ModelEntry& model)
 {
     profile.modelName = model.name;
     profile.modelKnown = true;
@@ -195,16 +195,16 @@ ProfilePtr build(const Catalog::Data& data, const Identity& identity, const Mode
 
     auto profile = std::make_shared<Profile>();
     profile->identity = identity;
-    takeProtocol(*profile, identity.protocol);
+    applyProtocol(*profile, identity.protocol);
     profile->byteOrder = order.value_or(base::ByteOrder::Little);
-    profile->mapKey = UnknownMap;
+    profile->mapKey = unknownMapKey;
     profile->writable = false;
     if (family)
-        takeSeries(*profile, *family);
+        applySeries(*profile, *family);
     if (supported)
-        takeAbilities(*profile, *series, firmware);
+        applyCapabilities(*profile, *series, firmware);
     if (model) {
-        takeModel(*profile, *model);
+        applyModel(*profile, *model);
         if (!series || !model->supported)
             profile->series = model->series;
     } else {
@@ -217,12 +217,12 @@ ProfilePtr build(const Catalog::Data& data, const Identity& identity, const Mode
 }
 
 /// Neither the model's name nor any map is believed.
-ProfilePtr buildUnclear(const Catalog::Data& data, const Identity& identity, base::ByteOrder order,
-                        const FamilyFacts& conflict)
+ProfilePtr buildConflicting(const Catalog::Data& data, const Identity& identity,
+                            base::ByteOrder order, const FamilyFacts& conflict)
 {
     auto profile = std::make_shared<Profile>(*build(data, identity, nullptr, nullptr, order));
     profile->conflict = conflict;
-    showAsBytes(*profile);
+    replaceWithRawBytes(*profile);
     return profile;
 }
 } // namespace
@@ -235,7 +235,7 @@ Catalog::Catalog(std::shared_ptr<const Data> data)
     : m_data(std::move(data))
 {}
 
-Catalog::Loaded Catalog::load(const QStringList& userFolders)
+Catalog::LoadResult Catalog::load(const QStringList& userFolders)
 {
     initResources();
     Loader loader;
@@ -257,7 +257,7 @@ ProfilePtr Catalog::resolve(const Identity& identity) const
     }
     const auto order = byteOrderOf(*m_data, identity, firmware);
     if (const auto conflict = familyConflict(*m_data, identity))
-        return buildUnclear(*m_data, identity, *order, *conflict);
+        return buildConflicting(*m_data, identity, *order, *conflict);
     const ModelEntry* model =
         order ? modelByNumber(*m_data, identity.modelMajor, identity.modelMinor, *order) : nullptr;
     const SeriesDef* series = order ? seriesByFirmware(*m_data, firmware, order) : nullptr;
@@ -266,10 +266,10 @@ ProfilePtr Catalog::resolve(const Identity& identity) const
 
 const ModelEntry* Catalog::model(const QString& name) const
 {
-    const QString wanted = foldedModelName(name);
+    const QString normalized = normalizedModelName(name);
     const auto it =
         std::find_if(m_data->models.begin(), m_data->models.end(), [&](const ModelEntry& entry) {
-            return foldedModelName(entry.name) == wanted;
+            return normalizedModelName(entry.name) == normalized;
         });
     return it == m_data->models.end() ? nullptr : &*it;
 }

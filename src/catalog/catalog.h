@@ -47,14 +47,14 @@ struct KnownFirmware {
 
 class Catalog {
 public:
-    struct Loaded;
+    struct LoadResult;
     struct Data;
 
     Catalog(); ///< empty: every servo is unknown
     explicit Catalog(std::shared_ptr<const Data> data);
 
     /// Built-in files, then *.json of each folder in order; a later entry replaces an earlier one.
-    static Loaded load(const QStringList& userFolders = {});
+    static LoadResult load(const QStringList& userFolders = {});
 
     /// The profile for what registers 0–4 said. Never null: an unknown model with a known firmware
     /// gets a generic name; an unknown firmware gets a read-only profile (identity and feedback).
@@ -82,7 +82,7 @@ private:
     std::shared_ptr<const Data> m_data;
 };
 
-struct Catalog::Loaded {
+struct Catalog::LoadResult {
     Catalog catalog;
     std::vector<LoadWarning> warnings;
 };

@@ -18,11 +18,11 @@ bool anyFits(const std::vector<Condition>& conditions, const QString& series, Ve
            });
 }
 
-QString foldedModelName(const QString& name)
+QString normalizedModelName(const QString& name)
 {
-    QString folded = name.toLower();
-    folded.remove(QLatin1Char('-')).remove(QLatin1Char(' '));
-    return folded;
+    QString normalized = name.toLower();
+    normalized.remove(QLatin1Char('-')).remove(QLatin1Char(' '));
+    return normalized;
 }
 
 const RegisterDef* RegisterRow::pick(const QString& series, Version firmware) const

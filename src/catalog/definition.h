@@ -83,7 +83,7 @@ struct FirmwareDef {
 };
 
 /// A model's name as people type it: neither case, blanks nor '-' matter ("lx16a" is "LX-16A").
-QString foldedModelName(const QString& name);
+QString normalizedModelName(const QString& name);
 
 struct Catalog::Data {
     std::vector<SeriesDef> series;

@@ -10,7 +10,7 @@ constexpr int firstSram = 40;
 constexpr int firstFeedback = 56;
 constexpr int lastCommonByte = 70;
 /// A table of unknown length is not asked for more at once.
-constexpr int cautiousRead = 36;
+constexpr int safeReadCount = 36;
 
 int flagOf(base::ByteOrder order)
 {
@@ -68,17 +68,17 @@ const SeriesDef* chosenBy(const Catalog::Data& data, Version firmware, int flag)
     return chosen;
 }
 
-Register rawByte(int place)
+Register rawByte(int address)
 {
     Register reg;
-    reg.key = QStringLiteral("byte_%1").arg(place);
-    reg.address = reg.offset = reg.writeOffset = place;
-    reg.area = place < firstSram       ? Area::Eprom
-               : place < firstFeedback ? Area::Sram
-                                       : Area::Feedback;
+    reg.key = QStringLiteral("byte_%1").arg(address);
+    reg.address = reg.offset = reg.writeOffset = address;
+    reg.area = address < firstSram       ? Area::Eprom
+               : address < firstFeedback ? Area::Sram
+                                         : Area::Feedback;
     reg.min = 0;
     reg.max = 255;
-    reg.name = {QStringLiteral("Byte %1").arg(place), QStringLiteral("字节 %1").arg(place)};
+    reg.name = {QStringLiteral("Byte %1").arg(address), QStringLiteral("字节 %1").arg(address)};
     reg.help = {QStringLiteral("The byte as it was read. What it means depends on the family, "
                                "which is unclear."),
                 QStringLiteral("读到的原始字节。其含义取决于系列，而系列尚不明确。")};
@@ -121,16 +121,16 @@ std::optional<FamilyFacts> familyConflict(const Catalog::Data& data, const Ident
     return facts;
 }
 
-void showAsBytes(Profile& profile)
+void replaceWithRawBytes(Profile& profile)
 {
     std::erase_if(profile.registers, [](const Register& reg) { return reg.size > 1; });
-    for (int place = 0; place <= lastCommonByte; ++place) {
-        if (profile.at(place) == nullptr)
-            profile.registers.push_back(rawByte(place));
+    for (int address = 0; address <= lastCommonByte; ++address) {
+        if (profile.at(address) == nullptr)
+            profile.registers.push_back(rawByte(address));
     }
     std::sort(profile.registers.begin(), profile.registers.end(),
               [](const Register& a, const Register& b) { return a.offset < b.offset; });
     profile.mapKey = QStringLiteral("unclear");
-    profile.maxRead = cautiousRead;
+    profile.maxRead = safeReadCount;
 }
 } // namespace catalog

@@ -11,5 +11,5 @@ namespace catalog {
 std::optional<FamilyFacts> familyConflict(const Catalog::Data& data, const Identity& identity);
 
 /// Leaves the identity and what every Feetech table has as one byte; the rest becomes raw bytes.
-void showAsBytes(Profile& profile);
+void replaceWithRawBytes(Profile& profile);
 } // namespace catalog

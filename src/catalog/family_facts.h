@@ -21,7 +21,7 @@ struct FamilyFacts {
     bool operator==(const FamilyFacts&) const = default;
 
     QString detail() const;
-    /// Of an error with the code FamilyUnclear; null if it has none.
+    /// Of an error with the code FamilyConflict; null if it has none.
     static std::optional<FamilyFacts> fromDetail(const QString& detail);
 };
 } // namespace catalog

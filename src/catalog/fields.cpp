@@ -5,72 +5,73 @@
 
 namespace catalog {
 namespace {
-constexpr int LongestText = 4000;
+constexpr int maxTextLength = 4000;
 }
 
-Fields::Fields(const QJsonValue& value)
+JsonFields::JsonFields(const QJsonValue& value)
     : m_object(value.toObject())
 {
     if (!value.isObject())
-        complain(QStringLiteral("not an object"));
+        addError(QStringLiteral("not an object"));
 }
 
-bool Fields::has(const char* name) const
+bool JsonFields::has(const char* name) const
 {
     return m_object.contains(QLatin1String(name));
 }
 
-QJsonValue Fields::take(const char* name)
+QJsonValue JsonFields::readMember(const char* name)
 {
-    m_asked << QLatin1String(name);
+    m_readNames << QLatin1String(name);
     return m_object.value(QLatin1String(name));
 }
 
-QJsonValue Fields::value(const char* name)
+QJsonValue JsonFields::value(const char* name)
 {
-    return take(name);
+    return readMember(name);
 }
 
-void Fields::complain(const QString& problem)
+void JsonFields::addError(const QString& errorText)
 {
-    if (m_problem.isEmpty())
-        m_problem = problem;
+    if (m_errorText.isEmpty())
+        m_errorText = errorText;
 }
 
-void Fields::require(const char* name)
+void JsonFields::require(const char* name)
 {
     if (!has(name))
-        complain(QStringLiteral("\"%1\" is missing").arg(QLatin1String(name)));
+        addError(QStringLiteral("\"%1\" is missing").arg(QLatin1String(name)));
 }
 
-QString Fields::word(const char* name)
+QString JsonFields::string(const char* name)
 {
-    const QString found = optionalWord(name);
-    if (found.isEmpty())
-        complain(QStringLiteral("\"%1\" is missing").arg(QLatin1String(name)));
-    return found;
+    const QString member = optionalString(name);
+    if (member.isEmpty())
+        addError(QStringLiteral("\"%1\" is missing").arg(QLatin1String(name)));
+    return member;
 }
 
-QString Fields::optionalWord(const char* name, const QString& fallback)
+QString JsonFields::optionalString(const char* name, const QString& fallback)
 {
-    const QJsonValue found = take(name);
-    if (found.isUndefined())
+    const QJsonValue member = readMember(name);
+    if (member.isUndefined())
         return fallback;
-    if (!found.isString() || found.toString().size() > LongestText)
-        complain(
+    if (!member.isString() || member.toString().size() > maxTextLength)
+        addError(
             QStringLiteral("\"%1\" is not a text of reasonable length").arg(QLatin1String(name)));
-    return found.toString();
+    return member.toString();
 }
 
-std::optional<std::int64_t> Fields::integer(const char* name, std::int64_t min, std::int64_t max)
+std::optional<std::int64_t> JsonFields::integer(const char* name, std::int64_t min,
+                                                std::int64_t max)
 {
-    const QJsonValue found = take(name);
-    if (found.isUndefined())
+    const QJsonValue member = readMember(name);
+    if (member.isUndefined())
         return std::nullopt;
-    const double number = found.toDouble(std::nan(""));
+    const double number = member.toDouble(std::nan(""));
     if (!(number >= static_cast<double>(min) && number <= static_cast<double>(max)) ||
         number != std::floor(number)) {
-        complain(QStringLiteral("\"%1\" is not a whole number from %2 to %3")
+        addError(QStringLiteral("\"%1\" is not a whole number from %2 to %3")
                      .arg(QLatin1String(name))
                      .arg(min)
                      .arg(max));
@@ -79,62 +80,62 @@ std::optional<std::int64_t> Fields::integer(const char* name, std::int64_t min, 
     return static_cast<std::int64_t>(number);
 }
 
-std::optional<double> Fields::number(const char* name)
+std::optional<double> JsonFields::number(const char* name)
 {
-    const QJsonValue found = take(name);
-    if (found.isUndefined())
+    const QJsonValue member = readMember(name);
+    if (member.isUndefined())
         return std::nullopt;
-    if (!found.isDouble() || !std::isfinite(found.toDouble()))
-        complain(QStringLiteral("\"%1\" is not a number").arg(QLatin1String(name)));
-    return found.toDouble();
+    if (!member.isDouble() || !std::isfinite(member.toDouble()))
+        addError(QStringLiteral("\"%1\" is not a number").arg(QLatin1String(name)));
+    return member.toDouble();
 }
 
-bool Fields::flag(const char* name, bool fallback)
+bool JsonFields::flag(const char* name, bool fallback)
 {
-    const QJsonValue found = take(name);
-    if (found.isUndefined())
+    const QJsonValue member = readMember(name);
+    if (member.isUndefined())
         return fallback;
-    if (!found.isBool())
-        complain(QStringLiteral("\"%1\" is neither true nor false").arg(QLatin1String(name)));
-    return found.toBool();
+    if (!member.isBool())
+        addError(QStringLiteral("\"%1\" is neither true nor false").arg(QLatin1String(name)));
+    return member.toBool();
 }
 
-Text Fields::text(const char* name)
+Text JsonFields::text(const char* name)
 {
-    Fields both(take(name));
-    const Text text{both.word("en"), both.word("zh")};
-    if (const QString problem = both.problem(); !problem.isEmpty())
-        complain(QStringLiteral("\"%1\": %2").arg(QLatin1String(name), problem));
+    JsonFields languages(readMember(name));
+    const Text text{languages.string("en"), languages.string("zh")};
+    if (const QString errorText = languages.errorText(); !errorText.isEmpty())
+        addError(QStringLiteral("\"%1\": %2").arg(QLatin1String(name), errorText));
     return text;
 }
 
-std::optional<Version> Fields::version(const char* name)
+std::optional<Version> JsonFields::version(const char* name)
 {
     if (!has(name)) {
-        take(name);
+        readMember(name);
         return std::nullopt;
     }
-    const auto version = parseVersion(word(name));
+    const auto version = parseVersion(string(name));
     if (!version)
-        complain(QStringLiteral("\"%1\" is not a version like \"2.48\"").arg(QLatin1String(name)));
+        addError(QStringLiteral("\"%1\" is not a version like \"2.48\"").arg(QLatin1String(name)));
     return version;
 }
 
-QJsonArray Fields::array(const char* name)
+QJsonArray JsonFields::array(const char* name)
 {
-    const QJsonValue found = take(name);
-    if (!found.isUndefined() && !found.isArray())
-        complain(QStringLiteral("\"%1\" is not a list").arg(QLatin1String(name)));
-    return found.toArray();
+    const QJsonValue member = readMember(name);
+    if (!member.isUndefined() && !member.isArray())
+        addError(QStringLiteral("\"%1\" is not a list").arg(QLatin1String(name)));
+    return member.toArray();
 }
 
-QString Fields::problem() const
+QString JsonFields::errorText() const
 {
-    if (!m_problem.isEmpty())
-        return m_problem;
+    if (!m_errorText.isEmpty())
+        return m_errorText;
     const QStringList names = m_object.keys();
     for (const QString& name : names) {
-        if (!m_asked.contains(name) && name != QLatin1String("comment"))
+        if (!m_readNames.contains(name) && name != QLatin1String("comment"))
             return QStringLiteral("unknown member \"%1\"").arg(name.left(40));
     }
     return {};
@@ -154,37 +155,37 @@ std::optional<Version> parseVersion(const QString& text)
     return version;
 }
 
-base::Protocol readProtocol(Fields& fields)
+base::Protocol readProtocol(JsonFields& fields)
 {
-    const QString word = fields.optionalWord("protocol", base::protocolName({}));
-    const auto protocol = base::protocolFromName(word);
+    const QString string = fields.optionalString("protocol", base::protocolName({}));
+    const auto protocol = base::protocolFromName(string);
     if (!protocol)
-        fields.complain(QStringLiteral("unknown protocol \"%1\"").arg(word.left(40)));
+        fields.addError(QStringLiteral("unknown protocol \"%1\"").arg(string.left(40)));
     return protocol.value_or(base::Protocol{});
 }
 
-Condition readCondition(const QJsonValue& value, QString& problem)
+Condition readCondition(const QJsonValue& value, QString& errorText)
 {
-    Fields fields(value);
+    JsonFields fields(value);
     Condition condition;
     const QJsonArray series = fields.array("series");
-    for (const QJsonValue word : series) {
-        if (!word.isString())
-            fields.complain(QStringLiteral("\"series\" is not a list of words"));
-        condition.series << word.toString();
+    for (const QJsonValue string : series) {
+        if (!string.isString())
+            fields.addError(QStringLiteral("\"series\" is not a list of words"));
+        condition.series << string.toString();
     }
     condition.from = fields.version("firmware_from");
     condition.to = fields.version("firmware_to");
-    if (problem.isEmpty())
-        problem = fields.problem();
+    if (errorText.isEmpty())
+        errorText = fields.errorText();
     return condition;
 }
 
-std::vector<Condition> readConditions(const QJsonArray& array, QString& problem)
+std::vector<Condition> readConditions(const QJsonArray& array, QString& errorText)
 {
     std::vector<Condition> conditions;
     for (const QJsonValue value : array)
-        conditions.push_back(readCondition(value, problem));
+        conditions.push_back(readCondition(value, errorText));
     return conditions;
 }
 } // namespace catalog

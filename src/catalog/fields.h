@@ -13,13 +13,13 @@
 #include <utility>
 
 namespace catalog {
-class Fields {
+class JsonFields {
 public:
-    explicit Fields(const QJsonValue& value);
+    explicit JsonFields(const QJsonValue& value);
 
     bool has(const char* name) const;
-    QString word(const char* name); ///< required, not empty
-    QString optionalWord(const char* name, const QString& fallback = {});
+    QString string(const char* name); ///< required, not empty
+    QString optionalString(const char* name, const QString& fallback = {});
     std::optional<std::int64_t> integer(const char* name, std::int64_t min, std::int64_t max);
     std::optional<double> number(const char* name);
     bool flag(const char* name, bool fallback = false);
@@ -29,46 +29,46 @@ public:
     QJsonValue value(const char* name);
 
     template <typename T>
-    T oneOf(const char* name, std::initializer_list<std::pair<const char*, T>> words,
+    T oneOf(const char* name, std::initializer_list<std::pair<const char*, T>> names,
             std::optional<T> fallback = std::nullopt)
     {
-        const QString found = fallback ? optionalWord(name) : word(name);
-        if (found.isEmpty() && fallback)
+        const QString member = fallback ? optionalString(name) : string(name);
+        if (member.isEmpty() && fallback)
             return *fallback;
-        for (const auto& [key, result] : words) {
-            if (found == QLatin1String(key))
+        for (const auto& [key, result] : names) {
+            if (member == QLatin1String(key))
                 return result;
         }
-        complain(QStringLiteral("\"%1\": unknown word \"%2\"").arg(QLatin1String(name), found));
+        addError(QStringLiteral("\"%1\": unknown word \"%2\"").arg(QLatin1String(name), member));
         return fallback.value_or(T{});
     }
 
-    void complain(const QString& problem);
+    void addError(const QString& errorText);
     void require(const char* name); ///< complains if the member is missing
 
     /// The first complaint so far, whoever still has members to ask for.
-    const QString& complaint() const { return m_problem; }
+    const QString& firstError() const { return m_errorText; }
 
     /// The first complaint, or a member nobody asked for; empty if the object is sound.
-    QString problem() const;
+    QString errorText() const;
 
 private:
-    QJsonValue take(const char* name);
+    QJsonValue readMember(const char* name);
 
     QJsonObject m_object;
-    QStringList m_asked;
-    QString m_problem;
+    QStringList m_readNames;
+    QString m_errorText;
 };
 
 /// "3.10" → {3, 10}; nullopt if it is not two numbers 0–255.
 std::optional<Version> parseVersion(const QString& text);
 
 /// A condition object: series, firmware_from, firmware_to.
-Condition readCondition(const QJsonValue& value, QString& problem);
-std::vector<Condition> readConditions(const QJsonArray& array, QString& problem);
+Condition readCondition(const QJsonValue& value, QString& errorText);
+std::vector<Condition> readConditions(const QJsonArray& array, QString& errorText);
 
 /// "protocol"; Feetech if left out.
-base::Protocol readProtocol(Fields& fields);
+base::Protocol readProtocol(JsonFields& fields);
 
-Role roleFromWord(const QString& word, bool& known);
+Role roleFromName(const QString& string, bool& known);
 } // namespace catalog

@@ -15,38 +15,38 @@
 
 namespace catalog {
 namespace {
-constexpr qint64 LargestFile = 4 * 1024 * 1024;
-constexpr int MostRows = 4096;
-constexpr int MostRegisters = 512;
-constexpr int MostFileWarnings = 50;
+constexpr qint64 maxFileSize = 4 * 1024 * 1024;
+constexpr int maxRows = 4096;
+constexpr int maxRegisters = 512;
+constexpr int maxFileWarnings = 50;
 
 /// The content, or nullopt with the reason in `problem`. Only regular files: a pipe or a device in
 /// the user's folder would never end.
-std::optional<QByteArray> readSmallFile(const QString& path, QString& problem)
+std::optional<QByteArray> readFileContent(const QString& path, QString& errorText)
 {
     QFile file(path);
     if (!path.startsWith(QLatin1Char(':')) && !QFileInfo(path).isFile()) {
-        problem = QStringLiteral("not a readable file");
+        errorText = QStringLiteral("not a readable file");
         return std::nullopt;
     }
     if (!file.open(QIODevice::ReadOnly)) {
-        problem = file.errorString();
+        errorText = file.errorString();
         return std::nullopt;
     }
-    QByteArray content = file.read(LargestFile + 1);
+    QByteArray content = file.read(maxFileSize + 1);
     if (file.error() != QFileDevice::NoError) {
-        problem = file.errorString();
+        errorText = file.errorString();
         return std::nullopt;
     }
-    if (content.size() > LargestFile) {
-        problem = QStringLiteral("larger than %1 bytes").arg(LargestFile);
+    if (content.size() > maxFileSize) {
+        errorText = QStringLiteral("larger than %1 bytes").arg(maxFileSize);
         return std::nullopt;
     }
     return content;
 }
 
 template <typename T, typename Same>
-void putOrReplace(std::vector<T>& list, T item, Same same)
+void insertOrReplace(std::vector<T>& list, T item, Same same)
 {
     const auto it = std::find_if(list.begin(), list.end(), same);
     if (it == list.end())
@@ -69,9 +69,9 @@ QString rowTitle(const QJsonValue& row)
 void Loader::warn(const QString& where, const QString& detail)
 {
     ++m_fileWarnings;
-    if (m_fileWarnings < MostFileWarnings)
+    if (m_fileWarnings < maxFileWarnings)
         m_warnings.push_back({m_file, where, detail});
-    else if (m_fileWarnings == MostFileWarnings)
+    else if (m_fileWarnings == maxFileWarnings)
         m_warnings.push_back({m_file, {}, QStringLiteral("and more of the kind")});
 }
 
@@ -79,10 +79,10 @@ void Loader::addFile(const QString& path)
 {
     m_file = path;
     m_fileWarnings = 0;
-    QString problem;
-    const auto content = readSmallFile(path, problem);
+    QString errorText;
+    const auto content = readFileContent(path, errorText);
     if (!content)
-        return warn({}, problem);
+        return warn({}, errorText);
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(*content, &error);
     if (error.error != QJsonParseError::NoError)
@@ -109,8 +109,8 @@ void Loader::addFolder(const QString& path)
         addFile(entry.filePath());
 }
 
-void Loader::eachRow(const QJsonObject& object, const char* name,
-                     const std::function<void(const QJsonValue&, const QString&)>& add)
+void Loader::forEachRow(const QJsonObject& object, const char* name,
+                        const std::function<void(const QJsonValue&, const QString&)>& add)
 {
     const QJsonValue list = object.value(QLatin1String(name));
     if (list.isUndefined())
@@ -118,8 +118,8 @@ void Loader::eachRow(const QJsonObject& object, const char* name,
     if (!list.isArray())
         return warn(QLatin1String(name), QStringLiteral("not a list"));
     const QJsonArray rows = list.toArray();
-    if (rows.size() > MostRows)
-        return warn(QLatin1String(name), QStringLiteral("more than %1 rows").arg(MostRows));
+    if (rows.size() > maxRows)
+        return warn(QLatin1String(name), QStringLiteral("more than %1 rows").arg(maxRows));
     for (int i = 0; i < rows.size(); ++i)
         add(rows.at(i),
             QStringLiteral("%1[%2]%3").arg(QLatin1String(name)).arg(i).arg(rowTitle(rows.at(i))));
@@ -134,59 +134,60 @@ void Loader::addContent(const QJsonObject& object)
         if (!known.contains(name))
             warn(name.left(60), QStringLiteral("unknown member"));
     }
-    eachRow(object, "maps", [this](const auto& row, const QString& where) { addMap(row, where); });
-    eachRow(object, "series",
-            [this](const auto& row, const QString& where) { addSeries(row, where); });
-    eachRow(object, "models",
-            [this](const auto& row, const QString& where) { addModel(row, where); });
-    eachRow(object, "firmware",
-            [this](const auto& row, const QString& where) { addFirmware(row, where); });
+    forEachRow(object, "maps",
+               [this](const auto& row, const QString& where) { addMap(row, where); });
+    forEachRow(object, "series",
+               [this](const auto& row, const QString& where) { addSeries(row, where); });
+    forEachRow(object, "models",
+               [this](const auto& row, const QString& where) { addModel(row, where); });
+    forEachRow(object, "firmware",
+               [this](const auto& row, const QString& where) { addFirmware(row, where); });
 }
 
 void Loader::addMap(const QJsonValue& value, const QString& where)
 {
-    Fields fields(value);
+    JsonFields fields(value);
     MapDef map;
-    map.key = fields.word("key");
+    map.key = fields.string("key");
     map.protocol = readProtocol(fields);
     const QJsonArray rows = fields.array("registers");
-    if (!fields.problem().isEmpty())
-        return warn(where, fields.problem());
-    if (rows.size() > MostRegisters)
-        return warn(where, QStringLiteral("more than %1 registers").arg(MostRegisters));
+    if (!fields.errorText().isEmpty())
+        return warn(where, fields.errorText());
+    if (rows.size() > maxRegisters)
+        return warn(where, QStringLiteral("more than %1 registers").arg(maxRegisters));
     for (int i = 0; i < rows.size(); ++i) {
-        QString problem;
-        auto row = readRegister(rows.at(i), map.protocol, problem);
+        QString errorText;
+        auto row = readRegister(rows.at(i), map.protocol, errorText);
         if (row)
             map.rows.push_back(std::move(*row));
         else
-            warn(QStringLiteral("registers[%1]%2").arg(i).arg(rowTitle(rows.at(i))), problem);
+            warn(QStringLiteral("registers[%1]%2").arg(i).arg(rowTitle(rows.at(i))), errorText);
     }
-    dropConflicts(map, [this](const QString& key, const QString& reason) {
+    removeConflicts(map, [this](const QString& key, const QString& reason) {
         warn(QStringLiteral("registers ") + key, reason);
     });
     if (map.rows.empty())
         return warn(where, QStringLiteral("no usable register"));
-    formBlocks(map);
+    assignBlocks(map);
     m_data.maps[map.key] = std::move(map);
 }
 
 void Loader::addSeries(const QJsonValue& value, const QString& where)
 {
-    QString problem;
-    auto series = readSeries(value, problem);
+    QString errorText;
+    auto series = readSeries(value, errorText);
     if (!series)
-        return warn(where, problem);
-    takeProtocol(*series);
+        return warn(where, errorText);
+    applyProtocol(*series);
     if (series->protocol == base::Protocol::Feetech && !series->from)
         return warn(where, QStringLiteral("\"firmware\" is missing"));
     const QString key = series->key;
-    putOrReplace(m_data.series, std::move(*series),
-                 [&](const SeriesDef& other) { return other.key == key; });
+    insertOrReplace(m_data.series, std::move(*series),
+                    [&](const SeriesDef& other) { return other.key == key; });
 }
 
 /// A series speaks what its map says; its own member counts while the map is not known.
-void Loader::takeProtocol(SeriesDef& series) const
+void Loader::applyProtocol(SeriesDef& series) const
 {
     const auto map = m_data.maps.find(series.map);
     if (map != m_data.maps.end())
@@ -195,13 +196,14 @@ void Loader::takeProtocol(SeriesDef& series) const
 
 void Loader::addModel(const QJsonValue& value, const QString& where)
 {
-    QString problem;
-    const auto model = readModel(value, problem);
+    QString errorText;
+    const auto model = readModel(value, errorText);
     if (!model)
-        return warn(where, problem);
-    putOrReplace(m_data.models, *model, [&](const ModelEntry& other) {
+        return warn(where, errorText);
+    insertOrReplace(m_data.models, *model, [&](const ModelEntry& other) {
         if (model->major < 0)
-            return other.major < 0 && foldedModelName(other.name) == foldedModelName(model->name);
+            return other.major < 0 &&
+                   normalizedModelName(other.name) == normalizedModelName(model->name);
         return other.major == model->major && other.minor == model->minor &&
                other.byteOrder == model->byteOrder;
     });
@@ -209,18 +211,18 @@ void Loader::addModel(const QJsonValue& value, const QString& where)
 
 void Loader::addFirmware(const QJsonValue& value, const QString& where)
 {
-    QString problem;
-    auto firmware = readFirmware(value, problem);
+    QString errorText;
+    auto firmware = readFirmware(value, errorText);
     if (!firmware)
-        return warn(where, problem);
+        return warn(where, errorText);
     m_data.firmware.push_back(std::move(*firmware));
 }
 
-Catalog::Loaded Loader::finish()
+Catalog::LoadResult Loader::finish()
 {
     m_fileWarnings = 0;
     for (SeriesDef& series : m_data.series) {
-        takeProtocol(series);
+        applyProtocol(series);
         if (!series.map.isEmpty() && m_data.maps.find(series.map) == m_data.maps.end()) {
             m_file.clear();
             warn(QStringLiteral("series ") + series.key,

@@ -16,17 +16,17 @@ public:
     void addFolder(const QString& path); ///< *.json by name; a folder that is absent is empty
 
     /// Ties the parts together; call once, after the last file.
-    Catalog::Loaded finish();
+    Catalog::LoadResult finish();
 
 private:
     void addContent(const QJsonObject& object);
     void addMap(const QJsonValue& row, const QString& where);
     void addSeries(const QJsonValue& row, const QString& where);
-    void takeProtocol(SeriesDef& series) const;
+    void applyProtocol(SeriesDef& series) const;
     void addModel(const QJsonValue& row, const QString& where);
     void addFirmware(const QJsonValue& row, const QString& where);
-    void eachRow(const QJsonObject& object, const char* name,
-                 const std::function<void(const QJsonValue&, const QString&)>& add);
+    void forEachRow(const QJsonObject& object, const char* name,
+                    const std::function<void(const QJsonValue&, const QString&)>& add);
     void warn(const QString& where, const QString& detail);
 
     Catalog::Data m_data;

@@ -12,12 +12,12 @@
 namespace catalog {
 namespace {
 /// One situation in which a row's conditions may turn out differently.
-struct Situation {
+struct ConditionCase {
     QString series;
     Version firmware;
 };
 
-Version next(Version version)
+Version nextVersion(Version version)
 {
     return version.minor < 255 ? Version{version.major, version.minor + 1}
                                : Version{version.major + 1, 0};
@@ -25,7 +25,7 @@ Version next(Version version)
 
 /// Every series that is named, one that is not, and both sides of every firmware bound: between
 /// two bounds nothing changes.
-std::vector<Situation> situations(const MapDef& map)
+std::vector<ConditionCase> conditionCases(const MapDef& map)
 {
     QSet<QString> series{QString()};
     std::set<Version> versions{Version{}};
@@ -35,7 +35,7 @@ std::vector<Situation> situations(const MapDef& map)
         if (condition.from)
             versions.insert(*condition.from);
         if (condition.to)
-            versions.insert(next(*condition.to));
+            versions.insert(nextVersion(*condition.to));
     };
     for (const RegisterRow& row : map.rows) {
         for (const Condition& condition : row.only)
@@ -43,21 +43,21 @@ std::vector<Situation> situations(const MapDef& map)
         for (const auto& [condition, def] : row.set)
             collect(condition);
     }
-    std::vector<Situation> all;
+    std::vector<ConditionCase> cases;
     for (const QString& name : series) {
         for (const Version& version : versions)
-            all.push_back({name, version});
+            cases.push_back({name, version});
     }
-    return all;
+    return cases;
 }
 
 /// Which row owns a byte of the table.
-class Owners {
+class AddressOwners {
 public:
-    Owners() { m_rows.fill(-1); }
+    AddressOwners() { m_rows.fill(-1); }
 
     /// The row that already has one of the bytes, or -1 and they are taken.
-    int take(int offset, int size, int row)
+    int claim(int offset, int size, int row)
     {
         for (int byte = offset; byte < offset + size; ++byte) {
             int& owner = m_rows[static_cast<std::size_t>(byte)];
@@ -69,23 +69,23 @@ public:
     }
 
 private:
-    std::array<int, TableBytes> m_rows;
+    std::array<int, tableBytes> m_rows;
 };
 
 /// The row that is in the way of `rows[i]` in this situation marks it as dropped. Reads and writes
 /// share one table: an LX command number is either read or written.
-void markOverlaps(const MapDef& map, const Situation& situation, std::vector<QString>& reasons)
+void markOverlaps(const MapDef& map, const ConditionCase& situation, std::vector<QString>& reasons)
 {
-    Owners owners;
+    AddressOwners addressOwners;
     for (std::size_t i = 0; i < map.rows.size(); ++i) {
         const RegisterDef* def = map.rows[i].pick(situation.series, situation.firmware);
         if (!def || !reasons[i].isEmpty())
             continue;
         const Register& reg = def->reg;
         const int row = static_cast<int>(i);
-        int other = owners.take(reg.offset, reg.size, row);
+        int other = addressOwners.claim(reg.offset, reg.size, row);
         if (other < 0)
-            other = owners.take(reg.writeOffset, reg.size, row);
+            other = addressOwners.claim(reg.writeOffset, reg.size, row);
         if (other >= 0) {
             const Register& owner = map.rows[static_cast<std::size_t>(other)].base.reg;
             reasons[i] =
@@ -95,7 +95,7 @@ void markOverlaps(const MapDef& map, const Situation& situation, std::vector<QSt
 }
 
 /// LX rows that are read by one command are written by one command, in the same order.
-void markTornBlocks(const MapDef& map, std::vector<QString>& reasons)
+void markInconsistentBlocks(const MapDef& map, std::vector<QString>& reasons)
 {
     std::map<int, int> distances; // from read to write, by read command
     for (std::size_t i = 0; i < map.rows.size(); ++i) {
@@ -147,29 +147,30 @@ void markMissingReferences(const MapDef& map, std::vector<QString>& reasons)
 }
 } // namespace
 
-void dropConflicts(MapDef& map,
-                   const std::function<void(const QString& key, const QString& reason)>& report)
+void removeConflicts(MapDef& map,
+                     const std::function<void(const QString& key, const QString& reason)>& report)
 {
-    constexpr std::size_t MostSituations = 512; // far above need, so that a hostile file ends soon
+    constexpr std::size_t maxConditionCases =
+        512; // far above need, so that a hostile file ends soon
     std::vector<QString> reasons(map.rows.size());
-    const auto all = situations(map);
-    if (all.size() > MostSituations) {
+    const auto cases = conditionCases(map);
+    if (cases.size() > maxConditionCases) {
         report(map.key, QStringLiteral("too many different conditions"));
         map.rows.clear();
         return;
     }
     markDuplicates(map, reasons);
     markMissingReferences(map, reasons);
-    markTornBlocks(map, reasons);
-    for (const Situation& situation : all)
+    markInconsistentBlocks(map, reasons);
+    for (const ConditionCase& situation : cases)
         markOverlaps(map, situation, reasons);
-    std::vector<RegisterRow> kept;
+    std::vector<RegisterRow> remaining;
     for (std::size_t i = 0; i < map.rows.size(); ++i) {
         if (reasons[i].isEmpty())
-            kept.push_back(std::move(map.rows[i]));
+            remaining.push_back(std::move(map.rows[i]));
         else
             report(map.rows[i].base.reg.key, reasons[i]);
     }
-    map.rows = std::move(kept);
+    map.rows = std::move(remaining);
 }
 } // namespace catalog

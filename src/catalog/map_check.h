@@ -9,6 +9,6 @@
 
 namespace catalog {
 /// Removes the rows that cannot stay and reports each with the reason.
-void dropConflicts(MapDef& map,
-                   const std::function<void(const QString& key, const QString& reason)>& report);
+void removeConflicts(MapDef& map,
+                     const std::function<void(const QString& key, const QString& reason)>& report);
 } // namespace catalog

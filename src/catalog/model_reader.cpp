@@ -4,55 +4,55 @@
 
 namespace catalog {
 namespace {
-base::ByteOrder readByteOrder(Fields& fields)
+base::ByteOrder readByteOrder(JsonFields& fields)
 {
     return fields.oneOf<base::ByteOrder>(
         "byte_order", {{"little", base::ByteOrder::Little}, {"big", base::ByteOrder::Big}});
 }
 
-std::optional<int> optionalInt(Fields& fields, const char* name, int min, int max)
+std::optional<int> optionalInt(JsonFields& fields, const char* name, int min, int max)
 {
     const auto value = fields.integer(name, min, max);
     return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
 }
 
-std::optional<double> boundedNumber(Fields& fields, const char* name, double largest)
+std::optional<double> boundedNumber(JsonFields& fields, const char* name, double maxValue)
 {
     const auto value = fields.number(name);
-    if (value && !(*value > 0 && *value <= largest))
-        fields.complain(QStringLiteral("\"%1\" is absurd").arg(QLatin1String(name)));
+    if (value && !(*value > 0 && *value <= maxValue))
+        fields.addError(QStringLiteral("\"%1\" is absurd").arg(QLatin1String(name)));
     return value;
 }
 
-std::optional<double> readAngleRange(Fields& fields)
+std::optional<double> readAngleRange(JsonFields& fields)
 {
     return boundedNumber(fields, "angle_range_deg", 3600.0);
 }
 
-int readSteps(Fields& fields, int fallback)
+int readSteps(JsonFields& fields, int fallback)
 {
     return optionalInt(fields, "steps_per_turn", 2, 1 << 20).value_or(fallback);
 }
 
-Mode readMode(const QJsonValue& row, Fields& owner)
+Mode readMode(const QJsonValue& row, JsonFields& owner)
 {
-    Fields fields(row);
+    JsonFields fields(row);
     Mode mode;
-    mode.key = fields.word("key");
+    mode.key = fields.string("key");
     mode.name = fields.text("name");
     mode.operatingMode = optionalInt(fields, "operating_mode", 0, 255);
     mode.limitsZero = fields.flag("limits_zero");
     bool known = false;
-    const QString command = fields.word("command");
-    mode.command = roleFromWord(command, known);
+    const QString command = fields.string("command");
+    mode.command = roleFromName(command, known);
     if (!known || mode.command == Role::None)
-        fields.complain(QStringLiteral("unknown role \"%1\"").arg(command.left(40)));
-    if (!fields.problem().isEmpty())
-        owner.complain(QStringLiteral("\"modes\": %1").arg(fields.problem()));
+        fields.addError(QStringLiteral("unknown role \"%1\"").arg(command.left(40)));
+    if (!fields.errorText().isEmpty())
+        owner.addError(QStringLiteral("\"modes\": %1").arg(fields.errorText()));
     return mode;
 }
 
-void readFirmwareRange(Fields& fields, SeriesDef& series)
+void readFirmwareRange(JsonFields& fields, SeriesDef& series)
 {
     if (!fields.has("firmware")) {
         fields.array("firmware");
@@ -62,12 +62,12 @@ void readFirmwareRange(Fields& fields, SeriesDef& series)
     const auto from = parseVersion(range.at(0).toString());
     const auto to = parseVersion(range.at(1).toString());
     if (range.size() != 2 || !from || !to || *from > *to)
-        fields.complain(QStringLiteral("\"firmware\" is not a range like [\"3.0\", \"3.39\"]"));
+        fields.addError(QStringLiteral("\"firmware\" is not a range like [\"3.0\", \"3.39\"]"));
     series.from = from;
     series.to = to;
 }
 
-void readModelNumber(Fields& fields, ModelEntry& model)
+void readModelNumber(JsonFields& fields, ModelEntry& model)
 {
     const auto number = fields.version("id");
     if (!number)
@@ -77,12 +77,12 @@ void readModelNumber(Fields& fields, ModelEntry& model)
 }
 } // namespace
 
-std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& problem)
+std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& errorText)
 {
-    Fields fields(row);
+    JsonFields fields(row);
     SeriesDef series;
-    series.key = fields.word("key");
-    series.map = fields.optionalWord("map");
+    series.key = fields.string("key");
+    series.map = fields.optionalString("map");
     series.protocol = readProtocol(fields);
     readFirmwareRange(fields, series);
     series.byteOrder = readByteOrder(fields);
@@ -104,17 +104,17 @@ std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& problem)
     const QJsonArray modes = fields.array("modes");
     for (const QJsonValue mode : modes)
         series.modes.push_back(readMode(mode, fields));
-    problem = fields.problem();
-    return problem.isEmpty() ? std::optional(series) : std::nullopt;
+    errorText = fields.errorText();
+    return errorText.isEmpty() ? std::optional(series) : std::nullopt;
 }
 
-std::optional<ModelEntry> readModel(const QJsonValue& row, QString& problem)
+std::optional<ModelEntry> readModel(const QJsonValue& row, QString& errorText)
 {
-    Fields fields(row);
+    JsonFields fields(row);
     ModelEntry model;
     readModelNumber(fields, model);
-    model.name = fields.word("name");
-    model.series = fields.word("series");
+    model.name = fields.string("name");
+    model.series = fields.string("series");
     model.byteOrder = readByteOrder(fields);
     model.stepsPerTurn = readSteps(fields, model.stepsPerTurn);
     model.angleRangeDeg = readAngleRange(fields);
@@ -122,7 +122,7 @@ std::optional<ModelEntry> readModel(const QJsonValue& row, QString& problem)
     model.minVoltage = boundedNumber(fields, "min_voltage", 1000.0);
     model.maxVoltage = boundedNumber(fields, "max_voltage", 1000.0);
     if (model.minVoltage && model.maxVoltage && *model.minVoltage > *model.maxVoltage)
-        fields.complain(QStringLiteral("\"min_voltage\" is above \"max_voltage\""));
+        fields.addError(QStringLiteral("\"min_voltage\" is above \"max_voltage\""));
     model.currentSensing =
         fields.oneOf<CurrentSensing>("current_sensing",
                                      {{"unknown", CurrentSensing::Unknown},
@@ -133,30 +133,30 @@ std::optional<ModelEntry> readModel(const QJsonValue& row, QString& problem)
     model.supported = fields.flag("supported", true);
     if (fields.has("note"))
         model.note = fields.text("note");
-    problem = fields.problem();
-    return problem.isEmpty() ? std::optional(model) : std::nullopt;
+    errorText = fields.errorText();
+    return errorText.isEmpty() ? std::optional(model) : std::nullopt;
 }
 
-std::optional<FirmwareDef> readFirmware(const QJsonValue& row, QString& problem)
+std::optional<FirmwareDef> readFirmware(const QJsonValue& row, QString& errorText)
 {
-    Fields fields(row);
+    JsonFields fields(row);
     FirmwareDef firmware;
     firmware.protocol = readProtocol(fields);
     firmware.fromModel = fields.version("from");
     firmware.toModel = fields.version("to");
     if (firmware.fromModel.has_value() != firmware.toModel.has_value() ||
         (firmware.fromModel && *firmware.fromModel > *firmware.toModel))
-        fields.complain(QStringLiteral("\"from\" and \"to\" are not a range of models"));
+        fields.addError(QStringLiteral("\"from\" and \"to\" are not a range of models"));
     if (firmware.protocol == base::Protocol::Feetech)
         fields.require("from");
     firmware.byteOrder = readByteOrder(fields);
     fields.require("version");
     firmware.version = fields.version("version").value_or(Version{});
-    firmware.date = QDate::fromString(fields.word("date"), Qt::ISODate);
+    firmware.date = QDate::fromString(fields.string("date"), Qt::ISODate);
     if (!firmware.date.isValid())
-        fields.complain(QStringLiteral("\"date\" is not a date like 2025-03-06"));
-    firmware.source = fields.word("source");
-    problem = fields.problem();
-    return problem.isEmpty() ? std::optional(firmware) : std::nullopt;
+        fields.addError(QStringLiteral("\"date\" is not a date like 2025-03-06"));
+    firmware.source = fields.string("source");
+    errorText = fields.errorText();
+    return errorText.isEmpty() ? std::optional(firmware) : std::nullopt;
 }
 } // namespace catalog

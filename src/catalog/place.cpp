@@ -6,51 +6,52 @@
 
 namespace catalog {
 namespace {
-constexpr int FeetechBytes = 256;
-constexpr int ModbusBytes = 2;   // of one register
-constexpr int LxParameters = 8;  // bytes of the table an LX command owns
-constexpr int LxLongestList = 4; // parameters of the longest command of the sheet
-constexpr int LxCommands = TableBytes / LxParameters;
+constexpr int feetechTableBytes = 256;
+constexpr int modbusRegisterBytes = 2; // of one register
+constexpr int lxParameterBytes = 8;    // bytes of the table an LX command owns
+constexpr int maxLxParameters = 4;     // parameters of the longest command of the sheet
+constexpr int lxCommandCount = tableBytes / lxParameterBytes;
 
-int requiredInteger(Fields& fields, const char* name, int min, int max)
+int requiredInteger(JsonFields& fields, const char* name, int min, int max)
 {
     fields.require(name);
     return static_cast<int>(fields.integer(name, min, max).value_or(min));
 }
 
-void readFeetechPlace(Fields& fields, Register& reg)
+void readFeetechLocation(JsonFields& fields, Register& reg)
 {
-    reg.address = requiredInteger(fields, "address", 0, FeetechBytes - 1);
-    if (reg.address + reg.size > FeetechBytes)
-        fields.complain(QStringLiteral("the register reaches beyond address 255"));
+    reg.address = requiredInteger(fields, "address", 0, feetechTableBytes - 1);
+    if (reg.address + reg.size > feetechTableBytes)
+        fields.addError(QStringLiteral("the register reaches beyond address 255"));
     reg.offset = reg.writeOffset = reg.address;
 }
 
-void readModbusPlace(Fields& fields, Register& reg)
+void readModbusLocation(JsonFields& fields, Register& reg)
 {
-    reg.address = requiredInteger(fields, "address", 0, TableBytes / ModbusBytes - 1);
-    if (reg.size != ModbusBytes)
-        fields.complain(QStringLiteral("\"size\" of a Modbus register must be 2"));
-    reg.offset = reg.writeOffset = ModbusBytes * reg.address;
+    reg.address = requiredInteger(fields, "address", 0, tableBytes / modbusRegisterBytes - 1);
+    if (reg.size != modbusRegisterBytes)
+        fields.addError(QStringLiteral("\"size\" of a Modbus register must be 2"));
+    reg.offset = reg.writeOffset = modbusRegisterBytes * reg.address;
 }
 
-void readLxPlace(Fields& fields, Register& reg)
+void readLxLocation(JsonFields& fields, Register& reg)
 {
-    reg.address = requiredInteger(fields, "address", 1, LxCommands - 1);
-    const int place = requiredInteger(fields, "place", 1, LxLongestList);
-    if (place + reg.size - 1 > LxLongestList)
-        fields.complain(QStringLiteral("the register reaches beyond the parameters"));
-    const auto write = fields.integer("write", 1, LxCommands - 1);
-    const auto save = fields.integer("save", 1, LxCommands - 1);
-    reg.offset = LxParameters * reg.address + place - 1;
-    reg.writeOffset = write ? LxParameters * static_cast<int>(*write) + place - 1 : reg.offset;
-    reg.saveOffset = save ? LxParameters * static_cast<int>(*save) : -1;
+    reg.address = requiredInteger(fields, "address", 1, lxCommandCount - 1);
+    const int position = requiredInteger(fields, "place", 1, maxLxParameters);
+    if (position + reg.size - 1 > maxLxParameters)
+        fields.addError(QStringLiteral("the register reaches beyond the parameters"));
+    const auto write = fields.integer("write", 1, lxCommandCount - 1);
+    const auto save = fields.integer("save", 1, lxCommandCount - 1);
+    reg.offset = lxParameterBytes * reg.address + position - 1;
+    reg.writeOffset =
+        write ? lxParameterBytes * static_cast<int>(*write) + position - 1 : reg.offset;
+    reg.saveOffset = save ? lxParameterBytes * static_cast<int>(*save) : -1;
     if (save && !write)
-        fields.complain(QStringLiteral("\"save\" needs \"write\""));
+        fields.addError(QStringLiteral("\"save\" needs \"write\""));
 }
 
 template <typename Visit>
-void eachDefinition(MapDef& map, Visit visit)
+void forEachDefinition(MapDef& map, Visit visit)
 {
     for (RegisterRow& row : map.rows) {
         visit(row.base.reg);
@@ -60,29 +61,29 @@ void eachDefinition(MapDef& map, Visit visit)
 }
 } // namespace
 
-void readPlace(Fields& fields, Register& reg, base::Protocol protocol)
+void readLocation(JsonFields& fields, Register& reg, base::Protocol protocol)
 {
     reg.size = requiredInteger(fields, "size", 1, 4);
     if (reg.size == 3)
-        fields.complain(QStringLiteral("\"size\" must be 1, 2 or 4"));
+        fields.addError(QStringLiteral("\"size\" must be 1, 2 or 4"));
     switch (protocol) {
     case base::Protocol::Feetech:
-        return readFeetechPlace(fields, reg);
+        return readFeetechLocation(fields, reg);
     case base::Protocol::Modbus:
-        return readModbusPlace(fields, reg);
+        return readModbusLocation(fields, reg);
     case base::Protocol::Lx:
-        return readLxPlace(fields, reg);
+        return readLxLocation(fields, reg);
     }
 }
 
-void formBlocks(MapDef& map)
+void assignBlocks(MapDef& map)
 {
     if (map.protocol != base::Protocol::Lx)
         return;
     std::map<int, Block> blocks; // by read command
-    eachDefinition(map, [&](Register& reg) {
+    forEachDefinition(map, [&](Register& reg) {
         Block& block = blocks[reg.address];
-        const int first = LxParameters * reg.address;
+        const int first = lxParameterBytes * reg.address;
         block.offset = first;
         block.size = std::max(block.size, reg.offset + reg.size - first);
         if (reg.writable())
@@ -90,6 +91,6 @@ void formBlocks(MapDef& map)
         else if (block.writeOffset == 0)
             block.writeOffset = first;
     });
-    eachDefinition(map, [&](Register& reg) { reg.block = blocks[reg.address]; });
+    forEachDefinition(map, [&](Register& reg) { reg.block = blocks[reg.address]; });
 }
 } // namespace catalog

@@ -7,11 +7,11 @@
 #include "catalog/fields.h"
 
 namespace catalog {
-inline constexpr int TableBytes = 1024; ///< every offset of every language lies below
+inline constexpr int tableBytes = 1024; ///< every offset of every language lies below
 
 /// address and size; LX also place, write and save. Complains about what lies outside the table.
-void readPlace(Fields& fields, Register& reg, base::Protocol protocol);
+void readLocation(JsonFields& fields, Register& reg, base::Protocol protocol);
 
 /// Gives every row of an LX map its block: all rows with the same read command.
-void formBlocks(MapDef& map);
+void assignBlocks(MapDef& map);
 } // namespace catalog

@@ -6,7 +6,7 @@
 
 namespace catalog {
 namespace {
-bool names(const RegisterDef& def, const QString& baud)
+bool listsBaud(const RegisterDef& def, const QString& baud)
 {
     return def.reg.role == Role::BaudRate &&
            std::any_of(def.reg.values.begin(), def.reg.values.end(),
@@ -14,23 +14,24 @@ bool names(const RegisterDef& def, const QString& baud)
 }
 
 /// Whether servos with this map can be set to the rate, whatever their firmware.
-bool names(const MapDef& map, const QString& baud)
+bool listsBaud(const MapDef& map, const QString& baud)
 {
     return std::any_of(map.rows.begin(), map.rows.end(), [&](const RegisterRow& row) {
-        return names(row.base, baud) ||
+        return listsBaud(row.base, baud) ||
                std::any_of(row.set.begin(), row.set.end(),
-                           [&](const auto& rule) { return names(rule.second, baud); });
+                           [&](const auto& rule) { return listsBaud(rule.second, baud); });
     });
 }
 
-bool canExist(const Catalog::Data& data, base::Protocol protocol, int baud)
+bool isBaudSupported(const Catalog::Data& data, base::Protocol protocol, int baud)
 {
-    const QString word = QString::number(baud);
+    const QString baudKey = QString::number(baud);
     return std::any_of(data.series.begin(), data.series.end(), [&](const SeriesDef& series) {
         if (series.protocol != protocol)
             return false;
         const auto map = data.maps.find(series.map);
-        return series.defaultBaud == baud || (map != data.maps.end() && names(map->second, word));
+        return series.defaultBaud == baud ||
+               (map != data.maps.end() && listsBaud(map->second, baudKey));
     });
 }
 } // namespace
@@ -40,7 +41,7 @@ std::vector<base::Protocol> Catalog::protocolsAt(int baud) const
     // Feetech has families without a public map, whose rates nobody knows.
     std::vector<base::Protocol> found{base::Protocol::Feetech};
     for (const auto protocol : {base::Protocol::Lx, base::Protocol::Modbus}) {
-        if (canExist(*m_data, protocol, baud))
+        if (isBaudSupported(*m_data, protocol, baud))
             found.push_back(protocol);
     }
     return found;

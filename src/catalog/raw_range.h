@@ -12,8 +12,8 @@ struct RawRange {
 };
 
 /// Raw numbers that survive the way through `size` bytes.
-RawRange representable(int size, Encoding encoding, int signBit);
+RawRange representableRange(int size, Encoding encoding, int signBit);
 
 /// "off, on, damp": the keys of a register's values.
-QString expectedWords(const Register& reg);
+QString valueKeys(const Register& reg);
 } // namespace catalog

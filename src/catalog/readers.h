@@ -9,11 +9,11 @@
 
 namespace catalog {
 std::optional<RegisterRow> readRegister(const QJsonValue& row, base::Protocol protocol,
-                                        QString& problem);
-std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& problem);
+                                        QString& errorText);
+std::optional<SeriesDef> readSeries(const QJsonValue& row, QString& errorText);
 
 /// `line` is not in the row: it follows from the series and is filled in by the loader.
-std::optional<ModelEntry> readModel(const QJsonValue& row, QString& problem);
+std::optional<ModelEntry> readModel(const QJsonValue& row, QString& errorText);
 
-std::optional<FirmwareDef> readFirmware(const QJsonValue& row, QString& problem);
+std::optional<FirmwareDef> readFirmware(const QJsonValue& row, QString& errorText);
 } // namespace catalog

@@ -167,7 +167,7 @@ struct Register {
     QString source;
     bool identity = false;
     bool dangerous = false;
-    bool motion = false; ///< writing it may move or energise the servo
+    bool motion = false; ///< writing it may move or energize the servo
     TorqueOff torqueOff = TorqueOff::NotNeeded;
     bool writable() const { return access == Access::ReadWrite; }
     bool eprom() const { return area == Area::Eprom; }

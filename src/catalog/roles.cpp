@@ -6,12 +6,12 @@
 
 namespace catalog {
 namespace {
-struct RoleWord {
-    const char* word;
+struct RoleName {
+    const char* name;
     Role role;
 };
 
-constexpr RoleWord RoleWords[] = {
+constexpr RoleName roleNames[] = {
     {"none", Role::None},
     {"firmware_major", Role::FirmwareMajor},
     {"firmware_minor", Role::FirmwareMinor},
@@ -74,12 +74,12 @@ constexpr RoleWord RoleWords[] = {
 };
 } // namespace
 
-Role roleFromWord(const QString& word, bool& known)
+Role roleFromName(const QString& name, bool& known)
 {
     const auto* it =
-        std::find_if(std::begin(RoleWords), std::end(RoleWords),
-                     [&](const RoleWord& entry) { return word == QLatin1String(entry.word); });
-    known = it != std::end(RoleWords);
+        std::find_if(std::begin(roleNames), std::end(roleNames),
+                     [&](const RoleName& entry) { return name == QLatin1String(entry.name); });
+    known = it != std::end(roleNames);
     return known ? it->role : Role::None;
 }
 } // namespace catalog

@@ -11,7 +11,7 @@ struct Suffix {
     const char16_t* text;
 };
 
-constexpr Suffix Suffixes[] = {
+constexpr Suffix unitSuffixes[] = {
     {QLatin1String("deg"), u"°"},
     {QLatin1String("degC"), u" °C"},
     {QLatin1String("us"), u" µs"},
@@ -24,7 +24,7 @@ struct Spelling {
     double factor;
 };
 
-constexpr Spelling Spellings[] = {
+constexpr Spelling unitSpellings[] = {
     {QLatin1String("deg"), u"deg", 1},       {QLatin1String("deg"), u"°", 1},
     {QLatin1String("deg"), u"degrees", 1},   {QLatin1String("deg"), u"度", 1},
     {QLatin1String("degC"), u"°c", 1},       {QLatin1String("degC"), u"℃", 1},
@@ -43,9 +43,9 @@ constexpr Spelling Spellings[] = {
 
 QString unitSuffix(const QString& unit)
 {
-    const auto* it = std::find_if(std::begin(Suffixes), std::end(Suffixes),
+    const auto* it = std::find_if(std::begin(unitSuffixes), std::end(unitSuffixes),
                                   [&](const Suffix& suffix) { return suffix.unit == unit; });
-    if (it != std::end(Suffixes))
+    if (it != std::end(unitSuffixes))
         return QString::fromUtf16(it->text);
     return unit.isEmpty() ? QString() : QLatin1Char(' ') + unit;
 }
@@ -58,7 +58,7 @@ std::optional<double> unitFactor(const QString& typed, const QString& unit)
     word.remove(QLatin1Char(' '));
     if (word == unit.toLower())
         return 1.0;
-    for (const Spelling& spelling : Spellings) {
+    for (const Spelling& spelling : unitSpellings) {
         if (spelling.unit == unit && word == QStringView(spelling.typed))
             return spelling.factor;
     }

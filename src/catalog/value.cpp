@@ -9,13 +9,13 @@
 namespace catalog {
 namespace {
 /// Whether a variant holds; nullopt while the register that decides is unknown.
-std::optional<bool> holds(const Variant& variant, const Profile& profile, const Lookup& lookup)
+std::optional<bool> matches(const Variant& variant, const Profile& profile, const Lookup& lookup)
 {
     if (!variant.andBothLimitsZero) {
-        const auto decider = lookup(variant.whenKey);
-        if (!decider)
+        const auto decidingValue = lookup(variant.whenKey);
+        if (!decidingValue)
             return std::nullopt;
-        return (*decider & variant.mask) == variant.equals;
+        return (*decidingValue & variant.mask) == variant.equals;
     }
     bool unknown = false;
     for (const Role role : {Role::MinAngle, Role::MaxAngle}) {
@@ -28,7 +28,7 @@ std::optional<bool> holds(const Variant& variant, const Profile& profile, const 
     return unknown ? std::nullopt : std::optional(true);
 }
 
-void apply(const Variant& variant, Meaning& meaning)
+void apply(const Variant& variant, ValueFormat& meaning)
 {
     meaning.scale = variant.scale.value_or(meaning.scale);
     meaning.unit = variant.unit.value_or(meaning.unit);
@@ -66,7 +66,7 @@ std::int64_t signedMagnitude(std::uint64_t magnitude, bool negative)
 }
 
 /// "0…1000", and what that is in the unit the user thinks in.
-QString rangeWords(RawRange range, const Register& reg, const Meaning& meaning)
+QString rangeText(RawRange range, const Register& reg, const ValueFormat& meaning)
 {
     const QString raw = QStringLiteral("%1…%2").arg(range.min).arg(range.max);
     if (meaning.unit.isEmpty() || meaning.scale == 1.0)
@@ -84,11 +84,11 @@ base::Result<void> refuse(base::ErrorCode code, const Register& reg, const QStri
 }
 } // namespace
 
-Meaning meaningOf(const Register& reg, const Profile& profile, const Lookup& lookup)
+ValueFormat valueFormat(const Register& reg, const Profile& profile, const Lookup& lookup)
 {
-    Meaning meaning{reg.encoding, reg.signBit, reg.scale, reg.unit, reg.min, reg.max, reg.name};
+    ValueFormat meaning{reg.encoding, reg.signBit, reg.scale, reg.unit, reg.min, reg.max, reg.name};
     for (const Variant& variant : reg.variants) {
-        const auto decided = holds(variant, profile, lookup);
+        const auto decided = matches(variant, profile, lookup);
         if (!decided)
             meaning.assumed = true;
         else if (*decided)
@@ -104,7 +104,7 @@ Meaning meaningOf(const Register& reg, const Profile& profile, const Lookup& loo
     return meaning;
 }
 
-RawRange representable(int size, Encoding encoding, int signBit)
+RawRange representableRange(int size, Encoding encoding, int signBit)
 {
     const auto bits = std::clamp(size, 1, 4) * 8;
     switch (encoding) {
@@ -124,7 +124,7 @@ RawRange representable(int size, Encoding encoding, int signBit)
     return {0, (std::int64_t{1} << bits) - 1};
 }
 
-std::int64_t decodeRaw(base::ByteView wire, const Register& reg, const Meaning& meaning,
+std::int64_t decodeRaw(base::ByteView wire, const Register& reg, const ValueFormat& meaning,
                        base::ByteOrder order)
 {
     const auto size = std::min(wire.size(), static_cast<std::size_t>(reg.size));
@@ -150,10 +150,10 @@ std::int64_t decodeRaw(base::ByteView wire, const Register& reg, const Meaning& 
     return static_cast<std::int64_t>(word);
 }
 
-base::Bytes encodeRaw(std::int64_t raw, const Register& reg, const Meaning& meaning,
+base::Bytes encodeRaw(std::int64_t raw, const Register& reg, const ValueFormat& meaning,
                       base::ByteOrder order)
 {
-    const RawRange range = representable(reg.size, meaning.encoding, meaning.signBit);
+    const RawRange range = representableRange(reg.size, meaning.encoding, meaning.signBit);
     const std::int64_t value = std::clamp(raw, range.min, range.max);
     const auto magnitude = static_cast<std::uint64_t>(value < 0 ? -value : value);
     const auto size = static_cast<std::size_t>(reg.size);
@@ -175,21 +175,21 @@ base::Bytes encodeRaw(std::int64_t raw, const Register& reg, const Meaning& mean
     return writeWire(static_cast<std::uint64_t>(value), size, order);
 }
 
-double toPhysical(std::int64_t raw, const Meaning& meaning)
+double toPhysical(std::int64_t raw, const ValueFormat& meaning)
 {
     return static_cast<double>(raw) * meaning.scale;
 }
 
-std::int64_t toRaw(double physical, const Meaning& meaning)
+std::int64_t toRaw(double physical, const ValueFormat& meaning)
 {
-    constexpr double Largest = 4.0e15; // far beyond any register, still exact in a double
+    constexpr double maxMagnitude = 4.0e15; // far beyond any register, still exact in a double
     const double steps = physical / meaning.scale;
     if (std::isnan(steps))
         return 0;
-    return std::llround(std::clamp(steps, -Largest, Largest));
+    return std::llround(std::clamp(steps, -maxMagnitude, maxMagnitude));
 }
 
-base::Result<void> checkNewValue(std::int64_t raw, const Register& reg, const Meaning& meaning,
+base::Result<void> checkNewValue(std::int64_t raw, const Register& reg, const ValueFormat& meaning,
                                  std::optional<std::int64_t> present)
 {
     if (!reg.writable())
@@ -200,18 +200,18 @@ base::Result<void> checkNewValue(std::int64_t raw, const Register& reg, const Me
         const bool named = std::any_of(reg.values.begin(), reg.values.end(),
                                        [&](const NamedValue& v) { return v.value == raw; });
         if (!named)
-            return refuse(base::ErrorCode::OutOfRange, reg, expectedWords(reg));
+            return refuse(base::ErrorCode::OutOfRange, reg, valueKeys(reg));
     }
-    RawRange range = representable(reg.size, meaning.encoding, meaning.signBit);
+    RawRange range = representableRange(reg.size, meaning.encoding, meaning.signBit);
     // A servo that shows bit 12 proves that its firmware knows the wide offset coding.
-    const bool wide =
+    const bool isExtendedOffset =
         meaning.encoding == Encoding::SignBit11Ext12 && present && std::abs(*present) > 2047;
-    if (!wide) {
+    if (!isExtendedOffset) {
         range.min = std::max(range.min, meaning.min.value_or(range.min));
         range.max = std::min(range.max, meaning.max.value_or(range.max));
     }
     if (raw < range.min || raw > range.max)
-        return refuse(base::ErrorCode::OutOfRange, reg, rangeWords(range, reg, meaning));
+        return refuse(base::ErrorCode::OutOfRange, reg, rangeText(range, reg, meaning));
     return {};
 }
 } // namespace catalog

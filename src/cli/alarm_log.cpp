@@ -9,7 +9,7 @@
 
 namespace cli {
 namespace {
-constexpr qint64 writeEveryMs = 1000;
+constexpr qint64 writeIntervalMs = 1000;
 } // namespace
 
 AlarmLog::AlarmLog(Console& console, const std::vector<device::Servo>& servos)
@@ -21,22 +21,22 @@ AlarmLog::AlarmLog(Console& console, const std::vector<device::Servo>& servos)
     }
 }
 
-void AlarmLog::look(int id, std::uint8_t status, const QDateTime& at)
+void AlarmLog::addStatus(int id, std::uint8_t status, const QDateTime& at)
 {
     const auto found = m_servos.find(id);
     if (found == m_servos.end() || m_failed)
         return;
-    Watched& servo = found->second;
+    WatchedServo& servo = found->second;
     servo.at = at;
     if (servo.status != status) {
         servo.status = status;
         servo.now = text::statusKeys(status, servo.profile.get());
         for (const QString& key : std::as_const(servo.now)) {
-            if (!servo.kept.contains(key))
-                servo.came.try_emplace(key, at);
+            if (!servo.recorded.contains(key))
+                servo.raised.try_emplace(key, at);
         }
     }
-    if (!servo.wrote.isValid() || servo.wrote.msecsTo(at) >= writeEveryMs)
+    if (!servo.wrote.isValid() || servo.wrote.msecsTo(at) >= writeIntervalMs)
         write(servo);
 }
 
@@ -46,36 +46,37 @@ void AlarmLog::finish()
         write(servo);
 }
 
-void AlarmLog::write(Watched& servo)
+void AlarmLog::write(WatchedServo& servo)
 {
-    if (m_failed || (servo.came.empty() && servo.now == servo.kept))
+    if (m_failed || (servo.raised.empty() && servo.now == servo.recorded))
         return;
     const auto keep = [&]() -> base::Result<void> {
         const auto history = record::History::open(session::historyFile());
         if (!history)
             return tl::unexpected(history.error());
         const auto log = (*history)->log();
-        QStringList active = servo.kept;
-        for (const auto& [key, at] : servo.came) {
-            if (auto came = log.alarmCame(servo.who, key, false, at); !came)
-                return came;
+        QStringList active = servo.recorded;
+        for (const auto& [key, at] : servo.raised) {
+            if (auto raised = log.recordAlarmStart(servo.identity, key, false, at); !raised)
+                return raised;
             active += key;
         }
         for (const QString& key : std::as_const(active)) {
             if (servo.now.contains(key))
                 continue;
-            if (auto went = log.alarmWent(servo.who, key, servo.at); !went)
+            if (auto went = log.recordAlarmEnd(servo.identity, key, servo.at); !went)
                 return went;
         }
         return {};
     };
-    if (const auto kept = keep(); !kept) {
+    if (const auto recorded = keep(); !recorded) {
         m_failed = true;
-        m_console.say(translate("cli", "The alarms could not be kept in the history: %1 (%2)")
-                          .arg(text::describe(kept.error()).what, kept.error().detail));
+        m_console.printMessage(
+            translate("cli", "The alarms could not be kept in the history: %1 (%2)")
+                .arg(text::describe(recorded.error()).message, recorded.error().detail));
     }
-    servo.kept = servo.now;
-    servo.came.clear();
+    servo.recorded = servo.now;
+    servo.raised.clear();
     servo.wrote = servo.at;
 }
 } // namespace cli

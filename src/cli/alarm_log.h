@@ -18,26 +18,26 @@ public:
     AlarmLog(Console& console, const std::vector<device::Servo>& servos);
 
     /// What the servo said in an answer, and when (UTC).
-    void look(int id, std::uint8_t status, const QDateTime& at);
+    void addStatus(int id, std::uint8_t status, const QDateTime& at);
     /// Writes down what has not been yet.
     void finish();
 
 private:
-    struct Watched {
-        base::ServoIdentity who;
+    struct WatchedServo {
+        base::ServoIdentity identity;
         catalog::ProfilePtr profile;
         std::optional<std::uint8_t> status{};
-        QStringList now{};  ///< reported in the latest answer
-        QStringList kept{}; ///< active as the history has it
+        QStringList now{};      ///< reported in the latest answer
+        QStringList recorded{}; ///< active as the history has it
         /// Not yet written down: all that came since, and when.
-        std::map<QString, QDateTime> came{};
+        std::map<QString, QDateTime> raised{};
         QDateTime at{};    ///< of the latest answer
         QDateTime wrote{}; ///< when last written down
     };
-    void write(Watched& servo);
+    void write(WatchedServo& servo);
 
     Console& m_console;
-    std::map<int, Watched> m_servos;
+    std::map<int, WatchedServo> m_servos;
     bool m_failed = false;
 };
 } // namespace cli

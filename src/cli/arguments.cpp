@@ -15,10 +15,10 @@ namespace cli {
 using base::ErrorCode;
 
 namespace {
-std::optional<int> wholeNumber(const QString& word)
+std::optional<int> intFrom(const QString& argument)
 {
     static const QRegularExpression digits(QStringLiteral("^-?[0-9]{1,9}$"));
-    return digits.match(word).hasMatch() ? std::optional(word.toInt()) : std::nullopt;
+    return digits.match(argument).hasMatch() ? std::optional(argument.toInt()) : std::nullopt;
 }
 
 /// Edit distance (Levenshtein).
@@ -47,22 +47,22 @@ tl::unexpected<base::Error> badArgument(const QString& detail)
                       record::ServerAddress::masked(detail));
 }
 
-base::Result<int> parseId(const QString& word)
+base::Result<int> parseId(const QString& argument)
 {
-    const auto id = wholeNumber(word);
+    const auto id = intFrom(argument);
     if (!id || *id < 0 || *id > protocol::maxId)
-        return badArgument(translate("cli", "\"%1\" is no ID; IDs are 0 to 253").arg(word));
+        return badArgument(translate("cli", "\"%1\" is no ID; IDs are 0 to 253").arg(argument));
     return *id;
 }
 
-base::Result<IdRange> parseIdRange(const QString& word)
+base::Result<IdRange> parseIdRange(const QString& argument)
 {
-    const qsizetype dash = word.indexOf(QLatin1Char('-'));
-    const auto first = parseId(dash < 0 ? word : word.left(dash));
-    const auto last = parseId(dash < 0 ? word : word.mid(dash + 1));
+    const qsizetype dash = argument.indexOf(QLatin1Char('-'));
+    const auto first = parseId(dash < 0 ? argument : argument.left(dash));
+    const auto last = parseId(dash < 0 ? argument : argument.mid(dash + 1));
     if (!first || !last || *first > *last)
         return badArgument(
-            translate("cli", "\"%1\" is no range of IDs; write for example 1-20").arg(word));
+            translate("cli", "\"%1\" is no range of IDs; write for example 1-20").arg(argument));
     return IdRange{*first, *last};
 }
 
@@ -81,32 +81,32 @@ base::Result<std::vector<int>> parseIds(const QStringList& words)
     return ids;
 }
 
-base::Result<int> parseWhole(const QString& word, int min, int max)
+base::Result<int> parseInt(const QString& argument, int min, int max)
 {
-    const auto number = wholeNumber(word);
+    const auto number = intFrom(argument);
     if (!number || *number < min || *number > max)
         return badArgument(translate("cli", "\"%1\" is no whole number from %2 to %3")
-                               .arg(word, QString::number(min), QString::number(max)));
+                               .arg(argument, QString::number(min), QString::number(max)));
     return *number;
 }
 
-base::Result<double> parsePositive(const QString& word)
+base::Result<double> parsePositive(const QString& argument)
 {
     bool good = false;
-    const double number = word.toDouble(&good);
+    const double number = argument.toDouble(&good);
     if (!good || !std::isfinite(number) || number <= 0 || number > 1e6)
-        return badArgument(translate("cli", "\"%1\" is no number above 0").arg(word));
+        return badArgument(translate("cli", "\"%1\" is no number above 0").arg(argument));
     return number;
 }
 
-base::Result<std::vector<int>> parseBauds(const QString& word)
+base::Result<std::vector<int>> parseBauds(const QString& argument)
 {
-    const std::vector<int>& known = transport::knownRates();
-    if (word == QLatin1String("all"))
+    const std::vector<int>& known = transport::standardBaudRates();
+    if (argument == QLatin1String("all"))
         return known;
     std::vector<int> bauds;
-    for (const QString& part : word.split(QLatin1Char(','))) {
-        const auto baud = wholeNumber(part);
+    for (const QString& part : argument.split(QLatin1Char(','))) {
+        const auto baud = intFrom(part);
         if (!baud || std::find(known.begin(), known.end(), *baud) == known.end()) {
             QStringList names;
             for (const int rate : known)
@@ -119,32 +119,32 @@ base::Result<std::vector<int>> parseBauds(const QString& word)
     return bauds;
 }
 
-base::Result<std::optional<base::Protocol>> parseProtocol(const QString& word)
+base::Result<std::optional<base::Protocol>> parseProtocol(const QString& argument)
 {
-    if (word == QLatin1String("auto"))
+    if (argument == QLatin1String("auto"))
         return std::optional<base::Protocol>();
-    if (const auto protocol = base::protocolFromName(word))
+    if (const auto protocol = base::protocolFromName(argument))
         return protocol;
     return badArgument(
-        translate("cli", "\"%1\" is no protocol (auto, feetech, modbus, lx)").arg(word));
+        translate("cli", "\"%1\" is no protocol (auto, feetech, modbus, lx)").arg(argument));
 }
 
-base::Result<std::pair<QString, QString>> parseAssignment(const QString& word)
+base::Result<std::pair<QString, QString>> parseAssignment(const QString& argument)
 {
-    const qsizetype sign = word.indexOf(QLatin1Char('='));
-    if (sign < 1 || sign == word.size() - 1)
+    const qsizetype sign = argument.indexOf(QLatin1Char('='));
+    if (sign < 1 || sign == argument.size() - 1)
         return badArgument(
-            translate("cli", "\"%1\" must have the form KEY=VALUE, without blanks").arg(word));
-    return std::pair(word.left(sign), word.mid(sign + 1));
+            translate("cli", "\"%1\" must have the form KEY=VALUE, without blanks").arg(argument));
+    return std::pair(argument.left(sign), argument.mid(sign + 1));
 }
 
-QStringList nearest(const QString& word, const QStringList& known)
+QStringList nearest(const QString& argument, const QStringList& known)
 {
     std::vector<std::pair<int, QString>> ranked;
     for (const QString& candidate : known) {
-        const bool contained = word.size() >= 3 && candidate.contains(word);
-        const int steps = contained ? 1 : distance(word.toLower(), candidate);
-        if (steps <= std::max(2, static_cast<int>(word.size()) / 3))
+        const bool contained = argument.size() >= 3 && candidate.contains(argument);
+        const int steps = contained ? 1 : distance(argument.toLower(), candidate);
+        if (steps <= std::max(2, static_cast<int>(argument.size()) / 3))
             ranked.emplace_back(steps, candidate);
     }
     std::stable_sort(ranked.begin(), ranked.end(),

@@ -15,7 +15,7 @@
 namespace cli {
 tl::unexpected<base::Error> badArgument(const QString& detail);
 
-base::Result<int> parseId(const QString& word);
+base::Result<int> parseId(const QString& argument);
 /// "1", "1-6", "1,3,5"; each ID once, in the order given.
 base::Result<std::vector<int>> parseIds(const QStringList& words);
 
@@ -23,23 +23,23 @@ struct IdRange {
     int first = 0;
     int last = 253;
 };
-base::Result<IdRange> parseIdRange(const QString& word);
+base::Result<IdRange> parseIdRange(const QString& argument);
 
-base::Result<int> parseWhole(const QString& word, int min, int max);
-base::Result<double> parsePositive(const QString& word);
+base::Result<int> parseInt(const QString& argument, int min, int max);
+base::Result<double> parsePositive(const QString& argument);
 /// "all" or "N,N…".
 /// "feetech", "modbus", "lx"; nullopt: "auto".
-base::Result<std::optional<base::Protocol>> parseProtocol(const QString& word);
+base::Result<std::optional<base::Protocol>> parseProtocol(const QString& argument);
 
-base::Result<std::vector<int>> parseBauds(const QString& word);
+base::Result<std::vector<int>> parseBauds(const QString& argument);
 
 /// "KEY=VALUE"
-base::Result<std::pair<QString, QString>> parseAssignment(const QString& word);
+base::Result<std::pair<QString, QString>> parseAssignment(const QString& argument);
 
 /// The register, or UnknownRegister whose detail names the nearest keys.
 base::Result<const catalog::Register*> findRegister(const catalog::Profile& profile,
                                                     const QString& key, int id);
 
 /// Up to three of `known` that are a slip of the finger away from `word`, nearest first.
-QStringList nearest(const QString& word, const QStringList& known);
+QStringList nearest(const QString& argument, const QStringList& known);
 } // namespace cli

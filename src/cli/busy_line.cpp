@@ -14,6 +14,6 @@ void explainBusyLine(Console& console, const device::Context& context, const dev
     ping.stop = &context.stop;
     const auto answer = context.bus.transact(ping);
     if (!answer && answer.error().code == base::ErrorCode::LineBusy)
-        console.say(errorText(answer.error()));
+        console.printMessage(errorText(answer.error()));
 }
 } // namespace cli

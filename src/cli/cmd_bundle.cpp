@@ -46,14 +46,14 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
-    const QStringList words = values.words("ID");
+    const QStringList words = values.arguments("ID");
     auto servos = words.isEmpty() ? everybody(run, *context) : named(run, words);
     if (!servos)
         return tl::unexpected(servos.error());
     if (servos->empty())
-        return base::fail(base::ErrorCode::NoAnswer, QStringLiteral("bundle"));
+        return base::fail(base::ErrorCode::NoReply, QStringLiteral("bundle"));
     for (const device::Servo& servo : *servos) {
-        const auto alone = device::requireAlone(*context, servo, QStringLiteral("bundle"));
+        const auto alone = device::requireUniqueId(*context, servo, QStringLiteral("bundle"));
         if (!alone)
             return tl::unexpected(alone.error());
     }
@@ -62,14 +62,14 @@ base::Result<Exit> runSave(Run& run, const Values& values)
         return tl::unexpected(bundle.error());
     bundle->label = values.option("--label").value_or(QString());
     bundle->note = values.option("--note").value_or(QString());
-    const QString file = values.word("FILE");
+    const QString file = values.argument("FILE");
     if (const auto saved = record::saveBundle(*bundle, file); !saved)
         return tl::unexpected(saved.error());
     Json::Array ids;
     QStringList names;
     for (const record::Snapshot& snapshot : bundle->servos) {
-        session::keepInHistory(snapshot, record::SnapshotReason::Bundle,
-                               QFileInfo(file).absoluteFilePath());
+        session::addToHistory(snapshot, record::SnapshotReason::Bundle,
+                              QFileInfo(file).absoluteFilePath());
         names.push_back(QString::number(snapshot.servo.id));
         ids.push_back(Json::object()
                           .add("id", snapshot.servo.id)
@@ -82,19 +82,19 @@ base::Result<Exit> runSave(Run& run, const Values& values)
                        .arg(bundle->servos.size())
                        .arg(names.join(QStringLiteral(", "))) +
                    QLatin1Char('\n'));
-    return Exit::Done;
+    return Exit::Success;
 }
 
 base::Result<Exit> runRestore(Run& run, const Values& values)
 {
-    const QString file = values.word("FILE");
+    const QString file = values.argument("FILE");
     const auto bundle = record::loadBundle(file);
     if (!bundle)
         return tl::unexpected(bundle.error());
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
-    Several several(run, values);
+    MultiServoRestore several(run, values);
     jobs::ApplyOptions options = several.options();
     options.otherModel = values.has("--other-model");
     const auto all = jobs::restoreBundle(*context, *bundle, options, several.progress());

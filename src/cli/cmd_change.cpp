@@ -10,23 +10,23 @@
 
 namespace cli {
 namespace {
-Exit lockExit(device::LockState lock)
+Exit exitCodeForLock(device::LockState lock)
 {
     const bool shut = lock == device::LockState::Closed || lock == device::LockState::None;
-    return shut ? Exit::Done : Exit::NotDone;
+    return shut ? Exit::Success : Exit::Failed;
 }
 
 base::Result<Exit> runSetId(Run& run, const Values& values)
 {
-    const auto oldId = parseId(values.word("OLD"));
-    const auto newId = parseId(values.word("NEW"));
+    const auto oldId = parseId(values.argument("OLD"));
+    const auto newId = parseId(values.argument("NEW"));
     if (!oldId || !newId)
         return tl::unexpected(oldId ? newId.error() : oldId.error());
     auto servo = run.servoWithSettings(*oldId);
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
-    if (const auto saved = run.saveFirst(*servo); !saved)
+    if (const auto saved = run.backupTable(*servo); !saved)
         return tl::unexpected(saved.error());
     const auto report = jobs::changeId(*context, *servo, *newId);
     if (!report)
@@ -37,7 +37,7 @@ base::Result<Exit> runSetId(Run& run, const Values& values)
 
 base::Result<Exit> runSetBaud(Run& run, const Values& values)
 {
-    const auto rates = parseBauds(values.word("RATE"));
+    const auto rates = parseBauds(values.argument("RATE"));
     if (!rates)
         return tl::unexpected(rates.error());
     if (rates->size() != 1)
@@ -46,7 +46,7 @@ base::Result<Exit> runSetBaud(Run& run, const Values& values)
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
-    if (const auto saved = run.saveFirst(*servo); !saved)
+    if (const auto saved = run.backupTable(*servo); !saved)
         return tl::unexpected(saved.error());
     const auto report = jobs::changeBaud(*context, *servo, rates->front());
     if (!report)
@@ -61,19 +61,19 @@ base::Result<Exit> runCenter(Run& run, const Values& values)
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
-    if (const auto saved = run.saveFirst(*servo); !saved)
+    if (const auto saved = run.backupTable(*servo); !saved)
         return tl::unexpected(saved.error());
     const auto report = jobs::center(*context, *servo);
     if (!report)
         return tl::unexpected(report.error());
     Table table({translate("cli", "Servo %1").arg(servo->id), translate("cli", "Before"),
                  translate("cli", "After")});
-    table.right({1, 2});
+    table.alignRight({1, 2});
     const auto row = [&](const QString& name, catalog::Role role, auto before, auto after) {
         const catalog::Register* reg = servo->profile->byRole(role);
         const auto shown = [&](const std::optional<std::int64_t>& raw) {
             return raw && reg != nullptr
-                       ? catalog::formatValue(*raw, *reg, servo->meaning(*reg), text::inChinese())
+                       ? catalog::formatValue(*raw, *reg, servo->meaning(*reg), text::isUiChinese())
                        : QStringLiteral("–");
         };
         table.add({name, shown(before), shown(after)});
@@ -82,18 +82,18 @@ base::Result<Exit> runCenter(Run& run, const Values& values)
         report->positionAfter);
     row(translate("cli", "Offset"), catalog::Role::PositionOffset, report->offsetBefore,
         report->offsetAfter);
-    run.finish(
-        Json::object()
-            .add("id", servo->id)
-            .add("position_before", report->positionBefore)
-            .add("position_after", report->positionAfter)
-            .add("offset_before", report->offsetBefore)
-            .add("offset_after", report->offsetAfter)
-            .add("lock", device::lockName(report->lock)),
-        table.text() +
-            translate("cli", "EPROM lock: %1").arg(text::lockWord(device::lockName(report->lock))) +
-            QLatin1Char('\n'));
-    return lockExit(report->lock);
+    run.finish(Json::object()
+                   .add("id", servo->id)
+                   .add("position_before", report->positionBefore)
+                   .add("position_after", report->positionAfter)
+                   .add("offset_before", report->offsetBefore)
+                   .add("offset_after", report->offsetAfter)
+                   .add("lock", device::lockName(report->lock)),
+               table.text() +
+                   translate("cli", "EPROM lock: %1")
+                       .arg(text::lockLabel(device::lockName(report->lock))) +
+                   QLatin1Char('\n'));
+    return exitCodeForLock(report->lock);
 }
 
 base::Result<Exit> runReboot(Run& run, const Values& values)
@@ -107,7 +107,7 @@ base::Result<Exit> runReboot(Run& run, const Values& values)
         return tl::unexpected(elapsed.error());
     run.finish(Json::object().add("id", servo->id).add("elapsed_ms", *elapsed),
                translate("cli", "Servo %1 has restarted.").arg(servo->id) + QLatin1Char('\n'));
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

@@ -15,7 +15,7 @@ Json jsonAlarms(const jobs::AlarmPlan& plan)
     for (const jobs::Alarm& alarm : plan.alarms) {
         alarms.push_back(Json::object()
                              .add("key", alarm.key)
-                             .add("release", jobs::releaseName(alarm.release))
+                             .add("release", jobs::clearMethodName(alarm.release))
                              .add("derived", alarm.derived)
                              .add("register", alarm.measured.isEmpty() ? Json() : alarm.measured)
                              .add("value", alarm.value)
@@ -30,7 +30,7 @@ QString shown(const device::Servo& servo, const jobs::Alarm& alarm,
 {
     const catalog::Register* reg = servo.profile->find(alarm.measured);
     return raw && reg != nullptr
-               ? catalog::formatValue(*raw, *reg, servo.meaning(*reg), text::inChinese())
+               ? catalog::formatValue(*raw, *reg, servo.meaning(*reg), text::isUiChinese())
                : QStringLiteral("–");
 }
 
@@ -38,20 +38,20 @@ QString alarmText(const device::Servo& servo, const jobs::AlarmPlan& plan)
 {
     Table table({translate("cli", "Alarm"), translate("cli", "Value"), translate("cli", "Minimum"),
                  translate("cli", "Maximum")});
-    table.right({1, 2, 3});
+    table.alignRight({1, 2, 3});
     for (const jobs::Alarm& alarm : plan.alarms) {
-        table.add({text::alarmWord(alarm.key), shown(servo, alarm, alarm.value),
+        table.add({text::alarmLabel(alarm.key), shown(servo, alarm, alarm.value),
                    shown(servo, alarm, alarm.min), shown(servo, alarm, alarm.max)});
     }
     return (plan.alarms.empty() ? QString() : table.text()) +
-           text::releaseWords(jobs::releaseName(plan.next)) + QLatin1Char('\n');
+           text::releaseText(jobs::clearMethodName(plan.next)) + QLatin1Char('\n');
 }
 
 bool writes(const jobs::AlarmPlan& plan)
 {
     return !plan.refused &&
-           (plan.next == jobs::Release::TurnBack || plan.next == jobs::Release::NewGoal ||
-            plan.next == jobs::Release::FaultReset);
+           (plan.next == jobs::ClearMethod::BackOff || plan.next == jobs::ClearMethod::NewGoal ||
+            plan.next == jobs::ClearMethod::FaultReset);
 }
 
 base::Result<Exit> run(Run& run, const Values& values)
@@ -60,24 +60,24 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
-    const auto plan = jobs::planAlarm(*context, *servo);
+    const auto plan = jobs::planClearAlarm(*context, *servo);
     if (!plan)
         return tl::unexpected(plan.error());
     if (plan->needsConsent() && !values.has("--move")) {
         run.finish(Json::object()
                        .add("id", servo->id)
                        .add("alarms", jsonAlarms(*plan))
-                       .add("next", jobs::releaseName(plan->next))
+                       .add("next", jobs::clearMethodName(plan->next))
                        .add("acted", false)
                        .add("cleared", false),
                    alarmText(*servo, *plan) +
                        translate("cli", "Nothing was written. Keep clear of the mechanism and "
                                         "repeat it with --move.") +
                        QLatin1Char('\n'));
-        return Exit::NotDone;
+        return Exit::Failed;
     }
     if (writes(*plan)) {
-        if (const auto saved = run.saveFirst(*servo); !saved)
+        if (const auto saved = run.backupTable(*servo); !saved)
             return tl::unexpected(saved.error());
     }
     const auto report = jobs::clearAlarm(*context, *servo, *plan);
@@ -86,13 +86,13 @@ base::Result<Exit> run(Run& run, const Values& values)
     run.finish(Json::object()
                    .add("id", servo->id)
                    .add("alarms", jsonAlarms(report->after))
-                   .add("next", jobs::releaseName(report->after.next))
-                   .add("acted", report->acted)
-                   .add("cleared", report->cleared()),
-               report->acted && report->cleared()
+                   .add("next", jobs::clearMethodName(report->after.next))
+                   .add("acted", report->isExecuted)
+                   .add("cleared", report->isCleared()),
+               report->isExecuted && report->isCleared()
                    ? translate("cli", "The alarm is gone.") + QLatin1Char('\n')
                    : alarmText(*servo, report->after));
-    return report->cleared() ? Exit::Done : Exit::NotDone;
+    return report->isCleared() ? Exit::Success : Exit::Failed;
 }
 } // namespace
 

@@ -24,46 +24,46 @@ using jobs::CommissionView;
 
 QString in(const catalog::Text& words)
 {
-    return words.in(text::inChinese());
+    return words.in(text::isUiChinese());
 }
 
 /// The hand that plugs servos in and out of a simulated bag, a moment after it is asked to.
-class SimulatedHand {
+class SimHotplugDriver {
 public:
-    explicit SimulatedHand(session::Connection& connection)
+    explicit SimHotplugDriver(session::Connection& connection)
         : m_connection(connection)
     {
-        if (connection.hasBag())
+        if (connection.hasHotplugQueue())
             m_thread = std::thread([this] { work(); });
     }
-    ~SimulatedHand()
+    ~SimHotplugDriver()
     {
-        ask(Deed::End);
+        post(Action::End);
         if (m_thread.joinable())
             m_thread.join();
     }
-    SimulatedHand(const SimulatedHand&) = delete;
-    SimulatedHand& operator=(const SimulatedHand&) = delete;
+    SimHotplugDriver(const SimHotplugDriver&) = delete;
+    SimHotplugDriver& operator=(const SimHotplugDriver&) = delete;
 
     /// Called for every change of the line: what it asks for is done.
-    void see(const CommissionView& view)
+    void onViewChanged(const CommissionView& view)
     {
         if (view.step == CommissionStep::Unplug)
-            ask(Deed::Unplug);
+            post(Action::Unplug);
         else if (view.step == CommissionStep::Waiting)
-            ask(Deed::PlugNext);
+            post(Action::PlugNext);
     }
     /// Nobody is left to be plugged in.
     bool empty() const { return m_empty; }
     std::function<void()> onEmpty;
 
 private:
-    enum class Deed { None, Unplug, PlugNext, End };
+    enum class Action { None, Unplug, PlugNext, End };
 
-    void ask(Deed deed)
+    void post(Action action)
     {
         const std::lock_guard lock(m_mutex);
-        m_deed = deed;
+        m_action = action;
         m_asked.notify_one();
     }
     void work()
@@ -71,16 +71,16 @@ private:
         constexpr auto moment = std::chrono::milliseconds(100);
         for (;;) {
             std::unique_lock lock(m_mutex);
-            m_asked.wait(lock, [this] { return m_deed != Deed::None; });
-            const Deed deed = std::exchange(m_deed, Deed::None);
-            if (deed == Deed::End)
+            m_asked.wait(lock, [this] { return m_action != Action::None; });
+            const Action action = std::exchange(m_action, Action::None);
+            if (action == Action::End)
                 return;
-            if (m_asked.wait_for(lock, moment, [this] { return m_deed != Deed::None; }))
+            if (m_asked.wait_for(lock, moment, [this] { return m_action != Action::None; }))
                 continue; // overtaken
             lock.unlock();
-            if (deed == Deed::Unplug)
+            if (action == Action::Unplug)
                 m_connection.unplugAll();
-            else if (!m_connection.plugNext() && onEmpty) {
+            else if (!m_connection.connectNext() && onEmpty) {
                 m_empty = true;
                 onEmpty();
             }
@@ -90,40 +90,40 @@ private:
     session::Connection& m_connection;
     std::mutex m_mutex;
     std::condition_variable m_asked;
-    Deed m_deed = Deed::None;
+    Action m_action = Action::None;
     std::atomic<bool> m_empty{false};
     std::thread m_thread;
 };
 
 /// Ctrl-C, or the end of a simulated bag.
-class EitherStop {
+class CombinedStop {
 public:
-    explicit EitherStop(const base::Stop& first)
+    explicit CombinedStop(const base::StopToken& first)
         : m_first(first)
         , m_watch([this] { watch(); })
     {}
-    ~EitherStop()
+    ~CombinedStop()
     {
-        m_over = true;
+        m_finished = true;
         m_watch.join();
     }
-    EitherStop(const EitherStop&) = delete;
-    EitherStop& operator=(const EitherStop&) = delete;
-    base::Stop& stop() { return m_both; }
+    CombinedStop(const CombinedStop&) = delete;
+    CombinedStop& operator=(const CombinedStop&) = delete;
+    base::StopToken& stop() { return m_combined; }
 
 private:
     void watch()
     {
         constexpr auto slice = std::chrono::milliseconds(20);
-        while (!m_over && !m_first.requested())
+        while (!m_finished && !m_first.isRequested())
             (void)m_first.waitUntil(std::chrono::steady_clock::now() + slice);
-        if (m_first.requested())
-            m_both.request();
+        if (m_first.isRequested())
+            m_combined.request();
     }
 
-    const base::Stop& m_first;
-    base::Stop m_both;
-    std::atomic<bool> m_over{false};
+    const base::StopToken& m_first;
+    base::StopToken m_combined;
+    std::atomic<bool> m_finished{false};
     std::thread m_watch;
 };
 
@@ -139,9 +139,9 @@ private:
     base::Result<void> collect();
     base::Result<void> collectIds();
     jobs::CommissionAnswer answer();
-    void tell(const CommissionView& view);
-    void tell(const record::CommissionRow& row);
-    void nameUnfinished();
+    void display(const CommissionView& view);
+    void display(const record::CommissionRow& row);
+    void listUnfinished();
     Exit finish(jobs::CommissionEnd end);
 
     Run& m_run;
@@ -150,14 +150,14 @@ private:
     QString m_csv;
     record::CommissionBatch m_batch;
     std::size_t m_before = 0; ///< rows of earlier runs
-    QString m_said;
-    transport::LineInput m_input;
-    base::Stop* m_stop = nullptr;
+    QString m_lastLine;
+    transport::StdinReader m_input;
+    base::StopToken* m_stop = nullptr;
 };
 
 base::Result<void> CommissionCommand::collectIds()
 {
-    constexpr int usualFirst = 1;
+    constexpr int defaultFirst = 1;
     if (const auto list = m_values.option("--id-list")) {
         auto ids = parseIds(list->split(QLatin1Char(','), Qt::SkipEmptyParts));
         if (!ids)
@@ -167,14 +167,14 @@ base::Result<void> CommissionCommand::collectIds()
         m_spec.ids = *ids;
     } else {
         auto first = m_values.option("--first-id") ? parseId(*m_values.option("--first-id"))
-                                                   : base::Result<int>(usualFirst);
+                                                   : base::Result<int>(defaultFirst);
         if (!first)
             return tl::unexpected(first.error());
         for (int id = *first; id <= 253; ++id)
             m_spec.ids.push_back(id);
     }
     if (const auto count = m_values.option("--count")) {
-        const auto number = parseWhole(*count, 1, 254);
+        const auto number = parseInt(*count, 1, 254);
         if (!number)
             return tl::unexpected(number.error());
         m_spec.count = *number;
@@ -205,7 +205,7 @@ base::Result<void> CommissionCommand::collect()
     m_spec.center = m_values.has("--center");
     m_spec.dangerous = m_values.has("--dangerous");
     m_spec.automatic = m_values.has("--auto");
-    m_spec.labelFormat = m_values.option("--label-format").value_or(record::usualLabelFormat());
+    m_spec.labelFormat = m_values.option("--label-format").value_or(record::defaultLabelFormat());
     m_csv = m_values.option("--batch").value_or(QString());
     if (m_csv.isEmpty())
         return badArgument(translate("cli", "name the file of the batch with --batch FILE.csv"));
@@ -221,28 +221,28 @@ base::Result<void> CommissionCommand::collect()
 /// Enter goes on. Without anybody who could press it the line ends, as with Ctrl-C.
 jobs::CommissionAnswer CommissionCommand::answer()
 {
-    const auto line = m_input.take();
-    if (!line && !m_input.open())
+    const auto line = m_input.readLine();
+    if (!line && !m_input.isOpen())
         m_stop->request();
     if (!line)
         return jobs::CommissionAnswer::None;
     if (line->isEmpty())
         return jobs::CommissionAnswer::Continue;
     if (*line == "a")
-        return jobs::CommissionAnswer::SetAside;
+        return jobs::CommissionAnswer::Skip;
     if (*line == "s")
         return jobs::CommissionAnswer::SameServo;
-    m_run.console().remark(
+    m_run.console().printNote(
         translate("cli", "Nothing is done. Enter: go on; a and Enter: set it aside."));
     return jobs::CommissionAnswer::None;
 }
 
-QString withConcerns(const QString& text, const std::vector<record::CommissionTrouble>& concerns)
+QString withConcerns(const QString& text, const std::vector<record::CommissionIssue>& issues)
 {
-    if (concerns.empty())
+    if (issues.empty())
         return text;
     return text + QLatin1Char(' ') +
-           translate("cli", "Beware: %1.").arg(in(report::commissionTroublesWords(concerns)));
+           translate("cli", "Beware: %1.").arg(in(report::commissionIssuesText(issues)));
 }
 
 QString confirmText(const CommissionView& view)
@@ -252,20 +252,20 @@ QString confirmText(const CommissionView& view)
                        .arg(view.servo.id)
                        .arg(view.baud)
                        .arg(view.newId);
-    text = withConcerns(text, view.concerns);
-    if (view.doubtfulId >= 0 && view.doubtfulId == view.newId)
+    text = withConcerns(text, view.issues);
+    if (view.candidateId >= 0 && view.candidateId == view.newId)
         return text + QLatin1Char(' ') +
                translate("cli", "A servo of this kind was left unfinished; no ID is left for "
                                 "another one. If this is that servo, press s and Enter; a and "
                                 "Enter: set it aside.");
-    if (view.doubtfulId >= 0)
+    if (view.candidateId >= 0)
         text +=
             QLatin1Char(' ') +
             translate("cli",
                       "A servo of this kind was left unfinished; it was to have ID %1. If this is "
                       "that servo, press s and Enter; otherwise it is set up as a new one.")
-                .arg(view.doubtfulId);
-    else if (view.halfDone)
+                .arg(view.candidateId);
+    else if (view.isResumed)
         text += QLatin1Char(' ') +
                 translate("cli", "A servo of this kind was left unfinished here. Go on only if "
                                  "this is that servo.");
@@ -280,17 +280,17 @@ QString viewText(const CommissionView& view)
             return withConcerns(
                 translate("cli", "The servo went away in the middle; plug it in again (ID %1).")
                     .arg(view.newId),
-                view.concerns);
+                view.issues);
         return view.newId < 0
                    ? translate("cli", "No ID is left; an unfinished servo is awaited.")
                    : translate("cli", "Connect the next servo (it gets ID %1).").arg(view.newId);
     case CommissionStep::Blocked:
         switch (view.obstacle) {
-        case jobs::CommissionObstacle::SeveralServos:
+        case jobs::CommissionObstacle::DuplicateId:
             return translate("cli", "Several servos answer; leave one: nothing is written.");
-        case jobs::CommissionObstacle::TwinIds:
+        case jobs::CommissionObstacle::DuplicateIds:
             return translate("cli", "Two servos answer under ID %1; leave one: nothing is written.")
-                .arg(view.heard.empty() ? -1 : view.heard.front().place.id);
+                .arg(view.detected.empty() ? -1 : view.detected.front().place.id);
         default:
             return translate("cli", "Somebody answers, but cannot be recognised.");
         }
@@ -304,22 +304,22 @@ QString viewText(const CommissionView& view)
     }
 }
 
-void CommissionCommand::tell(const CommissionView& view)
+void CommissionCommand::display(const CommissionView& view)
 {
     const QString text = viewText(view);
-    if (text.isEmpty() || text == m_said)
+    if (text.isEmpty() || text == m_lastLine)
         return;
-    m_said = text;
+    m_lastLine = text;
     if (view.step == CommissionStep::Confirm)
-        m_input.forgetTyped(); // an Enter too many is no answer about a servo nobody has seen yet
-    m_run.console().remark(text);
+        m_input.discardTyped(); // an Enter too many is no answer about a servo nobody has seen yet
+    m_run.console().printNote(text);
 }
 
 Json jsonRow(const record::CommissionRow& row)
 {
-    Json::Array troubles;
-    for (const record::CommissionTrouble& trouble : row.troubles)
-        troubles.push_back(Json::object().add("word", trouble.word).add("detail", trouble.detail));
+    Json::Array issues;
+    for (const record::CommissionIssue& issue : row.issues)
+        issues.push_back(Json::object().add("word", issue.word).add("detail", issue.detail));
     Json json = Json::object();
     json.add("time", row.at.toUTC().toString(Qt::ISODate))
         .add("verdict", record::verdictName(row.verdict))
@@ -331,47 +331,47 @@ Json jsonRow(const record::CommissionRow& row)
         .add("baud", row.newBaud > 0 ? Json(row.newBaud) : Json())
         .add("template", row.templateName)
         .add("written", row.written)
-        .add("centred", row.centred)
+        .add("centred", row.centered)
         .add("volts", row.volts)
         .add("celsius", row.celsius)
-        .add("troubles", std::move(troubles))
+        .add("troubles", std::move(issues))
         .add("label", row.label)
         .add("snapshot", row.snapshot);
     return json;
 }
 
-void CommissionCommand::tell(const record::CommissionRow& row)
+void CommissionCommand::display(const record::CommissionRow& row)
 {
-    if (m_run.console().json()) {
+    if (m_run.console().isJson()) {
         m_run.console().write(jsonRow(row).compact() + '\n');
         return;
     }
-    const QString troubles = in(report::commissionTroublesWords(row.troubles));
-    const QString who = row.label.isEmpty()
-                            ? QStringLiteral("%1 · ID %2").arg(row.servo.model).arg(row.servo.id)
+    const QString issues = in(report::commissionIssuesText(row.issues));
+    const QString identity =
+        row.label.isEmpty() ? QStringLiteral("%1 · ID %2").arg(row.servo.model).arg(row.servo.id)
                             : row.label;
     m_run.console().print(
         QStringLiteral("%1 %2: %3%4\n")
-            .arg(report::commissionVerdictSign(row.verdict), who,
-                 in(report::commissionVerdictWords(row.verdict)),
-                 troubles.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(troubles)));
+            .arg(report::commissionVerdictSign(row.verdict), identity,
+                 in(report::commissionVerdictText(row.verdict)),
+                 issues.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(issues)));
 }
 
-void CommissionCommand::nameUnfinished()
+void CommissionCommand::listUnfinished()
 {
     if (m_batch.pending.empty())
         return;
-    for (const record::CommissionPending& one : m_batch.pending)
-        m_run.console().remark(withConcerns(
+    for (const record::PendingCommission& one : m_batch.pending)
+        m_run.console().printNote(withConcerns(
             translate("cli", "Unfinished: %1 that was to have ID %2. A part of its settings may be "
                              "written. Connect it and run the same command again to finish it.")
                 .arg(one.servo.model)
                 .arg(one.newId),
-            record::unfinishedTroubles(one)));
+            record::unfinishedIssues(one)));
     // Between two writes none is open.
     const auto open = m_run.session().journal().open();
     if (!open || !open->empty())
-        m_run.console().remark(translate("cli", "\"recover\" shows the changes that are open."));
+        m_run.console().printNote(translate("cli", "\"recover\" shows the changes that are open."));
 }
 
 Exit CommissionCommand::finish(jobs::CommissionEnd end)
@@ -381,21 +381,21 @@ Exit CommissionCommand::finish(jobs::CommissionEnd end)
         translate("cli", "%1 set up, %2 failed, %3 set aside; %4 unfinished. Batch: %5")
             .arg(m_batch.done())
             .arg(m_batch.count(CommissionVerdict::Failed))
-            .arg(m_batch.count(CommissionVerdict::Aside))
+            .arg(m_batch.count(CommissionVerdict::Skipped))
             .arg(m_batch.pending.size())
             .arg(m_csv);
-    if (end == jobs::CommissionEnd::IdsUsedUp)
-        m_run.console().remark(translate("cli", "All IDs have been given."));
-    m_run.console().remark(summary);
-    nameUnfinished();
+    if (end == jobs::CommissionEnd::IdsExhausted)
+        m_run.console().printNote(translate("cli", "All IDs have been given."));
+    m_run.console().printNote(summary);
+    listUnfinished();
     if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
-        m_run.console().remark(notices.trimmed());
+        m_run.console().printNote(notices.trimmed());
     const bool good = std::all_of(m_batch.rows.begin() + std::ptrdiff_t(m_before),
                                   m_batch.rows.end(), [](const record::CommissionRow& row) {
                                       return row.verdict == CommissionVerdict::Good ||
                                              row.verdict == CommissionVerdict::Remark;
                                   });
-    return good && m_batch.pending.empty() ? Exit::Done : Exit::NotDone;
+    return good && m_batch.pending.empty() ? Exit::Success : Exit::Failed;
 }
 
 base::Result<Exit> CommissionCommand::run()
@@ -405,36 +405,36 @@ base::Result<Exit> CommissionCommand::run()
     const auto connection = m_run.connect();
     if (!connection)
         return tl::unexpected(connection.error());
-    EitherStop either(m_run.stop());
+    CombinedStop either(m_run.stop());
     device::Context context = *m_run.context();
     const device::Context stoppable{context.bus,   context.catalog, context.journal,
                                     either.stop(), context.notices, context.priority,
                                     context.hold,  context.epoch};
     m_stop = &either.stop();
-    SimulatedHand hand(**connection);
+    SimHotplugDriver hand(**connection);
     hand.onEmpty = [&either] { either.stop().request(); };
-    jobs::CommissionHooks hooks;
-    hooks.onChange = [&](const CommissionView& view) {
-        tell(view);
-        hand.see(view);
+    jobs::CommissionCallbacks callbacks;
+    callbacks.onChange = [&](const CommissionView& view) {
+        display(view);
+        hand.onViewChanged(view);
     };
-    hooks.answer = [this] { return answer(); };
-    hooks.onRow = [this](const record::CommissionRow& row) { tell(row); };
-    hooks.save = [this](const device::Context& with, device::Servo& servo) {
+    callbacks.answer = [this] { return answer(); };
+    callbacks.onRow = [this](const record::CommissionRow& row) { display(row); };
+    callbacks.save = [this](const device::Context& with, device::Servo& servo) {
         auto saved = session::saveSafetySnapshot(with, servo, record::SnapshotReason::Commission);
         if (saved)
-            m_run.console().remark(
+            m_run.console().printNote(
                 translate("cli", "The present settings are saved in %1").arg(*saved));
         return saved;
     };
-    session::CommissionNames names;
-    hooks.meet = [&names](const device::Servo& servo) { return names.meet(servo); };
-    hooks.name = [&names](const device::Servo& servo, const QString& label, bool another) {
-        return names.name(servo, label, another);
+    session::CommissionLabels names;
+    callbacks.onNewServo = [&names](const device::Servo& servo) { return names.servoFound(servo); };
+    callbacks.name = [&names](const device::Servo& servo, const QString& label, bool another) {
+        return names.setLabel(servo, label, another);
     };
-    const auto end = jobs::commission(stoppable, m_spec, m_batch, m_csv, hooks);
+    const auto end = jobs::commission(stoppable, m_spec, m_batch, m_csv, callbacks);
     if (!end) {
-        nameUnfinished();
+        listUnfinished();
         return tl::unexpected(end.error());
     }
     return finish(*end);

@@ -16,7 +16,7 @@ namespace cli {
 namespace {
 using record::HistoryKind;
 
-QString shownTime(const QDateTime& at)
+QString formatTime(const QDateTime& at)
 {
     return at.isValid() ? at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"))
                         : QStringLiteral("–");
@@ -27,10 +27,10 @@ QString shown(std::int64_t number)
     return QString::number(qint64(number));
 }
 
-QString outcomeShown(const record::HistoryWrite& write)
+QString formatOutcome(const record::HistoryWrite& write)
 {
-    const QString word = text::writeOutcomeWord(write.outcome);
-    return write.good() ? word : QStringLiteral("✗ ") + word;
+    const QString word = text::writeOutcomeLabel(write.outcome);
+    return write.isGood() ? word : QStringLiteral("✗ ") + word;
 }
 
 Table tableOf(const std::vector<record::HistoryServo>& servos)
@@ -38,16 +38,16 @@ Table tableOf(const std::vector<record::HistoryServo>& servos)
     Table table({translate("cli", "Servo"), translate("cli", "Model"), translate("cli", "Firmware"),
                  translate("cli", "ID"), translate("cli", "Label"), translate("cli", "Now"),
                  translate("cli", "Last write"), translate("cli", "Port")});
-    table.right({0, 3});
+    table.alignRight({0, 3});
     for (const record::HistoryServo& servo : servos) {
-        const base::ServoIdentity& who = servo.who;
+        const base::ServoIdentity& identity = servo.identity;
         const QString firmware =
-            who.firmwareMajor < 0
+            identity.firmwareMajor < 0
                 ? QStringLiteral("?")
-                : QStringLiteral("%1.%2").arg(who.firmwareMajor).arg(who.firmwareMinor);
-        table.add({shown(servo.number), who.model, firmware, QString::number(who.id), servo.label,
-                   servo.current ? QStringLiteral("●") : QString(), shownTime(servo.lastWrite),
-                   who.port});
+                : QStringLiteral("%1.%2").arg(identity.firmwareMajor).arg(identity.firmwareMinor);
+        table.add({shown(servo.number), identity.model, firmware, QString::number(identity.id),
+                   servo.label, servo.current ? QStringLiteral("●") : QString(),
+                   formatTime(servo.lastWrite), identity.port});
     }
     return table;
 }
@@ -59,15 +59,15 @@ Table tableOf(const std::vector<record::HistoryWrite>& writes,
                  translate("cli", "Model"), translate("cli", "Label"), translate("cli", "Register"),
                  translate("cli", "Old"), translate("cli", "New"), translate("cli", "Outcome"),
                  translate("cli", "Kind"), translate("cli", "Port")});
-    table.right({0, 2, 6, 7});
+    table.alignRight({0, 2, 6, 7});
     for (const record::HistoryWrite& write : writes)
-        table.add({shown(write.number), shownTime(write.at), QString::number(write.servoId),
+        table.add({shown(write.number), formatTime(write.at), QString::number(write.servoId),
                    write.model, write.label, write.key,
-                   profiles.valueText(write, write.oldRaw, text::inChinese()),
-                   write.newRaw ? profiles.valueText(write, *write.newRaw, text::inChinese())
+                   profiles.valueText(write, write.oldRaw, text::isUiChinese()),
+                   write.newRaw ? profiles.valueText(write, *write.newRaw, text::isUiChinese())
                                 : QStringLiteral("–"),
-                   outcomeShown(write),
-                   text::intentWord(write.kind, write.temporary, write.ownDefaults), write.port});
+                   formatOutcome(write),
+                   text::intentLabel(write.kind, write.temporary, write.ownDefaults), write.port});
     return table;
 }
 
@@ -77,9 +77,9 @@ Table tableOf(const std::vector<record::HistorySnapshot>& snapshots)
                  translate("cli", "Model"), translate("cli", "Label"), translate("cli", "Note"),
                  translate("cli", "Taken"), translate("cli", "Registers"),
                  translate("cli", "File")});
-    table.right({0, 2, 7});
+    table.alignRight({0, 2, 7});
     for (const record::HistorySnapshot& snapshot : snapshots)
-        table.add({shown(snapshot.number), shownTime(snapshot.at),
+        table.add({shown(snapshot.number), formatTime(snapshot.at),
                    QString::number(snapshot.servoId), snapshot.model,
                    QString(snapshot.label).simplified(), QString(snapshot.note).simplified(),
                    snapshot.reason == record::SnapshotReason::Automatic
@@ -94,11 +94,11 @@ Table tableOf(const std::vector<record::HistoryAlarm>& alarms)
     Table table({translate("cli", "Alarm"), translate("cli", "When"), translate("cli", "Gone"),
                  translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Label"),
                  translate("cli", "What")});
-    table.right({0, 3});
+    table.alignRight({0, 3});
     for (const record::HistoryAlarm& alarm : alarms)
-        table.add({shown(alarm.number), shownTime(alarm.at), shownTime(alarm.went),
+        table.add({shown(alarm.number), formatTime(alarm.at), formatTime(alarm.clearedAt),
                    QString::number(alarm.servoId), alarm.model, alarm.label,
-                   text::alarmWord(alarm.key)});
+                   text::alarmLabel(alarm.key)});
     return table;
 }
 
@@ -107,12 +107,12 @@ Table tableOf(const std::vector<record::HistoryRecording>& recordings)
     Table table({translate("cli", "Recording"), translate("cli", "When"),
                  translate("cli", "Length"), translate("cli", "ID"), translate("cli", "Readings"),
                  translate("cli", "File")});
-    table.right({0, 2, 4});
+    table.alignRight({0, 2, 4});
     for (const record::HistoryRecording& recording : recordings) {
         QStringList ids;
         for (const auto& servo : recording.servos)
             ids.append(QString::number(servo.id));
-        table.add({shown(recording.number), shownTime(recording.at),
+        table.add({shown(recording.number), formatTime(recording.at),
                    QStringLiteral("%1 s").arg(double(recording.length.count()) / 1e6, 0, 'f', 1),
                    ids.join(QStringLiteral(", ")), QString::number(recording.rows),
                    recording.file});
@@ -125,13 +125,13 @@ Table tableOf(const std::vector<record::TestRun>& runs)
     Table table({translate("cli", "Run"), translate("cli", "When"), translate("cli", "Test"),
                  translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Label"),
                  translate("cli", "Verdict"), translate("cli", "Note")});
-    table.right({0, 3});
+    table.alignRight({0, 3});
     for (const record::TestRun& run : runs) {
         for (const record::TestServo& servo : run.servos)
-            table.add({shown(run.number), shownTime(run.at), run.kind, QString::number(servo.id),
+            table.add({shown(run.number), formatTime(run.at), run.kind, QString::number(servo.id),
                        servo.model, servo.label,
                        report::gradeSign(servo.verdict) + QLatin1Char(' ') +
-                           report::gradeWords(servo.verdict).in(text::inChinese()),
+                           report::gradeLabel(servo.verdict).in(text::isUiChinese()),
                        QString(run.note).simplified()});
     }
     return table;
@@ -185,7 +185,7 @@ base::Result<Exit> showRows(Run& run, HistoryKind kind, const base::Result<std::
     run.finish(
         Json::object().add(record::historyKindName(kind).toLatin1().constData(), std::move(list)),
         text);
-    return Exit::Done;
+    return Exit::Success;
 }
 
 base::Result<HistoryKind> kindOf(const Values& values)
@@ -211,7 +211,7 @@ base::Result<Exit> showWrites(Run& run, const record::History* history,
     record::HistoryProfiles profiles(run.session().catalog());
     if (history == nullptr)
         return showRows(run, HistoryKind::Writes, nothing<record::HistoryWrite>(), profiles);
-    if (const auto known = knowServos(*history, profiles); !known)
+    if (const auto known = loadProfiles(*history, profiles); !known)
         return tl::unexpected(known.error());
     return showRows(run, HistoryKind::Writes, history->log().writes(filter), profiles);
 }
@@ -244,7 +244,7 @@ base::Result<Exit> show(Run& run, const record::History* history, HistoryKind ki
     auto runs = record::runFilterOf(*history, filter);
     if (!runs)
         return tl::unexpected(runs.error());
-    runs->most = filter.most;
+    runs->limit = filter.limit;
     return showRows(run, kind, history->runs(*runs));
 }
 
@@ -258,7 +258,7 @@ base::Result<Exit> exportTo(Run& run, const record::History& history, HistoryKin
     run.finish(Json::object().add("file", file).add("rows", *rows),
                translate("cli", "Rows written to %1: %2").arg(file).arg(qint64(*rows)) +
                    QLatin1Char('\n'));
-    return Exit::Done;
+    return Exit::Success;
 }
 
 base::Result<Exit> showBenches(Run& run, const Values& values)
@@ -268,10 +268,10 @@ base::Result<Exit> showBenches(Run& run, const Values& values)
         return tl::unexpected(benches.error());
     Table table(
         {translate("cli", "Bench"), translate("cli", "Last sent"), translate("cli", "Writes")});
-    table.right({2});
+    table.alignRight({2});
     Json::Array list;
     for (const record::HistoryBench& bench : *benches) {
-        table.add({bench.name, shownTime(bench.sent), shown(bench.writes)});
+        table.add({bench.name, formatTime(bench.sent), shown(bench.writes)});
         list.push_back(Json::object()
                            .add("name", bench.name)
                            .add("uuid", bench.uuid)
@@ -279,7 +279,7 @@ base::Result<Exit> showBenches(Run& run, const Values& values)
                            .add("writes", bench.writes));
     }
     run.finish(Json::object().add("benches", std::move(list)), table.text());
-    return Exit::Done;
+    return Exit::Success;
 }
 
 base::Result<Exit> list(Run& run, const Values& values)
@@ -308,7 +308,7 @@ base::Result<Exit> list(Run& run, const Values& values)
 
 base::Result<Exit> runList(Run& run, const Values& values)
 {
-    return askHistory(run, values, list);
+    return runHistoryCommand(run, values, list);
 }
 } // namespace
 

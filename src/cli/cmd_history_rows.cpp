@@ -15,7 +15,7 @@
 
 namespace cli {
 namespace {
-base::Result<std::unique_ptr<record::History>> needHistory(Run& run, const Values& values)
+base::Result<std::unique_ptr<record::History>> requireHistory(Run& run, const Values& values)
 {
     auto history = openHistory(run, values);
     if (history && !*history)
@@ -43,7 +43,7 @@ base::Result<std::vector<record::HistoryWrite>> together(const record::HistoryLo
     filter.servo = one->servo;
     filter.from = one->at;
     filter.until = one->at.addMSecs(1);
-    filter.most = 10000;
+    filter.limit = 10000;
     auto near = log.writes(filter);
     if (!near)
         return near;
@@ -57,29 +57,29 @@ base::Result<std::vector<record::HistoryWrite>> together(const record::HistoryLo
 
 base::Result<Exit> show(Run& run, const Values& values)
 {
-    const auto number = parseNumber(values.word("WRITE"));
+    const auto number = parseNumber(values.argument("WRITE"));
     if (!number)
         return tl::unexpected(number.error());
-    const auto history = needHistory(run, values);
+    const auto history = requireHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
     const auto writes = together((*history)->log(), *number);
     if (!writes)
         return tl::unexpected(writes.error());
     record::HistoryProfiles profiles(run.session().catalog());
-    if (const auto known = knowServos(**history, profiles); !known)
+    if (const auto known = loadProfiles(**history, profiles); !known)
         return tl::unexpected(known.error());
     const record::HistoryWrite& head = writes->front();
     Table table({translate("cli", "Register"), translate("cli", "Old"), translate("cli", "New"),
                  translate("cli", "Read back"), translate("cli", "Outcome")});
-    table.right({1, 2, 3});
+    table.alignRight({1, 2, 3});
     Json::Array rows;
     for (const record::HistoryWrite& write : *writes) {
         const auto value = [&](const std::optional<std::int64_t>& raw) {
-            return raw ? profiles.valueText(write, *raw, text::inChinese()) : QStringLiteral("–");
+            return raw ? profiles.valueText(write, *raw, text::isUiChinese()) : QStringLiteral("–");
         };
         table.add({write.key, value(write.oldRaw), value(write.newRaw), value(write.readBack),
-                   text::writeOutcomeWord(write.outcome)});
+                   text::writeOutcomeLabel(write.outcome)});
         rows.push_back(Json::object()
                            .add("number", write.number)
                            .add("register", write.key)
@@ -104,7 +104,7 @@ base::Result<Exit> show(Run& run, const Values& values)
             .add("program", head.program)
             .add("detail", head.detail)
             .add("writes", std::move(rows)),
-        text::intentWord(head.kind, head.temporary, head.ownDefaults) + QStringLiteral(": ") +
+        text::intentLabel(head.kind, head.temporary, head.ownDefaults) + QStringLiteral(": ") +
             translate("cli", "%1, servo %2 %3, on %4 at %5 baud, by %6")
                 .arg(head.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
                      QString::number(head.servoId),
@@ -115,21 +115,21 @@ base::Result<Exit> show(Run& run, const Values& values)
                      head.program.isEmpty() ? translate("cli", "an earlier version")
                                             : head.program) +
             QLatin1Char('\n') + table.text());
-    return Exit::Done;
+    return Exit::Success;
 }
 
 base::Result<Exit> runLabel(Run& run, const Values& values)
 {
-    const auto history = needHistory(run, values);
+    const auto history = requireHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
     const record::HistoryLog log = (*history)->log();
-    auto servo = parseServo(**history, values.word("SERVO"));
+    auto servo = parseServo(**history, values.argument("SERVO"));
     if (!servo)
         return tl::unexpected(servo.error());
-    const QString label = values.word("LABEL").trimmed();
+    const QString label = values.argument("LABEL").trimmed();
     if (values.has("--another")) {
-        const auto other = log.another(*servo, label);
+        const auto other = log.assignToOther(*servo, label);
         if (!other)
             return tl::unexpected(other.error());
         *servo = other->number;
@@ -141,30 +141,30 @@ base::Result<Exit> runLabel(Run& run, const Values& values)
         return tl::unexpected(now.error());
     run.finish(Json::object()
                    .add("servo", now->number)
-                   .add("id", now->who.id)
-                   .add("model", now->who.model)
+                   .add("id", now->identity.id)
+                   .add("model", now->identity.model)
                    .add("label", now->label),
                (values.has("--another")
                     ? translate("cli", "The %1 that answers to ID %2 is now servo %3, \"%4\"")
                     : translate("cli", "The %1 with ID %2, servo %3, is called \"%4\""))
-                       .arg(now->who.model, QString::number(now->who.id),
+                       .arg(now->identity.model, QString::number(now->identity.id),
                             QString::number(qint64(now->number)), now->label) +
                    QLatin1Char('\n'));
-    return Exit::Done;
+    return Exit::Success;
 }
 
 base::Result<Exit> takeSnapshot(Run& run, const Values& values)
 {
-    const auto number = parseNumber(values.word("SNAPSHOT"));
+    const auto number = parseNumber(values.argument("SNAPSHOT"));
     if (!number)
         return tl::unexpected(number.error());
-    const auto history = needHistory(run, values);
+    const auto history = requireHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
     const auto snapshot = (*history)->log().snapshot(*number);
     if (!snapshot)
         return tl::unexpected(snapshot.error());
-    const QString file = values.word("FILE");
+    const QString file = values.argument("FILE");
     if (const auto saved = record::saveSnapshot(*snapshot, file); !saved)
         return tl::unexpected(saved.error());
     const auto count = int(snapshot->registers.size());
@@ -175,10 +175,10 @@ base::Result<Exit> takeSnapshot(Run& run, const Values& values)
                    .add("registers", count),
                translate("cli", "Registers saved to %1: %2").arg(file).arg(count) +
                    QLatin1Char('\n'));
-    return Exit::Done;
+    return Exit::Success;
 }
 
-QString tableWords(const record::TablePoint& point, const QString& file)
+QString tableText(const record::TableState& point, const QString& file)
 {
     const auto local = [](const QDateTime& at) {
         return at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
@@ -206,19 +206,19 @@ QString tableWords(const record::TablePoint& point, const QString& file)
 
 base::Result<Exit> takeTable(Run& run, const Values& values)
 {
-    const auto at = parseMoment(values.word("TIME"), QDateTime::currentDateTimeUtc());
+    const auto at = parseDateTime(values.argument("TIME"), QDateTime::currentDateTimeUtc());
     if (!at)
         return tl::unexpected(at.error());
-    const auto history = needHistory(run, values);
+    const auto history = requireHistory(run, values);
     if (!history)
         return tl::unexpected(history.error());
-    const auto servo = parseServo(**history, values.word("SERVO"));
+    const auto servo = parseServo(**history, values.argument("SERVO"));
     if (!servo)
         return tl::unexpected(servo.error());
     const auto point = record::tableAt((*history)->file(), run.session().catalog(), *servo, *at);
     if (!point)
         return tl::unexpected(point.error());
-    const QString file = values.word("FILE");
+    const QString file = values.argument("FILE");
     if (const auto saved = record::saveSnapshot(point->table, file); !saved)
         return tl::unexpected(saved.error());
     Json changedId; // null: it kept its ID
@@ -237,23 +237,23 @@ base::Result<Exit> takeTable(Run& run, const Values& values)
                    .add("unknown", point->unknown)
                    .add("temporary", point->temporary)
                    .add("changed_id", std::move(changedId)),
-               tableWords(*point, file));
-    return Exit::Done;
+               tableText(*point, file));
+    return Exit::Success;
 }
 
 base::Result<Exit> runShow(Run& run, const Values& values)
 {
-    return askHistory(run, values, show);
+    return runHistoryCommand(run, values, show);
 }
 
 base::Result<Exit> runSnapshot(Run& run, const Values& values)
 {
-    return askHistory(run, values, takeSnapshot);
+    return runHistoryCommand(run, values, takeSnapshot);
 }
 
 base::Result<Exit> runTable(Run& run, const Values& values)
 {
-    return askHistory(run, values, takeTable);
+    return runHistoryCommand(run, values, takeTable);
 }
 } // namespace
 

@@ -14,48 +14,49 @@
 namespace cli {
 namespace {
 using session::SendProgress;
-constexpr auto lookEvery = std::chrono::milliseconds(50);
-constexpr auto longestSilence = std::chrono::minutes(2);
-constexpr auto atTheEnd = std::chrono::milliseconds(900);
+constexpr auto checkInterval = std::chrono::milliseconds(50);
+constexpr auto maxSilence = std::chrono::minutes(2);
+constexpr auto shutdownTimeout = std::chrono::milliseconds(900);
 
 /// On a thread that can be left behind, since a server may hang for as long as it likes.
 base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& choice)
 {
-    const auto sending = std::make_shared<session::HistorySending>(session::historyFile(),
-                                                                   choice.address, choice.bench);
+    const auto sending = std::make_shared<session::HistoryUploader>(session::historyFile(),
+                                                                    choice.address, choice.bench);
     const auto promise = std::make_shared<std::promise<base::Result<SendProgress>>>();
     auto answer = promise->get_future();
-    session::LooseThread thread;
+    session::DetachableWorker thread;
     thread.start([sending, promise] { promise->set_value(sending->send()); });
-    while (answer.wait_for(lookEvery) != std::future_status::ready) {
-        if (run.stop().requested()) {
+    while (answer.wait_for(checkInterval) != std::future_status::ready) {
+        if (run.stop().isRequested()) {
             sending->abort();
-            thread.end(atTheEnd);
+            thread.finish(shutdownTimeout);
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("history-server"));
         }
-        if (sending->silence() > longestSilence)
-            sending->hangUp();
+        if (sending->silenceTime() > maxSilence)
+            sending->dropConnection();
     }
-    thread.end(atTheEnd, [sending] { sending->disconnect(); });
+    thread.finish(shutdownTimeout, [sending] { sending->disconnect(); });
     return answer.get();
 }
 
-QString rememberedText(const session::HistoryServerChoice& choice)
+QString savedServerText(const session::HistoryServerChoice& choice)
 {
-    return (choice.fixed ? translate("cli", "The name of the bench was stored; the server is set "
-                                            "by SERVODESK_HISTORY_SERVER")
-                         : translate("cli", "Server and name of the bench were stored; the window "
-                                            "uses them too")) +
+    return (choice.isFixedByEnvironment
+                ? translate("cli", "The name of the bench was stored; the server is set "
+                                   "by SERVODESK_HISTORY_SERVER")
+                : translate("cli", "Server and name of the bench were stored; the window "
+                                   "uses them too")) +
            QLatin1Char('\n');
 }
 
 base::Result<Exit> runSync(Run& run, const Values& values)
 {
     session::Settings settings;
-    session::HistoryServerChoice choice = rememberedServer(run, settings);
+    session::HistoryServerChoice choice = savedServer(run, settings);
     if (const auto server = values.option("--server")) {
         choice.address = *server;
-        choice.fixed = false;
+        choice.isFixedByEnvironment = false;
     }
     choice.bench = values.option("--bench").value_or(choice.bench).trimmed();
     if (choice.address.trimmed().isEmpty())
@@ -68,7 +69,8 @@ base::Result<Exit> runSync(Run& run, const Values& values)
     const bool remember = values.has("--remember");
     if (!sent) {
         if (remember)
-            run.console().say(translate("cli", "Server and name of the bench were not stored"));
+            run.console().printMessage(
+                translate("cli", "Server and name of the bench were not stored"));
         return tl::unexpected(sent.error());
     }
     if (remember) {
@@ -76,18 +78,18 @@ base::Result<Exit> runSync(Run& run, const Values& values)
             return tl::unexpected(kept.error());
     }
     QString words = translate("cli", "Rows sent to %1 as %2: %3; it has everything now")
-                        .arg(address->shown(), choice.bench)
+                        .arg(address->displayText(), choice.bench)
                         .arg(qint64(sent->sent)) +
                     QLatin1Char('\n');
     if (remember)
-        words += rememberedText(choice);
+        words += savedServerText(choice);
     run.finish(Json::object()
-                   .add("server", address->shown())
+                   .add("server", address->displayText())
                    .add("bench", choice.bench)
                    .add("sent", sent->sent)
                    .add("remembered", remember),
                words);
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

@@ -14,12 +14,12 @@ base::Result<Exit> run(Run& run, const Values& values)
     if (!servo)
         return tl::unexpected(servo.error());
     const auto context = run.context();
-    if (const auto saved = run.saveFirst(*servo); !saved)
+    if (const auto saved = run.backupTable(*servo); !saved)
         return tl::unexpected(saved.error());
-    bool said = false;
+    bool reported = false;
     const auto report = jobs::blink(*context, *servo, jobs::blinkTime, [&](const jobs::Progress&) {
-        if (!std::exchange(said, true))
-            run.console().remark(
+        if (!std::exchange(reported, true))
+            run.console().printNote(
                 translate("cli", "The LED of servo %1 blinks; Ctrl-C ends it.").arg(servo->id));
     });
     if (!report)
@@ -31,7 +31,7 @@ base::Result<Exit> run(Run& run, const Values& values)
                    .add("stopped", report->stopped),
                translate("cli", "The LED of servo %1 is as it was before.").arg(servo->id) +
                    QLatin1Char('\n'));
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

@@ -19,10 +19,10 @@ const catalog::Register* registerOf(const device::Servo& servo, Role role)
     return servo.profile->byRole(role);
 }
 
-QString shownRole(const device::Servo& servo, Role role)
+QString formatRole(const device::Servo& servo, Role role)
 {
     const catalog::Register* reg = registerOf(servo, role);
-    return reg != nullptr ? shownValue(servo, *reg) : QStringLiteral("–");
+    return reg != nullptr ? formatValueText(servo, *reg) : QStringLiteral("–");
 }
 
 Json jsonRole(const device::Servo& servo, Role role)
@@ -68,7 +68,7 @@ Json jsonInfo(const device::Servo& servo)
         .add("voltage", jsonRole(servo, Role::PresentVoltage))
         .add("temperature", jsonRole(servo, Role::PresentTemperature))
         .add("position", jsonRole(servo, Role::PresentPosition))
-        .add("position_unit", position != nullptr ? Json(shownUnit(servo, *position)) : Json());
+        .add("position_unit", position != nullptr ? Json(formatUnit(servo, *position)) : Json());
 }
 
 QString infoText(const device::Servo& servo)
@@ -86,17 +86,17 @@ QString infoText(const device::Servo& servo)
                                  : QStringLiteral("%1, %2").arg(profile.series, profile.mapKey));
     row(translate("cli", "Protocol, line"),
         QStringLiteral("%1, %2").arg(base::protocolName(profile.protocol),
-                                     text::lineWord(profile.line)));
+                                     text::lineLabel(profile.line)));
     row(translate("cli", "Port, baud rate"),
         QStringLiteral("%1, %2").arg(servo.port).arg(servo.baud));
     row(translate("cli", "Mode"),
-        mode != nullptr ? mode->name.in(text::inChinese()) : translate("cli", "not known"));
-    row(translate("cli", "Torque"), shownRole(servo, Role::TorqueSwitch));
-    row(translate("cli", "EPROM lock"), shownRole(servo, Role::Lock));
-    row(translate("cli", "Position"), shownRole(servo, Role::PresentPosition));
-    row(translate("cli", "Voltage"), shownRole(servo, Role::PresentVoltage));
-    row(translate("cli", "Temperature"), shownRole(servo, Role::PresentTemperature));
-    row(translate("cli", "Alarms"), text::statusWords(servo.status, &profile, text::inChinese()));
+        mode != nullptr ? mode->name.in(text::isUiChinese()) : translate("cli", "not known"));
+    row(translate("cli", "Torque"), formatRole(servo, Role::TorqueSwitch));
+    row(translate("cli", "EPROM lock"), formatRole(servo, Role::Lock));
+    row(translate("cli", "Position"), formatRole(servo, Role::PresentPosition));
+    row(translate("cli", "Voltage"), formatRole(servo, Role::PresentVoltage));
+    row(translate("cli", "Temperature"), formatRole(servo, Role::PresentTemperature));
+    row(translate("cli", "Alarms"), text::statusText(servo.status, &profile, text::isUiChinese()));
     return table.text();
 }
 
@@ -108,13 +108,13 @@ base::Result<Exit> run(Run& run, const Values& values)
     const auto context = run.context();
     if (const auto read = device::readAll(*context, *servo); !read)
         return tl::unexpected(read.error());
-    device::noteAlarms(*context, *servo);
-    run.noteTwins(*servo);
-    const auto bar = device::writeBar(*servo);
+    device::addAlarmNotices(*context, *servo);
+    run.reportDuplicates(*servo);
+    const auto bar = device::writeObstacle(*servo);
     QString text = infoText(*servo);
     if (bar) {
         const text::Description words = text::describe(*bar);
-        text += QStringLiteral("%1\n%2\n%3\n").arg(words.what, words.cause, words.remedy);
+        text += QStringLiteral("%1\n%2\n%3\n").arg(words.message, words.cause, words.remedy);
     }
     const catalog::Register* lock = registerOf(*servo, Role::Lock);
     if (lock != nullptr && servo->raw(*lock) == 0) {
@@ -130,7 +130,7 @@ base::Result<Exit> run(Run& run, const Values& values)
     Json info = jsonInfo(*servo);
     info.add("not_writable", bar ? Json(base::errorName(bar->code)) : Json());
     run.finish(std::move(info), text);
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

@@ -17,7 +17,7 @@ namespace {
 using catalog::Role;
 
 /// Long enough for a slow turn; Ctrl-C ends it at any time.
-constexpr base::Duration arrivalLimit = std::chrono::minutes(2);
+constexpr base::Duration arrivalTimeout = std::chrono::minutes(2);
 
 struct Target {
     int id = 0;
@@ -44,19 +44,19 @@ base::Result<std::vector<Target>> parseTargets(const QStringList& words)
     return targets;
 }
 
-base::Result<device::MoveHow> parseHow(const QString& word)
+base::Result<device::MoveMethod> parseHow(const QString& word)
 {
     if (word == QLatin1String("write"))
-        return device::MoveHow::Write;
+        return device::MoveMethod::Write;
     if (word == QLatin1String("sync"))
-        return device::MoveHow::Sync;
+        return device::MoveMethod::Sync;
     if (word == QLatin1String("async"))
-        return device::MoveHow::Async;
+        return device::MoveMethod::Async;
     return badArgument(translate("cli", "--how is write, sync or async"));
 }
 
 /// A value that cannot be understood is complained about in the register's own terms.
-base::Result<void> checkWords(const device::Servo& servo, const device::MoveOrder& order)
+base::Result<void> checkWords(const device::Servo& servo, const device::MoveCommand& order)
 {
     const catalog::Mode* mode = servo.mode();
     const std::pair<Role, std::optional<QString>> fields[]{
@@ -84,7 +84,7 @@ base::Result<std::vector<device::MovePlan>> planAll(Run& run, const Values& valu
         if (!servo)
             return tl::unexpected(servo.error());
         servos.push_back(std::move(*servo));
-        device::MoveOrder order{&servos.back(), target.goal};
+        device::MoveCommand order{&servos.back(), target.goal};
         order.speed = values.option("--speed");
         order.acceleration = values.option("--acceleration");
         order.time = values.option("--time");
@@ -101,14 +101,14 @@ base::Result<std::vector<device::MovePlan>> planAll(Run& run, const Values& valu
 base::Result<void> wait(Run& run, std::vector<device::MovePlan>& plans)
 {
     ProgressLine line(run.console(), translate("cli", "Moving"));
-    std::map<int, QString> places;
+    std::map<int, QString> presentPositions;
     return device::waitForArrival(
-        *run.context(), plans, arrivalLimit, [&](const device::MoveProgress& progress) {
+        *run.context(), plans, arrivalTimeout, [&](const device::MoveProgress& progress) {
             if (progress.position)
-                places[progress.id] = QString::number(*progress.position, 'f', 1);
+                presentPositions[progress.id] = QString::number(*progress.position, 'f', 1);
             QStringList shown;
-            for (const auto& [id, place] : places)
-                shown << QStringLiteral("%1: %2").arg(id).arg(place);
+            for (const auto& [id, presentPosition] : presentPositions)
+                shown << QStringLiteral("%1: %2").arg(id).arg(presentPosition);
             line.show(shown.join(QStringLiteral("   ")));
         });
 }
@@ -127,7 +127,7 @@ void show(Run& run, const std::vector<device::MovePlan>& plans, bool waited)
             fields.push_back(Json::object().add("key", field.key).add("raw", field.raw));
             written << QStringLiteral("%1 = %2").arg(
                 field.key,
-                catalog::formatValue(field.raw, reg, servo.meaning(reg), text::inChinese()));
+                catalog::formatValue(field.raw, reg, servo.meaning(reg), text::isUiChinese()));
         }
         const catalog::Register* position = servo.profile->byRole(Role::PresentPosition);
         Json json = Json::object();
@@ -135,16 +135,16 @@ void show(Run& run, const std::vector<device::MovePlan>& plans, bool waited)
         if (waited && position != nullptr)
             json.add("position", servo.raw(*position)).add("value", jsonValue(servo, *position));
         moves.push_back(std::move(json));
-        table.add(
-            {QString::number(servo.id), written.join(QStringLiteral(", ")),
-             waited && position != nullptr ? shownValue(servo, *position) : QStringLiteral("–")});
+        table.add({QString::number(servo.id), written.join(QStringLiteral(", ")),
+                   waited && position != nullptr ? formatValueText(servo, *position)
+                                                 : QStringLiteral("–")});
     }
     run.finish(Json::object().add("moves", std::move(moves)), table.text());
 }
 
 base::Result<Exit> run(Run& run, const Values& values)
 {
-    const auto targets = parseTargets(values.words("ID=POS"));
+    const auto targets = parseTargets(values.arguments("ID=POS"));
     if (!targets)
         return tl::unexpected(targets.error());
     const auto how = parseHow(values.option("--how").value_or(QStringLiteral("write")));
@@ -162,7 +162,7 @@ base::Result<Exit> run(Run& run, const Values& values)
             return tl::unexpected(arrived.error());
     }
     show(run, *plans, waited);
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

@@ -37,7 +37,7 @@ base::Result<Exit> run(Run& run, const Values&)
         table.add({name, translate("cli", "simulated bus")});
     }
     run.finish(Json::object().add("ports", std::move(ports)), table.text());
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

@@ -31,7 +31,7 @@ std::vector<Piece> pieces(const protocol::Codec& codec, base::ByteView received)
 }
 
 /// What the bytes look like: two equal header bytes, or none with Modbus.
-base::Protocol languageOf(base::ByteView sent)
+base::Protocol protocolOf(base::ByteView sent)
 {
     if (sent.size() < 2 || sent[0] != sent[1])
         return base::Protocol::Modbus;
@@ -39,7 +39,7 @@ base::Protocol languageOf(base::ByteView sent)
 }
 
 /// A broadcast is not answered.
-bool wantsAnswer(base::Protocol language, base::ByteView sent)
+bool expectsReply(base::Protocol language, base::ByteView sent)
 {
     if (language == base::Protocol::Modbus)
         return sent[0] != 0;
@@ -49,21 +49,21 @@ bool wantsAnswer(base::Protocol language, base::ByteView sent)
 
 base::Result<Exit> run(Run& run, const Values& values)
 {
-    const auto bytes = base::fromHex(values.words("HEX").join(QLatin1Char(' ')));
+    const auto bytes = base::fromHex(values.arguments("HEX").join(QLatin1Char(' ')));
     if (!bytes || bytes->empty())
         return badArgument(translate("cli", "write bytes as hexadecimal pairs: FF FF 01 02 01 FB"));
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
     bus::Transaction transaction;
-    const base::Protocol language = run.globals().protocol.value_or(languageOf(*bytes));
+    const base::Protocol language = run.globals().protocol.value_or(protocolOf(*bytes));
     const protocol::Codec& codec = protocol::codecFor(language);
     transaction.request = protocol::Request::raw(*bytes).in(language);
     transaction.stop = &run.stop();
     const auto outcome = context->bus.transact(transaction);
     if (!outcome)
         return tl::unexpected(outcome.error());
-    const base::Bytes received = outcome->parts.empty() ? base::Bytes() : outcome->data();
+    const base::Bytes received = outcome->replies.empty() ? base::Bytes() : outcome->data();
     const QString meaning = codec.explain(*bytes, true);
     Table table(
         {translate("cli", "Direction"), translate("cli", "Meaning"), translate("cli", "Bytes")});
@@ -80,10 +80,10 @@ base::Result<Exit> run(Run& run, const Values& values)
                    .add("received", base::toHex(received))
                    .add("frames", std::move(frames)),
                table.text());
-    if (!received.empty() || !wantsAnswer(language, *bytes))
-        return Exit::Done;
-    run.console().remark(translate("cli", "Nothing came back."));
-    return Exit::NoAnswer;
+    if (!received.empty() || !expectsReply(language, *bytes))
+        return Exit::Success;
+    run.console().printNote(translate("cli", "Nothing came back."));
+    return Exit::NoReply;
 }
 } // namespace
 

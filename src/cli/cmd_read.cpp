@@ -27,14 +27,14 @@ base::Result<Exit> runDump(Run& run, const Values& values)
     const auto context = run.context();
     if (const auto read = device::readAll(*context, *servo); !read)
         return tl::unexpected(read.error());
-    run.noteTwins(*servo);
+    run.reportDuplicates(*servo);
     Registers all;
     for (const catalog::Register& reg : servo->profile->registers)
         all.push_back(&reg);
     const QString title =
         translate("cli", "Servo %1: %2").arg(servo->id).arg(servoTitle(*servo)) + QLatin1Char('\n');
     show(run, *servo, all, title);
-    return Exit::Done;
+    return Exit::Success;
 }
 
 base::Result<Exit> runRead(Run& run, const Values& values)
@@ -42,22 +42,22 @@ base::Result<Exit> runRead(Run& run, const Values& values)
     auto servo = run.servo(values);
     if (!servo)
         return tl::unexpected(servo.error());
-    Registers wanted;
-    for (const QString& key : values.words("KEY")) {
+    Registers requested;
+    for (const QString& key : values.arguments("KEY")) {
         const auto reg = findRegister(*servo->profile, key, servo->id);
         if (!reg)
             return tl::unexpected(reg.error());
-        wanted.push_back(*reg);
+        requested.push_back(*reg);
     }
     const auto context = run.context();
     // Other registers decide what some values mean; those wanted are read last, so they are fresh.
     if (const auto read = device::readSettings(*context, *servo); !read)
         return tl::unexpected(read.error());
-    if (const auto read = device::read(*context, *servo, wanted); !read)
+    if (const auto read = device::read(*context, *servo, requested); !read)
         return tl::unexpected(read.error());
-    run.noteTwins(*servo);
-    show(run, *servo, wanted, {});
-    return Exit::Done;
+    run.reportDuplicates(*servo);
+    show(run, *servo, requested, {});
+    return Exit::Success;
 }
 } // namespace
 

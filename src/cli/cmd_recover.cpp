@@ -21,62 +21,63 @@ QString nothingOpen(const UncheckedChanges& elsewhere)
                      QLatin1Char('\n');
 }
 
-void show(Run& run, const std::vector<jobs::Recovered>& all, jobs::RecoverAction action,
+void show(Run& run, const std::vector<jobs::RecoveryResult>& all, jobs::RecoveryAction action,
           const UncheckedChanges& elsewhere)
 {
     Json::Array intents;
-    for (const jobs::Recovered& one : all)
+    for (const jobs::RecoveryResult& one : all)
         intents.push_back(jsonRecovered(one));
     QString text = all.empty() ? nothingOpen(elsewhere) : recoveredTable(all, action).text();
-    for (const jobs::Recovered& one : all)
-        text += changesBelow(one.before.intent) + leftLine(one) + userSaidSo(one, elsewhere.port);
-    for (const jobs::Recovered& one : all) {
+    for (const jobs::RecoveryResult& one : all)
+        text += changesBelow(one.before.intent) + notWrittenLine(one) +
+                userConfirmedText(one, elsewhere.port);
+    for (const jobs::RecoveryResult& one : all) {
         if (one.error)
-            text += text::describe(*one.error).what + QLatin1Char('\n');
+            text += text::describe(*one.error).message + QLatin1Char('\n');
     }
-    if (!all.empty() && action == jobs::RecoverAction::Look)
+    if (!all.empty() && action == jobs::RecoveryAction::Preview)
         text += translate("cli", "Nothing was written. --finish completes what was begun, --undo "
                                  "puts the old values back, --forget gives up a change whose servo "
                                  "will not come back.") +
                 QLatin1Char('\n');
     Json document = Json::object().add("intents", std::move(intents));
     elsewhere.addTo(document, "elsewhere");
-    addAdvice(document, elsewhere);
-    run.finish(std::move(document), text + elsewhere.text(elsewhereTitle()));
+    addRecoverCommand(document, elsewhere);
+    run.finish(std::move(document), text + elsewhere.text(otherPortsTitle()));
 }
 
 /// The port cannot be opened: what is open is named all the same.
 base::Result<Exit> showWithoutPort(Run& run, const std::vector<base::Intent>& open,
                                    const base::Error& why)
 {
-    const UncheckedChanges elsewhere{jobs::begunElsewhere(open, run.portName()), {}};
+    const UncheckedChanges elsewhere{jobs::startedOnOtherPorts(open, run.portName()), {}};
     UncheckedChanges own{{}, run.portName(), false};
     std::copy_if(open.begin(), open.end(), std::back_inserter(own.intents),
                  [&](const base::Intent& intent) { return intent.servo.port == own.port; });
     if (elsewhere.intents.empty() && own.intents.empty())
         return tl::unexpected(why);
-    if (!run.console().json()) {
+    if (!run.console().isJson()) {
         run.console().print(own.text(translate("cli", "Changes are open on this port:")) +
-                            elsewhere.text(elsewhereTitle()));
+                            elsewhere.text(otherPortsTitle()));
         return tl::unexpected(why);
     }
     Json document = Json::object();
     own.addTo(document, "here");
     elsewhere.addTo(document, "elsewhere");
-    addAdvice(document, own, elsewhere);
+    addRecoverCommand(document, own, elsewhere);
     run.finish(std::move(document.add("error", jsonError(why))), {});
     return exitCode(why.code);
 }
 
-Exit exitOf(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
+Exit exitOf(const std::vector<jobs::RecoveryResult>& all, jobs::RecoveryAction action)
 {
-    Exit exit = Exit::Done;
-    for (const jobs::Recovered& one : all) {
-        if (one.done || action == jobs::RecoverAction::Look || exit != Exit::Done)
+    Exit exit = Exit::Success;
+    for (const jobs::RecoveryResult& one : all) {
+        if (one.done || action == jobs::RecoveryAction::Preview || exit != Exit::Success)
             continue;
-        exit = one.error                                       ? exitCode(one.error->code)
-               : one.before.finding == jobs::Finding::NoAnswer ? Exit::NoAnswer
-                                                               : Exit::NotDone;
+        exit = one.error                                      ? exitCode(one.error->code)
+               : one.before.finding == jobs::Finding::NoReply ? Exit::NoReply
+                                                              : Exit::Failed;
     }
     return exit;
 }
@@ -92,15 +93,15 @@ base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const
     for (const base::Intent& intent : open) {
         if (which != QLatin1String("all") && !intent.uuid.startsWith(which))
             continue;
-        if (intent.underWayElsewhere) {
+        if (intent.isActiveElsewhere) {
             running.intents.push_back(intent);
             continue;
         }
         if (const auto ended = jobs::forget(run.session().journal(), intent); !ended)
             return tl::unexpected(ended.error());
         forgotten << intent.uuid;
-        details.push_back(jsonGivenUp(intent));
-        lines += givenUpLines(intent);
+        details.push_back(jsonDiscarded(intent));
+        lines += discardedText(intent);
     }
     if (forgotten.isEmpty() && running.intents.empty() && which != QLatin1String("all"))
         return badArgument(translate("cli", "there is no open change \"%1\"").arg(which));
@@ -108,7 +109,7 @@ base::Result<Exit> forget(Run& run, const std::vector<base::Intent>& open, const
     running.addTo(document, "under_way");
     run.finish(std::move(document), translate("cli", "Changes given up: %1").arg(forgotten.size()) +
                                         QLatin1Char('\n') + lines + running.advice());
-    return running.intents.empty() ? Exit::Done : Exit::NotDone;
+    return running.intents.empty() ? Exit::Success : Exit::Failed;
 }
 
 /// Those that are meant: all, or the one that was named.
@@ -126,46 +127,46 @@ base::Result<std::vector<base::Intent>> meant(std::vector<base::Intent> open, co
 }
 
 /// A port that is there has its own servo: only one change at a time is taken from it, by its name.
-jobs::RecoverOptions optionsOf(Run& run, const std::vector<base::Intent>& open,
-                               const Values& values)
+jobs::RecoveryOptions optionsOf(Run& run, const std::vector<base::Intent>& open,
+                                const Values& values)
 {
-    jobs::RecoverOptions options;
+    jobs::RecoveryOptions options;
     const bool named = values.option("--change").has_value();
     if (values.has("--any-port"))
-        options.ports = named ? jobs::IntentPorts::Any : jobs::IntentPorts::Gone;
+        options.ports = named ? jobs::IntentPorts::Any : jobs::IntentPorts::IncludingMissing;
     if (named)
         options.uuid = open.front().uuid;
     options.beforeWrite = [&run](const device::Context& inner, device::Servo& servo) {
-        return run.saveFirst(inner, servo);
+        return run.backupTable(inner, servo);
     };
     return options;
 }
 
-base::Result<Exit> settle(Run& run, const std::vector<base::Intent>& open,
-                          jobs::RecoverAction action, const Values& values)
+base::Result<Exit> runRecovery(Run& run, const std::vector<base::Intent>& open,
+                               jobs::RecoveryAction action, const Values& values)
 {
     run.listsOpenChanges();
     const auto context = run.context();
     if (!context)
         return showWithoutPort(run, open, context.error());
-    const jobs::RecoverOptions options = optionsOf(run, open, values);
+    const jobs::RecoveryOptions options = optionsOf(run, open, values);
     const auto recovered = jobs::recover(*context, action, options);
     if (!recovered)
         return tl::unexpected(recovered.error());
     const QString port = context->bus.portName();
-    const UncheckedChanges elsewhere{jobs::begunElsewhere(open, port, options.ports), port};
+    const UncheckedChanges elsewhere{jobs::startedOnOtherPorts(open, port, options.ports), port};
     show(run, *recovered, action, elsewhere);
     const Exit exit = exitOf(*recovered, action);
-    return exit == Exit::Done && !elsewhere.intents.empty() ? Exit::NotDone : exit;
+    return exit == Exit::Success && !elsewhere.intents.empty() ? Exit::Failed : exit;
 }
 
 base::Result<Exit> run(Run& run, const Values& values)
 {
     if (values.has("--finish") && values.has("--undo"))
         return badArgument(translate("cli", "give --finish or --undo, not both"));
-    const auto action = values.has("--finish") ? jobs::RecoverAction::Finish
-                        : values.has("--undo") ? jobs::RecoverAction::Undo
-                                               : jobs::RecoverAction::Look;
+    const auto action = values.has("--finish") ? jobs::RecoveryAction::Finish
+                        : values.has("--undo") ? jobs::RecoveryAction::Undo
+                                               : jobs::RecoveryAction::Preview;
     const auto open = run.session().journal().open();
     if (!open)
         return tl::unexpected(open.error());
@@ -176,9 +177,9 @@ base::Result<Exit> run(Run& run, const Values& values)
         return tl::unexpected(asked.error());
     if (asked->empty()) {
         show(run, {}, action, {});
-        return Exit::Done;
+        return Exit::Success;
     }
-    return settle(run, *asked, action, values);
+    return runRecovery(run, *asked, action, values);
 }
 } // namespace
 

@@ -10,7 +10,7 @@
 
 namespace cli {
 namespace {
-Json jsonRestore(const jobs::RestoreReport& report)
+Json jsonRestore(const jobs::RestoreDefaultsReport& report)
 {
     return Json::object()
         .add("id", report.newId)
@@ -21,7 +21,7 @@ Json jsonRestore(const jobs::RestoreReport& report)
         .add("lock", device::lockName(report.lock));
 }
 
-QString restoreText(const jobs::RestoreReport& report)
+QString restoreText(const jobs::RestoreDefaultsReport& report)
 {
     const QStringList changed(report.changed.begin(), report.changed.end());
     QStringList lines;
@@ -31,7 +31,7 @@ QString restoreText(const jobs::RestoreReport& report)
     lines << (changed.isEmpty() ? translate("cli", "No register has changed.")
                                 : translate("cli", "Changed registers: %1")
                                       .arg(changed.join(QStringLiteral(", "))));
-    lines << translate("cli", "EPROM lock: %1").arg(text::lockWord(device::lockName(report.lock)));
+    lines << translate("cli", "EPROM lock: %1").arg(text::lockLabel(device::lockName(report.lock)));
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
@@ -43,9 +43,9 @@ base::Result<Exit> run(Run& run, const Values& values)
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
-    if (const auto saved = run.saveFirst(*servo); !saved)
+    if (const auto saved = run.backupTable(*servo); !saved)
         return tl::unexpected(saved.error());
-    base::Result<jobs::RestoreReport> report;
+    base::Result<jobs::RestoreDefaultsReport> report;
     {
         ProgressLine line(run.console(), translate("cli", "Restoring"));
         report = jobs::restoreDefaults(
@@ -56,7 +56,7 @@ base::Result<Exit> run(Run& run, const Values& values)
     run.finish(jsonRestore(*report), restoreText(*report));
     const bool shut =
         report->lock != device::LockState::Open && report->lock != device::LockState::Unknown;
-    return shut ? Exit::Done : Exit::NotDone;
+    return shut ? Exit::Success : Exit::Failed;
 }
 } // namespace
 

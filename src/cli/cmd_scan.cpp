@@ -12,7 +12,7 @@
 
 namespace cli {
 namespace {
-Json jsonFound(const jobs::Found& found)
+Json jsonFound(const jobs::FoundServo& found)
 {
     const catalog::Profile* profile = found.servo.profile.get();
     Json json = Json::object();
@@ -24,7 +24,7 @@ Json jsonFound(const jobs::Found& found)
         .add("firmware", profile != nullptr ? Json(profile->identity.firmware()) : Json())
         .add("baud", found.servo.baud)
         .add("status", jsonAlarms(found.servo.status, profile));
-    if (found.twinsSuspected)
+    if (found.duplicateSuspected)
         json.add("twins_suspected", true);
     return json;
 }
@@ -32,17 +32,17 @@ Json jsonFound(const jobs::Found& found)
 Json jsonReport(const jobs::ScanReport& report)
 {
     Json::Array servos;
-    for (const jobs::Found& found : report.found)
+    for (const jobs::FoundServo& found : report.found)
         servos.push_back(jsonFound(found));
     const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(report.elapsed);
     Json json = Json::object();
     json.add("port", report.port)
         .add("elapsed_ms", std::int64_t{elapsed.count()})
         .add("found", std::move(servos));
-    Json::Array refused(report.ratesRefused.begin(), report.ratesRefused.end());
+    Json::Array refused(report.unsupportedRates.begin(), report.unsupportedRates.end());
     if (!refused.empty())
         json.add("rates_refused", std::move(refused));
-    Json::Array busy(report.ratesBusy.begin(), report.ratesBusy.end());
+    Json::Array busy(report.busyRates.begin(), report.busyRates.end());
     if (!busy.empty())
         json.add("rates_busy", std::move(busy));
     if (report.slowPassAdvised)
@@ -52,9 +52,9 @@ Json jsonReport(const jobs::ScanReport& report)
     return json;
 }
 
-QString remarkOf(const jobs::Found& found)
+QString remarkOf(const jobs::FoundServo& found)
 {
-    if (found.twinsSuspected)
+    if (found.duplicateSuspected)
         return translate("cli", "two servos with this ID suspected");
     const bool unclear = found.servo.profile && found.servo.profile->conflict;
     return unclear ? translate("cli", "family unclear: read only") : QString();
@@ -66,8 +66,8 @@ Table foundTable(const jobs::ScanReport& report)
                  translate("cli", "Firmware"), translate("cli", "Protocol"),
                  translate("cli", "Map"), translate("cli", "Baud"), translate("cli", "Alarms"),
                  translate("cli", "Remark")});
-    table.right({0, 6});
-    for (const jobs::Found& found : report.found) {
+    table.alignRight({0, 6});
+    for (const jobs::FoundServo& found : report.found) {
         const catalog::Profile* profile = found.servo.profile.get();
         const bool known = profile != nullptr;
         table.add(
@@ -76,7 +76,7 @@ Table foundTable(const jobs::ScanReport& report)
              known ? profile->identity.firmware() : QStringLiteral("?"),
              base::protocolName(found.servo.protocol),
              known ? profile->mapKey : QStringLiteral("?"), QString::number(found.servo.baud),
-             text::statusWords(found.servo.status, profile, text::inChinese()), remarkOf(found)});
+             text::statusText(found.servo.status, profile, text::isUiChinese()), remarkOf(found)});
     }
     return table;
 }
@@ -93,15 +93,15 @@ QString remarks(const jobs::ScanReport& report)
                                   "only; LX, Modbus and most SMS servos are at 115200.")
                      .arg(rates.join(QStringLiteral(", ")));
     }
-    if (report.garbledHeard)
+    if (report.hasGarbledReplies)
         lines << translate("cli", "Something unreadable was heard where no servo could be proven: "
                                   "another baud rate, two servos with one ID, or noise.");
     if (report.slowPassAdvised)
         lines << translate("cli", "Several servos answered late, so others may have been missed: "
                                   "try again with --slow.");
-    for (const int rate : report.ratesRefused)
+    for (const int rate : report.unsupportedRates)
         lines << translate("cli", "This adapter cannot run at %1 baud.").arg(rate);
-    for (const int rate : report.ratesBusy)
+    for (const int rate : report.busyRates)
         lines << translate("cli", "At %1 baud the line never falls silent: something sends "
                                   "continuously. Servos may have been missed.")
                      .arg(rate);
@@ -125,8 +125,8 @@ base::Result<jobs::ScanSpec> specOf(const Run& run, const Values& values)
         if (!rates)
             return tl::unexpected(rates.error());
         spec.bauds = *rates;
-    } else if (run.globals().searchBaud) {
-        spec.bauds = transport::knownRates();
+    } else if (run.globals().autoBaud) {
+        spec.bauds = transport::standardBaudRates();
     }
     spec.slowPass = values.has("--slow");
     if (run.globals().protocol)
@@ -157,7 +157,7 @@ base::Result<Exit> run(Run& run, const Values& values)
             .arg(std::chrono::duration<double>(report->elapsed).count(), 0, 'f', 2);
     const QString table = report->found.empty() ? QString() : foundTable(*report).text();
     run.finish(jsonReport(*report), table + summary + QLatin1Char('\n') + remarks(*report));
-    return report->stopped ? Exit::NotDone : report->found.empty() ? Exit::NoAnswer : Exit::Done;
+    return report->stopped ? Exit::Failed : report->found.empty() ? Exit::NoReply : Exit::Success;
 }
 } // namespace
 

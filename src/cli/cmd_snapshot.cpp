@@ -18,11 +18,11 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     auto servo = run.servo(values);
     if (!servo)
         return tl::unexpected(servo.error());
-    const QString file = values.word("FILE");
+    const QString file = values.argument("FILE");
     const auto context = run.context();
     if (!context)
         return tl::unexpected(context.error());
-    const auto alone = device::requireAlone(*context, *servo, QStringLiteral("snapshot"));
+    const auto alone = device::requireUniqueId(*context, *servo, QStringLiteral("snapshot"));
     if (!alone)
         return tl::unexpected(alone.error());
     auto snapshot = jobs::takeSnapshot(*context, *servo, session::programName());
@@ -32,15 +32,15 @@ base::Result<Exit> runSave(Run& run, const Values& values)
     snapshot->note = values.option("--note").value_or(QString());
     if (const auto saved = record::saveSnapshot(*snapshot, file); !saved)
         return tl::unexpected(saved.error());
-    session::keepInHistory(*snapshot, record::SnapshotReason::Asked,
-                           QFileInfo(file).absoluteFilePath());
+    session::addToHistory(*snapshot, record::SnapshotReason::Manual,
+                          QFileInfo(file).absoluteFilePath());
     const auto count = static_cast<int>(snapshot->registers.size());
     run.finish(
         Json::object().add("id", servo->id).add("file", file).add("registers", count),
         translate("cli", "Servo %1, %2: registers saved to %3: %4")
                 .arg(QString::number(servo->id), servoTitle(*servo), file, QString::number(count)) +
             QLatin1Char('\n'));
-    return Exit::Done;
+    return Exit::Success;
 }
 
 Json jsonRow(const record::SnapshotRegister& row)
@@ -82,12 +82,12 @@ QString snapshotText(const record::Snapshot& snapshot)
     Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Value"),
                  translate("cli", "Unit"), translate("cli", "Raw"), translate("cli", "Area"),
                  translate("cli", "Access")});
-    table.right({0, 2, 4});
+    table.alignRight({0, 2, 4});
     for (const record::SnapshotRegister& row : snapshot.registers) {
         table.add({QString::number(row.address), row.key,
                    row.value ? QString::number(*row.value, 'g', 8) : QStringLiteral("–"), row.unit,
                    row.raw ? QString::number(*row.raw) : QStringLiteral("–"),
-                   text::areaWord(row.area), text::accessWord(row.access)});
+                   text::areaLabel(row.area), text::accessLabel(row.access)});
     }
     const record::SnapshotServo& servo = snapshot.servo;
     QString about;
@@ -104,15 +104,15 @@ QString snapshotText(const record::Snapshot& snapshot)
 
 base::Result<Exit> runShow(Run& run, const Values& values)
 {
-    const auto snapshot = record::loadSnapshot(values.word("FILE"));
+    const auto snapshot = record::loadSnapshot(values.argument("FILE"));
     if (!snapshot)
         return tl::unexpected(snapshot.error());
-    if (values.has("--csv") && !run.console().json()) {
+    if (values.has("--csv") && !run.console().isJson()) {
         run.console().write(record::encodeSnapshotCsv(*snapshot));
-        return Exit::Done;
+        return Exit::Success;
     }
     run.finish(jsonSnapshot(*snapshot), snapshotText(*snapshot));
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

@@ -14,7 +14,7 @@
 
 namespace cli {
 namespace {
-const QLatin1String factoryWord("default");
+const QLatin1String factoryText("default");
 
 struct Column {
     QString title;
@@ -50,11 +50,11 @@ base::Result<void> fillDefaults(std::deque<Column>& columns)
 {
     catalog::ProfilePtr kind;
     for (const Column& column : columns) {
-        if (!kind && column.source != factoryWord)
+        if (!kind && column.source != factoryText)
             kind = column.profile;
     }
     for (Column& column : columns) {
-        if (column.source != factoryWord)
+        if (column.source != factoryText)
             continue;
         if (!kind)
             return badArgument(translate("cli", "\"default\" needs a servo, or a file of a known "
@@ -71,8 +71,8 @@ base::Result<std::deque<Column>> readColumns(Run& run, const QStringList& words)
     for (const QString& word : words) {
         bool number = false;
         word.toInt(&number);
-        if (word == factoryWord) {
-            columns.push_back({translate("cli", "Factory"), factoryWord, {}, nullptr});
+        if (word == factoryText) {
+            columns.push_back({translate("cli", "Factory"), factoryText, {}, nullptr});
             continue;
         }
         const auto id = number ? parseId(word) : base::Result<int>(-1);
@@ -135,7 +135,7 @@ QString cellText(const record::CompareCell& cell)
 {
     switch (cell.state) {
     case record::CellState::Known:
-        return shownNumber(cell.raw, cell.value, cell.unit);
+        return formatNumber(cell.raw, cell.value, cell.unit);
     case record::CellState::Unknown:
         return QStringLiteral("?");
     case record::CellState::Missing:
@@ -156,13 +156,13 @@ QString comparisonText(const record::SnapshotComparison& comparison,
         header << column.title;
     }
     Table table(header);
-    table.right(right);
+    table.alignRight(right);
     for (const record::CompareRow& row : comparison.rows) {
         const bool interesting = row.verdict == record::RowVerdict::Different ||
                                  row.verdict == record::RowVerdict::Missing;
         if (!all && !interesting)
             continue;
-        QStringList cells{text::compareVerdictSign(record::verdictName(row.verdict)),
+        QStringList cells{text::compareVerdictSymbol(record::verdictName(row.verdict)),
                           QString::number(row.address), row.key};
         for (const record::CompareCell& cell : row.cells)
             cells << cellText(cell);
@@ -180,7 +180,7 @@ QString comparisonText(const record::SnapshotComparison& comparison,
 
 base::Result<Exit> runDiff(Run& run, const Values& values)
 {
-    const QStringList words = values.words("WHAT");
+    const QStringList words = values.arguments("WHAT");
     if (words.size() < 2)
         return badArgument(translate("cli", "give at least two of: a file, an ID, default"));
     const auto columns = readColumns(run, words);
@@ -192,7 +192,7 @@ base::Result<Exit> runDiff(Run& run, const Values& values)
     const record::SnapshotComparison comparison = record::compareSnapshots(tables);
     run.finish(jsonComparison(comparison, *columns),
                comparisonText(comparison, *columns, values.has("--all")));
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

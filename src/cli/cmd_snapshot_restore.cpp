@@ -27,7 +27,7 @@ base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo
         return tl::unexpected(context.error());
     jobs::RestoreOptions options = restoreOptionsOf(values);
     options.beforeWrite = [&run](const device::Context& with, device::Servo& which) {
-        return run.saveFirst(with, which);
+        return run.backupTable(with, which);
     };
     const auto outcome = jobs::restore(*context, servo, plan, options);
     if (!outcome)
@@ -36,7 +36,7 @@ base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo
     QString text = outcomeText(*outcome, servo) + leftOutText(plan);
     if (const auto file = values.option("--result")) {
         const auto result =
-            jobs::resultOf(*outcome, servo, values.word("FILE"), session::programName());
+            jobs::toRestoreResult(*outcome, servo, values.argument("FILE"), session::programName());
         if (const auto saved = record::saveRestoreResults({result}, *file); !saved)
             return tl::unexpected(saved.error());
         document.add("result", *file);
@@ -48,7 +48,7 @@ base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo
 
 base::Result<Exit> runRestore(Run& run, const Values& values)
 {
-    const QString file = values.word("FILE");
+    const QString file = values.argument("FILE");
     const auto snapshot = record::loadSnapshot(file);
     if (!snapshot)
         return tl::unexpected(snapshot.error());
@@ -66,9 +66,9 @@ base::Result<Exit> runRestore(Run& run, const Values& values)
     addPlan(document, plan);
     if (dryRun) {
         run.finish(std::move(document), planText(plan) + stepsText(plan));
-        return Exit::Done;
+        return Exit::Success;
     }
-    if (!run.console().json())
+    if (!run.console().isJson())
         run.console().print(planText(plan));
     return carryOut(run, values, *servo, plan, std::move(document));
 }

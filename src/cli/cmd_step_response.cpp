@@ -22,13 +22,13 @@
 
 namespace cli {
 namespace {
-constexpr int mostRepeats = 50;
-constexpr int longestHold = 10'000; ///< ms
-constexpr int leastHold = 50;
+constexpr int maxRepeats = 50;
+constexpr int maxHold = 10'000; ///< ms
+constexpr int minHold = 50;
 
 QString in(const catalog::Text& words)
 {
-    return words.in(text::inChinese());
+    return words.in(text::isUiChinese());
 }
 
 enum class FileKind : std::uint8_t { None, Json, Csv, Html };
@@ -58,12 +58,12 @@ QString gainsText(const record::StepRun& run)
 QString runText(const record::StepRun& run)
 {
     Table table({translate("cli", "Figure"), translate("cli", "Value"), translate("cli", "Unit")});
-    table.right({1});
+    table.alignRight({1});
     for (const record::StepFigure& figure : record::stepFigures) {
         const auto& value = run.mean.*figure.member;
         if (value)
-            table.add({in(report::stepFigureWords(QString::fromLatin1(figure.key))),
-                       report::stepValue(value), report::stepUnit(figure, text::inChinese())});
+            table.add({in(report::stepFigureText(QString::fromLatin1(figure.key))),
+                       report::stepValue(value), report::stepUnit(figure, text::isUiChinese())});
     }
     return table.text();
 }
@@ -73,13 +73,13 @@ QString comparisonText(const record::StepRun& before, const record::StepRun& aft
     Table table({translate("cli", "Figure"), translate("cli", "Before"), translate("cli", "After"),
                  translate("cli", "Difference"), translate("cli", "Unit"),
                  translate("cli", "Change")});
-    table.right({1, 2, 3});
+    table.alignRight({1, 2, 3});
     for (const record::StepDifference& row : record::compareSteps(before, after)) {
-        table.add({in(report::stepFigureWords(QString::fromLatin1(row.figure.key))),
+        table.add({in(report::stepFigureText(QString::fromLatin1(row.figure.key))),
                    report::stepValue(row.before), report::stepValue(row.after),
                    report::stepValue(row.difference),
-                   report::stepUnit(row.figure, text::inChinese()),
-                   in(report::stepChangeWords(row.change))});
+                   report::stepUnit(row.figure, text::isUiChinese()),
+                   in(report::stepChangeText(row.change))});
     }
     return table.text();
 }
@@ -106,12 +106,12 @@ private:
     Run& m_run;
     const Values& m_values;
     std::optional<device::Servo> m_servo;
-    jobs::StepOrder m_order;
+    jobs::StepRequest m_order;
     std::vector<record::StepGain> m_trial;
     FileKind m_kind = FileKind::None;
     std::vector<record::StepRun> m_runs;
     std::vector<record::StepAdvice> m_advice;
-    bool m_torqueLeft = false;
+    bool m_unreleasedTorque = false;
 };
 
 base::Result<void> StepCommand::takeNumbers()
@@ -121,19 +121,19 @@ base::Result<void> StepCommand::takeNumbers()
         return badArgument(translate("cli", "--size is needed"));
     m_order.spec.size = *size;
     m_order.spec.from = m_values.option("--from").value_or(QString());
-    const auto speed = unsignedOption(m_values, "--speed");
+    const auto speed = nonNegativeOption(m_values, "--speed");
     if (!speed)
         return tl::unexpected(speed.error());
-    const auto acceleration = unsignedOption(m_values, "--acceleration");
+    const auto acceleration = nonNegativeOption(m_values, "--acceleration");
     if (!acceleration)
         return tl::unexpected(acceleration.error());
     m_order.spec.speed = *speed;
     m_order.spec.acceleration = *acceleration;
-    const auto repeats = wholeOption(m_values, "--repeats", 1, mostRepeats);
+    const auto repeats = intOption(m_values, "--repeats", 1, maxRepeats);
     if (!repeats)
         return tl::unexpected(repeats.error());
     m_order.spec.repeats = repeats->value_or(m_order.spec.repeats);
-    const auto hold = wholeOption(m_values, "--hold", leastHold, longestHold);
+    const auto hold = intOption(m_values, "--hold", minHold, maxHold);
     if (!hold)
         return tl::unexpected(hold.error());
     m_order.spec.hold = std::chrono::milliseconds(hold->value_or(0));
@@ -149,7 +149,7 @@ base::Result<void> StepCommand::takeTrial()
         parseWriteItems(*m_servo, words->split(QLatin1Char(','), Qt::SkipEmptyParts));
     if (!items)
         return tl::unexpected(items.error());
-    const auto known = jobs::stepRegisters(*m_servo->profile);
+    const auto known = jobs::loopRegisters(*m_servo->profile);
     for (const device::WriteItem& item : *items) {
         const bool good =
             std::any_of(known.begin(), known.end(),
@@ -183,7 +183,7 @@ base::Result<void> StepCommand::collect()
     m_order.switchMode = m_values.has("--switch-mode");
     m_order.program = session::programName();
     const auto connection = m_run.connect();
-    m_order.simulated = connection && (*connection)->simulated();
+    m_order.simulated = connection && (*connection)->isSimulated();
     return {};
 }
 
@@ -193,20 +193,20 @@ base::Result<void> StepCommand::perform(const std::vector<record::StepGain>& tri
     if (!context)
         return tl::unexpected(context.error());
     if (!trial.empty() || m_order.switchMode) {
-        if (const auto saved = m_run.saveFirstAndSay(*m_servo); !saved)
+        if (const auto saved = m_run.backupTableAndReport(*m_servo); !saved)
             return saved;
     }
     ProgressLine line(m_run.console(), trial.empty() ? translate("cli", "Step response")
                                                      : translate("cli", "Step response, trial"));
-    jobs::StepWatch watch;
+    jobs::StepCallbacks watch;
     watch.onProgress = [&line](const jobs::SweepProgress& progress) {
         line.show(translate("cli", "%1 %").arg(int(progress.fraction * 100)));
     };
-    watch.onTorqueLeft = [this](const jobs::TorqueLeft& left) {
-        m_torqueLeft = true;
-        m_run.console().say(torqueLeftText(left));
+    watch.onUnreleasedTorque = [this](const jobs::UnreleasedTorque& left) {
+        m_unreleasedTorque = true;
+        m_run.console().printMessage(unreleasedTorqueText(left));
     };
-    jobs::StepOrder order = m_order;
+    jobs::StepRequest order = m_order;
     order.spec.trial = trial;
     auto done = jobs::stepResponse(*context, *m_servo, order, watch);
     if (!done)
@@ -226,7 +226,7 @@ base::Result<void> StepCommand::save() const
     case FileKind::Csv:
         return record::saveStepSamples(m_runs, path);
     case FileKind::Html:
-        return report::saveStepHtml(m_runs, m_advice, text::inChinese(), path);
+        return report::saveStepHtml(m_runs, m_advice, text::isUiChinese(), path);
     case FileKind::None:
         break;
     }
@@ -241,7 +241,7 @@ QString StepCommand::keep()
         files.append(QFileInfo(m_values.option("--report").value_or(QString())).absoluteFilePath());
     QStringList kept;
     for (const record::StepRun& run : m_runs) {
-        const QString line = keepStep(m_run.console(), run, files);
+        const QString line = saveStep(m_run.console(), run, files);
         if (!line.isEmpty())
             kept.append(line);
     }
@@ -250,10 +250,10 @@ QString StepCommand::keep()
 
 void StepCommand::show(const QString& kept)
 {
-    if (m_run.console().json()) {
+    if (m_run.console().isJson()) {
         m_run.console().write(record::encodeStepRuns(m_runs, m_advice));
         if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
-            m_run.console().say(notices.trimmed());
+            m_run.console().printMessage(notices.trimmed());
         return;
     }
     const record::StepRun& first = m_runs.front();
@@ -265,14 +265,14 @@ void StepCommand::show(const QString& kept)
         if (!run.gains.empty())
             text += gainsText(run) + QLatin1Char('\n');
         if (run.end != record::SweepEnd::Finished)
-            text += in(report::endWords(run.end)) + QLatin1Char('\n');
+            text += in(report::endText(run.end)) + QLatin1Char('\n');
     }
     text += m_runs.size() > 1 ? comparisonText(m_runs.front(), m_runs.back()) : runText(first);
-    text += report::stepAdviceText(m_advice, text::inChinese());
+    text += report::stepAdviceText(m_advice, text::isUiChinese());
     const bool tried = m_runs.size() > 1;
     if (!m_trial.empty() && !tried)
         text += translate("cli", "The trial was not run.") + QLatin1Char('\n');
-    if (tried && m_runs.back().putBack) // else a notice names what is left
+    if (tried && m_runs.back().isReverted) // else a notice names what is left
         text += translate("cli", "The trial is over: the servo has its own values again, unless a "
                                  "note says otherwise. \"write\" keeps what proved good.") +
                 QLatin1Char('\n');
@@ -303,8 +303,9 @@ base::Result<Exit> StepCommand::run()
     const record::StepRun& last = m_runs.back();
     if (last.end == record::SweepEnd::LinkLost)
         return Exit::Port;
-    return last.end == record::SweepEnd::Finished && last.putBack && !m_torqueLeft ? Exit::Done
-                                                                                   : Exit::NotDone;
+    return last.end == record::SweepEnd::Finished && last.isReverted && !m_unreleasedTorque
+               ? Exit::Success
+               : Exit::Failed;
 }
 
 base::Result<Exit> run(Run& run, const Values& values)

@@ -26,7 +26,7 @@ namespace cli {
 namespace {
 QString in(const catalog::Text& words)
 {
-    return words.in(text::inChinese());
+    return words.in(text::isUiChinese());
 }
 
 QString number(std::optional<double> value)
@@ -44,13 +44,13 @@ QString bound(const record::SweepLimit& limit, std::optional<double> value)
 
 QString verdictText(const record::SweepRun& run, const record::SweepServo& servo)
 {
-    const record::SnapshotServo& who = servo.parameters.servo;
+    const record::SnapshotServo& identity = servo.parameters.servo;
     QString text = QStringLiteral("%1 %2 · %3: %4\n")
-                       .arg(report::gradeSign(servo.verdict), who.model, QString::number(who.id),
-                            in(report::gradeWords(servo.verdict)));
+                       .arg(report::gradeSign(servo.verdict), identity.model,
+                            QString::number(identity.id), in(report::gradeLabel(servo.verdict)));
     Table table({translate("cli", "Figure"), translate("cli", "Value"), translate("cli", "Unit"),
                  translate("cli", "Warn"), translate("cli", "Fail"), translate("cli", "Grade")});
-    table.right({1, 3, 4});
+    table.alignRight({1, 3, 4});
     for (const record::SweepMetric& metric : servo.metrics) {
         const auto line = std::find_if(
             servo.lines.begin(), servo.lines.end(),
@@ -58,17 +58,17 @@ QString verdictText(const record::SweepRun& run, const record::SweepServo& servo
         const bool judged = line != servo.lines.end();
         if (!metric.value && !judged)
             continue;
-        table.add({in(report::metricWords(metric.key)), number(metric.value),
-                   in(report::unitWords(metric.unit)),
+        table.add({in(report::metricLabel(metric.key)), number(metric.value),
+                   in(report::unitText(metric.unit)),
                    judged ? bound(line->limit, line->limit.warn) : QString(),
                    judged ? bound(line->limit, line->limit.fail) : QString(),
-                   judged ? in(report::lineGradeWords(line->grade)) : QString()});
+                   judged ? in(report::lineGradeLabel(line->grade)) : QString()});
     }
     text += table.text();
     // How the run ended is said once, for all of them.
-    const record::NoVerdict reason = record::sweepVerdict(run, servo).reason;
-    if (reason != record::NoVerdict::None && reason != record::NoVerdict::Ended)
-        text += in(report::noVerdictWords(reason)) + QLatin1Char('\n');
+    const record::NoVerdictReason reason = record::sweepVerdict(run, servo).reason;
+    if (reason != record::NoVerdictReason::None && reason != record::NoVerdictReason::Ended)
+        text += in(report::noVerdictReasonText(reason)) + QLatin1Char('\n');
     return text;
 }
 
@@ -88,10 +88,10 @@ QString gapsText(const record::SweepRun& run)
            QLatin1Char('\n');
 }
 
-bool allPutBack(const device::Notices& notices)
+bool allReverted(const device::Notices& notices)
 {
     return std::none_of(notices.begin(), notices.end(), [](const device::Notice& notice) {
-        return notice.code == device::NoticeCode::SettingNotPutBack;
+        return notice.code == device::NoticeCode::SettingNotRestored;
     });
 }
 
@@ -108,8 +108,8 @@ public:
 
 private:
     base::Result<void> collect();
-    void warnOfHaste(const device::Context& context);
-    jobs::SweepWatch watch();
+    void warnAboutSpeed(const device::Context& context);
+    jobs::SweepCallbacks watch();
     base::Result<void> save(const record::SweepRun& run);
     QStringList files() const;
     void show(const record::SweepRun& run, const QString& kept);
@@ -118,16 +118,16 @@ private:
     const Values& m_values;
     std::unique_ptr<ProgressLine> m_line;
     std::vector<device::Servo> m_servos;
-    jobs::SweepOrder m_order;
+    jobs::SweepRequest m_order;
     std::optional<session::SweepFormat> m_format{}; ///< none: no report is wanted
     QString m_path;
     std::unique_ptr<jobs::SweepRecording> m_readings;
-    std::vector<jobs::TorqueLeft> m_left;
+    std::vector<jobs::UnreleasedTorque> m_left;
 };
 
 base::Result<void> SweepCommand::collect()
 {
-    const auto ids = parseIds(m_values.words("ID"));
+    const auto ids = parseIds(m_values.arguments("ID"));
     if (!ids)
         return tl::unexpected(ids.error());
     auto spec = sweepSpec(m_values);
@@ -156,30 +156,31 @@ base::Result<void> SweepCommand::collect()
     m_order.switchMode = m_values.has("--switch-mode");
     m_order.program = session::programName();
     const auto connection = m_run.connect();
-    m_order.simulated = connection && (*connection)->simulated();
+    m_order.simulated = connection && (*connection)->isSimulated();
     return {};
 }
 
 /// The classic mistake, told before it condemns a good servo. What keeps the test from running is
 /// the job's to say.
-void SweepCommand::warnOfHaste(const device::Context& context)
+void SweepCommand::warnAboutSpeed(const device::Context& context)
 {
     for (std::size_t i = 0; i < m_servos.size(); ++i) {
-        const auto outlook =
-            jobs::lookAtSweep(context, m_servos[i], m_order.spec, m_order.limits[i]);
-        if (!outlook)
+        const auto estimate =
+            jobs::estimateSweep(context, m_servos[i], m_order.spec, m_order.limits[i]);
+        if (!estimate)
             continue;
-        if (outlook->minMove > 0)
-            m_run.console().say(
+        if (estimate->minMove > 0)
+            m_run.console().printMessage(
                 translate("cli", "Servo %1: most moves are too short for a verdict: targets count "
                                  "as reached within %2 steps, so moves need at least %3 steps.")
-                    .arg(QString::number(m_servos[i].id), number(outlook->axis.tolerance),
-                         QString::number(std::ceil(outlook->minMove))));
-        if (!outlook->tooShort)
+                    .arg(QString::number(m_servos[i].id), number(estimate->axis.tolerance),
+                         QString::number(std::ceil(estimate->minMove))));
+        if (!estimate->tooShort)
             continue;
-        const QString enough = QString::number(outlook->enough / std::chrono::milliseconds(1));
+        const QString enough =
+            QString::number(estimate->proposedDelay / std::chrono::milliseconds(1));
         const bool sine = m_order.spec.shape == record::SweepShape::Sine;
-        m_run.console().say(
+        m_run.console().printMessage(
             (sine ? translate("cli", "Servo %1: the sine is faster than it can turn; its period "
                                      "needs %2 ms.")
                   : translate("cli", "Servo %1: the delay is shorter than the longest way takes, "
@@ -189,9 +190,9 @@ void SweepCommand::warnOfHaste(const device::Context& context)
     }
 }
 
-jobs::SweepWatch SweepCommand::watch()
+jobs::SweepCallbacks SweepCommand::watch()
 {
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onBegin = [this](const record::SweepRun& run) {
         auto made = jobs::SweepRecording::start(run, m_format ? session::sweepReadingsPath(m_path)
                                                               : QString());
@@ -204,7 +205,9 @@ jobs::SweepWatch SweepCommand::watch()
     watch.onGoal = [this](std::size_t servo, int leg, base::Duration at) {
         m_readings->goal(servo, leg, at);
     };
-    watch.onTorqueLeft = [this](const jobs::TorqueLeft& left) { m_left.push_back(left); };
+    watch.onUnreleasedTorque = [this](const jobs::UnreleasedTorque& left) {
+        m_left.push_back(left);
+    };
     watch.onProgress = [this](const jobs::SweepProgress& progress) {
         m_line->show(progress.warmingUp
                          ? translate("cli", "on the way to the start, or warming up")
@@ -223,7 +226,7 @@ base::Result<void> SweepCommand::save(const record::SweepRun& run)
         return tl::unexpected(*trouble);
     if (!m_format)
         return {};
-    return session::saveSweepReport(run, *m_readings, *m_format, text::inChinese(), m_path);
+    return session::saveSweepReport(run, *m_readings, *m_format, text::isUiChinese(), m_path);
 }
 
 /// As the history names them, wherever it is looked at from.
@@ -237,11 +240,11 @@ QStringList SweepCommand::files() const
 
 void SweepCommand::show(const record::SweepRun& run, const QString& kept)
 {
-    if (m_run.console().json()) {
+    if (m_run.console().isJson()) {
         m_run.console().write(record::encodeSweepRun(run));
         // The document is the report, which others read as it is.
         if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
-            m_run.console().say(notices.trimmed());
+            m_run.console().printMessage(notices.trimmed());
         return;
     }
     QString text;
@@ -249,11 +252,11 @@ void SweepCommand::show(const record::SweepRun& run, const QString& kept)
         text += verdictText(run, servo) + QLatin1Char('\n');
     text += gapsText(run);
     if (run.end != record::SweepEnd::Finished) {
-        text += in(report::endWords(run.end)) +
+        text += in(report::endText(run.end)) +
                 (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy) : QString()) +
                 QLatin1Char('\n');
     }
-    text += translate("cli", "Verdict: %1").arg(in(report::gradeWords(run.verdict()))) +
+    text += translate("cli", "Verdict: %1").arg(in(report::gradeLabel(run.verdict()))) +
             QLatin1Char('\n');
     if (m_format)
         text += translate("cli", "Report: %1, readings: %2")
@@ -273,33 +276,33 @@ base::Result<Exit> SweepCommand::run()
         return tl::unexpected(context.error());
     if (m_order.switchMode) {
         for (device::Servo& servo : m_servos) {
-            if (const auto saved = m_run.saveFirstAndSay(servo); !saved)
+            if (const auto saved = m_run.backupTableAndReport(servo); !saved)
                 return tl::unexpected(saved.error());
         }
     }
-    warnOfHaste(*context);
+    warnAboutSpeed(*context);
     const auto done = jobs::sweep(*context, m_servos, m_order, watch());
     m_line.reset();
     if (!done)
         return tl::unexpected(done.error());
     explainBusyLine(m_run.console(), *context, m_servos.front(), done->end);
     const auto saved = save(*done);
-    const bool back = allPutBack(context->notices);
-    show(*done, keepSweep(m_run.console(), *done, saved ? files() : QStringList()));
-    for (const jobs::TorqueLeft& left : m_left)
-        m_run.console().say(torqueLeftText(left));
+    const bool back = allReverted(context->notices);
+    show(*done, saveSweep(m_run.console(), *done, saved ? files() : QStringList()));
+    for (const jobs::UnreleasedTorque& left : m_left)
+        m_run.console().printMessage(unreleasedTorqueText(left));
     if (!saved)
         return tl::unexpected(saved.error());
     if (done->end == record::SweepEnd::LinkLost)
         return Exit::Port;
     if (!back || !m_left.empty())
-        return Exit::NotDone;
+        return Exit::Failed;
     switch (done->verdict()) {
     case record::Grade::Pass:
     case record::Grade::Warn:
-        return Exit::Done;
+        return Exit::Success;
     default:
-        return Exit::NotDone;
+        return Exit::Failed;
     }
 }
 

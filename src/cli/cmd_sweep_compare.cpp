@@ -17,7 +17,7 @@ namespace cli {
 namespace {
 QString in(const catalog::Text& words)
 {
-    return words.in(text::inChinese());
+    return words.in(text::isUiChinese());
 }
 
 QString number(const std::optional<double>& value)
@@ -27,7 +27,7 @@ QString number(const std::optional<double>& value)
 
 QString gradeText(const std::optional<record::Grade>& grade)
 {
-    return grade ? in(report::lineGradeWords(*grade)) : QString();
+    return grade ? in(report::lineGradeLabel(*grade)) : QString();
 }
 
 std::optional<QString> gradeJson(const std::optional<record::Grade>& grade)
@@ -37,12 +37,12 @@ std::optional<QString> gradeJson(const std::optional<record::Grade>& grade)
 
 Json sideJson(const record::SweepSide& side)
 {
-    const record::SnapshotServo& who = side.servo.parameters.servo;
+    const record::SnapshotServo& identity = side.servo.parameters.servo;
     return Json::object()
         .add("run", side.name)
-        .add("id", who.id)
-        .add("model", who.model)
-        .add("firmware", who.firmware)
+        .add("id", identity.id)
+        .add("model", identity.model)
+        .add("firmware", identity.firmware)
         .add("label", side.servo.parameters.label)
         .add("time", side.run.at.toString(Qt::ISODateWithMs))
         .add("verdict", record::gradeName(side.servo.verdict));
@@ -96,16 +96,16 @@ Json settingsJson(const record::SweepComparison& found)
 
 QString sideText(const char* letter, const record::SweepSide& side)
 {
-    const record::SnapshotServo& who = side.servo.parameters.servo;
+    const record::SnapshotServo& identity = side.servo.parameters.servo;
     return QStringLiteral("%1: %2 · %3 · ID %4 · %5 · %6 %7\n")
-        .arg(QString::fromLatin1(letter), side.name, who.model, QString::number(who.id),
+        .arg(QString::fromLatin1(letter), side.name, identity.model, QString::number(identity.id),
              side.run.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
-             report::gradeSign(side.servo.verdict), in(report::gradeWords(side.servo.verdict)));
+             report::gradeSign(side.servo.verdict), in(report::gradeLabel(side.servo.verdict)));
 }
 
 QString testsText(const record::SweepComparison& found)
 {
-    const report::CompareWords& words = report::compareWords();
+    const report::CompareTexts& words = report::compareTexts();
     if (found.tests.empty())
         return in(words.sameTest) + QLatin1Char('\n');
     QString text;
@@ -113,23 +113,23 @@ QString testsText(const record::SweepComparison& found)
         text += QStringLiteral("⚠ ") + in(words.notComparable) + QLatin1Char('\n');
     Table table({in(words.warnings), QStringLiteral("A"), QStringLiteral("B")});
     for (const record::TestDifference& one : found.tests)
-        table.add({in(report::testItemWords(one.item)), in(report::testValueWords(one.item, one.a)),
-                   in(report::testValueWords(one.item, one.b))});
+        table.add({in(report::testItemText(one.item)), in(report::testValueText(one.item, one.a)),
+                   in(report::testValueText(one.item, one.b))});
     return text + table.text();
 }
 
 QString figuresText(const record::SweepComparison& found)
 {
-    const report::CompareWords& words = report::compareWords();
+    const report::CompareTexts& words = report::compareTexts();
     Table table({translate("cli", "Figure"), QStringLiteral("A"), QStringLiteral("B"),
                  in(words.difference), translate("cli", "Unit"), in(words.better), in(words.gradeA),
                  in(words.gradeB)});
-    table.right({1, 2, 3});
+    table.alignRight({1, 2, 3});
     for (const record::FigureDifference& one : found.figures) {
         if (!one.a && !one.b)
             continue;
-        table.add({in(report::metricWords(one.key)), number(one.a), number(one.b),
-                   report::differenceText(one), in(report::unitWords(one.unit)),
+        table.add({in(report::metricLabel(one.key)), number(one.a), number(one.b),
+                   report::differenceText(one), in(report::unitText(one.unit)),
                    report::betterSign(one), gradeText(one.gradeA), gradeText(one.gradeB)});
     }
     return table.text();
@@ -137,26 +137,26 @@ QString figuresText(const record::SweepComparison& found)
 
 QString settingsText(const record::SweepComparison& found)
 {
-    const report::CompareWords& words = report::compareWords();
+    const report::CompareTexts& words = report::compareTexts();
     if (found.settings.empty())
         return in(words.noSettings) + QLatin1Char('\n');
     Table table(
         {in(words.settings), QStringLiteral("A"), QStringLiteral("B"), translate("cli", "Unit")});
-    table.right({1, 2});
+    table.alignRight({1, 2});
     for (const record::SettingDifference& one : found.settings)
         table.add({one.key, number(one.a), number(one.b), one.unit});
     return table.text();
 }
 
 struct Chosen {
-    SweepWord word;
+    RunSelector word;
     record::SweepRun run;
     const record::SweepServo* servo = nullptr; ///< in `run`
 };
 
 base::Result<void> choose(const Values& values, const char* which, Chosen& into)
 {
-    auto word = parseSweepWord(values.word(which));
+    auto word = parseRunSelector(values.argument(which));
     if (!word)
         return tl::unexpected(word.error());
     into.word = *word;
@@ -193,7 +193,8 @@ base::Result<Exit> run(Run& run, const Values& values)
     const record::SweepSide a{one.word.name, one.run, *one.servo};
     const record::SweepSide b{two.word.name, two.run, *two.servo};
     if (path) {
-        if (const auto saved = report::saveSweepCompareHtml(a, b, text::inChinese(), *path); !saved)
+        if (const auto saved = report::saveSweepCompareHtml(a, b, text::isUiChinese(), *path);
+            !saved)
             return tl::unexpected(saved.error());
     }
     const record::SweepComparison found = record::compareSweeps(a, b);
@@ -208,7 +209,7 @@ base::Result<Exit> run(Run& run, const Values& values)
         sideText("A", a) + sideText("B", b) + QLatin1Char('\n') + testsText(found) +
             QLatin1Char('\n') + figuresText(found) + QLatin1Char('\n') + settingsText(found) +
             (path ? translate("cli", "Report: %1").arg(*path) + QLatin1Char('\n') : QString()));
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

@@ -19,9 +19,9 @@ base::Result<void> save(const record::SweepRun& run, session::SweepFormat format
 {
     switch (format) {
     case session::SweepFormat::Html:
-        return report::saveSweepHtml(run, {}, text::inChinese(), path);
+        return report::saveSweepHtml(run, {}, text::isUiChinese(), path);
     case session::SweepFormat::Pdf:
-        return report::saveSweepPdf(run, {}, text::inChinese(), path);
+        return report::saveSweepPdf(run, {}, text::isUiChinese(), path);
     case session::SweepFormat::Csv:
         return record::saveSweepLegs(run, path);
     case session::SweepFormat::Json:
@@ -32,11 +32,11 @@ base::Result<void> save(const record::SweepRun& run, session::SweepFormat format
 
 base::Result<Exit> run(Run& run, const Values& values)
 {
-    const QString path = values.word("FILE");
+    const QString path = values.argument("FILE");
     const auto format = session::sweepFormatOf(path);
     if (!format)
         return badArgument(translate("cli", "a report ends with .html, .pdf, .json or .csv"));
-    const auto word = parseSweepWord(values.word("RUN"));
+    const auto word = parseRunSelector(values.argument("RUN"));
     if (!word)
         return tl::unexpected(word.error());
     const auto sweep = loadSweep(*word);
@@ -46,7 +46,7 @@ base::Result<Exit> run(Run& run, const Values& values)
         return tl::unexpected(saved.error());
     run.finish(Json::object().add("run", word->name).add("file", path),
                translate("cli", "Report: %1").arg(path) + QLatin1Char('\n'));
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

@@ -63,14 +63,14 @@ QString runsText(const std::vector<record::TestRun>& runs)
                  translate("cli", "Model"), translate("cli", "Firmware"),
                  translate("cli", "Verdict"), translate("cli", "Reference"),
                  translate("cli", "Label"), translate("cli", "Note")});
-    table.right({0, 2});
+    table.alignRight({0, 2});
     for (const record::TestRun& run : runs) {
         const QString when = run.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
         for (const record::TestServo& servo : run.servos) {
             table.add({QString::number(qint64(run.number)), when, QString::number(servo.id),
                        servo.model, servo.firmware,
                        report::gradeSign(servo.verdict) + QLatin1Char(' ') +
-                           report::gradeWords(servo.verdict).in(text::inChinese()),
+                           report::gradeLabel(servo.verdict).in(text::isUiChinese()),
                        referenceText(run, servo), QString(servo.label).simplified(),
                        QString(run.note).simplified()});
         }
@@ -97,12 +97,12 @@ base::Result<Exit> runList(Run& run, const Values& values)
     for (const record::TestRun& one : *runs)
         list.push_back(runJson(one));
     run.finish(Json::object().add("runs", std::move(list)), runsText(*runs));
-    return Exit::Done;
+    return Exit::Success;
 }
 
 base::Result<Exit> runReference(Run& run, const Values& values)
 {
-    const auto word = parseSweepWord(values.word("RUN"));
+    const auto word = parseRunSelector(values.argument("RUN"));
     if (!word)
         return tl::unexpected(word.error());
     if (word->number == 0)
@@ -114,25 +114,25 @@ base::Result<Exit> runReference(Run& run, const Values& values)
     const auto servo = chooseServo(*sweep, *word);
     if (!servo)
         return tl::unexpected(servo.error());
-    const record::SnapshotServo& who = (*servo)->parameters.servo;
+    const record::SnapshotServo& identity = (*servo)->parameters.servo;
     const bool mark = !values.has("--clear");
     const auto history = record::History::open(session::historyFile());
     if (!history)
         return tl::unexpected(history.error());
-    if (const auto set = (*history)->setReference(word->number, who.id, mark); !set)
+    if (const auto set = (*history)->setReference(word->number, identity.id, mark); !set)
         return tl::unexpected(set.error());
     run.finish(Json::object()
                    .add("run", word->number)
-                   .add("id", who.id)
-                   .add("model", who.model)
+                   .add("id", identity.id)
+                   .add("model", identity.model)
                    .add("reference", mark),
                (mark ? translate("cli", "Test run %1, servo %2, is now the reference of %3")
                      : translate("cli", "Test run %1, servo %2, is no reference of %3"))
                        .arg(qint64(word->number))
-                       .arg(who.id)
-                       .arg(who.model) +
+                       .arg(identity.id)
+                       .arg(identity.model) +
                    QLatin1Char('\n'));
-    return Exit::Done;
+    return Exit::Success;
 }
 } // namespace
 

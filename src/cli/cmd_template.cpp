@@ -52,10 +52,10 @@ tl::unexpected<base::Error> whyNot(const base::Error& error, const record::Snaps
 
 base::Result<Exit> runMake(Run& run, const Values& values)
 {
-    const auto from = sourceOf(run, values.word("FROM"));
+    const auto from = sourceOf(run, values.argument("FROM"));
     if (!from)
         return tl::unexpected(from.error());
-    auto chosen = record::makeTemplate(*from, values.words("KEY"), values.has("--identity"));
+    auto chosen = record::makeTemplate(*from, values.arguments("KEY"), values.has("--identity"));
     if (!chosen)
         return whyNot(chosen.error(), *from);
     chosen->program = session::programName();
@@ -63,32 +63,32 @@ base::Result<Exit> runMake(Run& run, const Values& values)
         chosen->label = *label;
     if (const auto note = values.option("--note"))
         chosen->note = *note;
-    const QString file = values.word("FILE");
+    const QString file = values.argument("FILE");
     if (const auto saved = record::saveSnapshot(*chosen, file); !saved)
         return tl::unexpected(saved.error());
     const auto count = static_cast<int>(chosen->registers.size());
     run.finish(Json::object().add("file", file).add("registers", count),
                translate("cli", "Registers saved to %1: %2").arg(file).arg(count) +
                    QLatin1Char('\n'));
-    return Exit::Done;
+    return Exit::Success;
 }
 
 base::Result<Exit> runApply(Run& run, const Values& values)
 {
-    const QString file = values.word("FILE");
+    const QString file = values.argument("FILE");
     const auto snapshot = record::loadSnapshot(file);
     if (!snapshot)
         return tl::unexpected(snapshot.error());
     if (const auto known = checkOnly(values, *snapshot); !known)
         return tl::unexpected(known.error());
-    const auto ids = parseIds(values.words("ID"));
+    const auto ids = parseIds(values.arguments("ID"));
     if (!ids)
         return tl::unexpected(ids.error());
     const auto connection = run.connect();
     if (!connection)
         return tl::unexpected(connection.error());
     const auto context = run.context();
-    Several several(run, values);
+    MultiServoRestore several(run, values);
     jobs::ApplyOptions options = several.options();
     if (options.protocols.empty())
         options.protocols = (*connection)->protocols();

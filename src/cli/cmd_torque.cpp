@@ -51,11 +51,11 @@ struct Task {
     std::function<base::Result<Confirm>(const device::Context&, device::Servo)> act;
     /// Torque off goes out even if the servo cannot be identified.
     bool releases = false;
-    bool sent = false;    ///< torque off went to all of them before
-    QString confirming{}; ///< said when all have been commanded; %1: their IDs
+    bool sent = false;        ///< torque off went to all of them before
+    QString confirmingText{}; ///< said when all have been commanded; %1: their IDs
 };
 
-QString shownIds(const std::vector<int>& ids)
+QString formatIds(const std::vector<int>& ids)
 {
     QStringList words;
     for (const int id : ids)
@@ -77,8 +77,8 @@ public:
         ProgressLine line(m_run.console(), translate("cli", "Asking"));
         for (const int id : ids) {
             line.show(translate("cli", "ID %1").arg(id));
-            if (m_run.stop().requested()) {
-                m_untouched.insert(id);
+            if (m_run.stop().isRequested()) {
+                m_notReached.insert(id);
                 m_begun.emplace_back(id, stopped(id));
             } else {
                 m_begun.emplace_back(id, begin(id));
@@ -88,7 +88,7 @@ public:
     void confirm()
     {
         ProgressLine line(m_run.console(), translate("cli", "Asking"));
-        sayCommanded();
+        reportCommanded();
         for (auto& [id, rest] : m_begun) {
             line.show(translate("cli", "ID %1").arg(id));
             if (!rest)
@@ -103,7 +103,7 @@ public:
     {
         Json::Array servos;
         QString text;
-        Exit exit = Exit::Done;
+        Exit exit = Exit::Success;
         std::map<QString, std::vector<int>> endedByUser;
         for (const int id : ids) {
             const base::Result<void>& done = m_done.at(id);
@@ -120,43 +120,43 @@ public:
                 if (done.error().code == base::ErrorCode::Stopped)
                     endedByUser[endedText(id, done.error())].push_back(id);
                 else
-                    m_run.console().remark(errorText(done.error()));
-                exit = exit == Exit::Done ? exitCode(done.error().code) : exit;
+                    m_run.console().printNote(errorText(done.error()));
+                exit = exit == Exit::Success ? exitCode(done.error().code) : exit;
             }
             servos.push_back(std::move(json));
         }
         for (const auto& [ended, its] : endedByUser)
-            m_run.console().remark(ended.arg(shownIds(its)));
+            m_run.console().printNote(ended.arg(formatIds(its)));
         m_run.finish(Json::object().add("servos", std::move(servos)), text);
         return exit;
     }
 
 private:
-    using Begun = std::vector<std::pair<int, base::Result<Confirm>>>;
+    using HaltState = std::vector<std::pair<int, base::Result<Confirm>>>;
 
     /// %1: the IDs.
     QString endedText(int id, const base::Error& error) const
     {
-        if (m_task.sent || device::isSentUnproven(error))
+        if (m_task.sent || device::isMarkedUnverified(error))
             return translate("cli", "Ended by you before it was confirmed (ID %1): torque off was "
                                     "sent, but nothing proves that it took effect.");
         if (m_task.releases)
             return translate("cli", "Ended by you before it was confirmed (ID %1): these servos "
                                     "may still have torque and move.");
-        return m_untouched.count(id) > 0
+        return m_notReached.count(id) > 0
                    ? translate("cli", "Ended by you before anything was sent (ID %1).")
                    : translate("cli", "Ended by you before it was confirmed (ID %1): the torque of "
                                       "these servos may have been switched.");
     }
-    void sayCommanded() const
+    void reportCommanded() const
     {
         std::vector<int> ids;
         for (const auto& [id, rest] : m_begun) {
             if (rest)
                 ids.push_back(id);
         }
-        if (!ids.empty() && !m_task.confirming.isEmpty())
-            m_run.console().remark(m_task.confirming.arg(shownIds(ids)));
+        if (!ids.empty() && !m_task.confirmingText.isEmpty())
+            m_run.console().printNote(m_task.confirmingText.arg(formatIds(ids)));
     }
     base::Result<Confirm> begin(int id)
     {
@@ -166,23 +166,23 @@ private:
         const auto connection = m_run.connect();
         if (!m_task.releases || !connection)
             return tl::unexpected(servo.error());
-        return tl::unexpected(device::releaseUnidentified(
+        return tl::unexpected(device::forceTorqueOffUnidentified(
             *m_run.context(), id, (*connection)->protocols(), std::move(servo.error())));
     }
     base::Result<Confirm> stopped(int id) const
     {
         const base::Error error{base::ErrorCode::Stopped, QLatin1String(m_task.name), {}, id};
-        return tl::unexpected(m_task.sent ? device::sentUnproven(error) : error);
+        return tl::unexpected(m_task.sent ? device::markUnverified(error) : error);
     }
 
     Run& m_run;
     const Task& m_task;
-    Begun m_begun{};
-    std::set<int> m_untouched{}; ///< when Ctrl-C came
+    HaltState m_begun{};
+    std::set<int> m_notReached{}; ///< when Ctrl-C came
     std::map<int, base::Result<void>> m_done{};
 };
 
-base::Result<Exit> doAll(Run& run, const std::vector<int>& ids, const Task& task)
+base::Result<Exit> runOnAll(Run& run, const std::vector<int>& ids, const Task& task)
 {
     Round round(run, task);
     round.command(ids);
@@ -192,30 +192,30 @@ base::Result<Exit> doAll(Run& run, const std::vector<int>& ids, const Task& task
 
 /// Before anything is read. Where the rate is still to be found, at each that it can be. True: it
 /// went out.
-base::Result<bool> releaseAtOnce(Run& run, const std::vector<int>& ids)
+base::Result<bool> disableTorqueAtOnce(Run& run, const std::vector<int>& ids)
 {
     const auto connection = run.connect();
     if (!connection)
         return tl::unexpected(connection.error());
     bus::Bus& bus = (*connection)->bus();
     const int rate = bus.baud();
-    if (run.globals().searchBaud && bus.hasBaud()) {
-        for (const int other : transport::knownRates()) {
+    if (run.globals().autoBaud && bus.canSetBaud()) {
+        for (const int other : transport::standardBaudRates()) {
             if (other != rate && bus.setBaud(other))
-                device::releaseAtOnce(bus, ids, (*connection)->protocols());
+                device::torqueOffImmediately(bus, ids, (*connection)->protocols());
         }
         if (const auto back = bus.setBaud(rate); !back)
             return tl::unexpected(back.error());
     }
-    device::releaseAtOnce(bus, ids, (*connection)->protocols());
+    device::torqueOffImmediately(bus, ids, (*connection)->protocols());
     if (bus.lost())
         return false;
-    run.console().remark(
-        translate("cli", "Torque off was sent (ID %1). Confirming …").arg(shownIds(ids)));
+    run.console().printNote(
+        translate("cli", "Torque off was sent (ID %1). Confirming …").arg(formatIds(ids)));
     return true;
 }
 
-base::Result<Confirm> beginHalt(const device::Context& context, device::Servo servo)
+base::Result<Confirm> startHalt(const device::Context& context, device::Servo servo)
 {
     const auto stopping = std::make_shared<device::Servo>(std::move(servo));
     return device::commandHalt(context, *stopping).map([=](const device::HaltCommand& command) {
@@ -225,45 +225,45 @@ base::Result<Confirm> beginHalt(const device::Context& context, device::Servo se
 
 /// Those that answer are commanded and confirmed before the silent ones get the tries that take
 /// long. A reply may be lost, and the servo be one that turns: each is asked twice.
-void serveAnsweringFirst(Run& run, const device::Context& context, std::vector<int> ids,
-                         const std::vector<base::Protocol>& protocols, Round& round)
+void runAnsweringFirst(Run& run, const device::Context& context, std::vector<int> ids,
+                       const std::vector<base::Protocol>& protocols, Round& round)
 {
     bool answered = false;
     for (int asked = 0; asked < 2 && !ids.empty(); ++asked) {
-        const auto answering = device::answeringAmong(context, ids, protocols);
+        const auto answering = device::findResponding(context, ids, protocols);
         answered = answered || !answering.empty();
         round.command(answering);
         std::erase_if(ids, [&](int id) {
             return std::find(answering.begin(), answering.end(), id) != answering.end();
         });
     }
-    if (answered && !ids.empty() && !run.stop().requested() && !context.bus.lost())
-        run.console().remark(
+    if (answered && !ids.empty() && !run.stop().isRequested() && !context.bus.lost())
+        run.console().printNote(
             translate("cli", "No answer yet (ID %1): tried again after the others.")
-                .arg(shownIds(ids)));
+                .arg(formatIds(ids)));
     round.confirm();
     round.command(ids);
     round.confirm();
 }
 
 /// A single one delays no other, and before the rate is found no servo can be heard.
-base::Result<Exit> answeringFirst(Run& run, const std::vector<int>& ids, const Task& task)
+base::Result<Exit> answeringServosFirst(Run& run, const std::vector<int>& ids, const Task& task)
 {
     const auto connection = run.connect();
     const auto context = run.context();
     if (!connection || !context)
         return tl::unexpected(!connection ? connection.error() : context.error());
-    const bool rateUnknown = run.globals().searchBaud && context->bus.hasBaud();
+    const bool rateUnknown = run.globals().autoBaud && context->bus.canSetBaud();
     if (ids.size() == 1 || rateUnknown)
-        return doAll(run, ids, task);
+        return runOnAll(run, ids, task);
     Round round(run, task);
-    serveAnsweringFirst(run, *context, ids, (*connection)->protocols(), round);
+    runAnsweringFirst(run, *context, ids, (*connection)->protocols(), round);
     return round.show(ids);
 }
 
 base::Result<Exit> runTorque(Run& run, const Values& values)
 {
-    QStringList words = values.words("ID… on|off|damp");
+    QStringList words = values.arguments("ID… on|off|damp");
     const auto state = parseState(words.takeLast());
     if (!state)
         return tl::unexpected(state.error());
@@ -273,7 +273,7 @@ base::Result<Exit> runTorque(Run& run, const Values& values)
     if (const auto connection = run.connect(); !connection)
         return tl::unexpected(connection.error());
     const bool off = state->torque == device::Torque::Off;
-    const auto sent = off ? releaseAtOnce(run, *ids) : base::Result<bool>(false);
+    const auto sent = off ? disableTorqueAtOnce(run, *ids) : base::Result<bool>(false);
     if (!sent)
         return tl::unexpected(sent.error());
     const Task task{
@@ -285,12 +285,12 @@ base::Result<Exit> runTorque(Run& run, const Values& values)
         },
         off,
         *sent};
-    return off ? answeringFirst(run, *ids, task) : doAll(run, *ids, task);
+    return off ? answeringServosFirst(run, *ids, task) : runOnAll(run, *ids, task);
 }
 
 base::Result<Exit> runStop(Run& run, const Values& values)
 {
-    const auto ids = parseIds(values.words("ID"));
+    const auto ids = parseIds(values.arguments("ID"));
     if (!ids)
         return tl::unexpected(ids.error());
     if (const auto connection = run.connect(); !connection)
@@ -298,11 +298,11 @@ base::Result<Exit> runStop(Run& run, const Values& values)
     const Task task{"stopped",
                     true,
                     translate("cli", "stopped"),
-                    beginHalt,
+                    startHalt,
                     true,
                     false,
                     translate("cli", "Confirming the stop (ID %1) …")};
-    return answeringFirst(run, *ids, task);
+    return answeringServosFirst(run, *ids, task);
 }
 
 base::Result<Exit> runMode(Run& run, const Values& values)
@@ -310,24 +310,24 @@ base::Result<Exit> runMode(Run& run, const Values& values)
     auto servo = run.servoWithSettings(values);
     if (!servo)
         return tl::unexpected(servo.error());
-    const QString wanted = values.word("MODE");
-    if (servo->profile->mode(wanted) == nullptr) {
+    const QString modeKey = values.argument("MODE");
+    if (servo->profile->mode(modeKey) == nullptr) {
         QStringList known;
         for (const catalog::Mode& mode : servo->profile->modes)
             known << mode.key;
         return base::fail(base::ErrorCode::NotSupported, QStringLiteral("mode"),
                           translate("cli", "no mode \"%1\"; it has %2")
-                              .arg(wanted, known.join(QStringLiteral(", "))),
+                              .arg(modeKey, known.join(QStringLiteral(", "))),
                           servo->id);
     }
-    if (const auto saved = run.saveFirst(*servo); !saved)
+    if (const auto saved = run.backupTable(*servo); !saved)
         return tl::unexpected(saved.error());
-    const auto report = device::switchMode(*run.context(), *servo, wanted);
+    const auto report = device::switchMode(*run.context(), *servo, modeKey);
     if (!report)
         return tl::unexpected(report.error());
     Json document = jsonWrites(*report);
     const catalog::Mode* now = servo->mode();
-    document.add("mode", report->allGood() && now != nullptr ? Json(now->key) : Json());
+    document.add("mode", report->isSuccessful() && now != nullptr ? Json(now->key) : Json());
     run.finish(std::move(document), writeText(*servo, *report));
     return exitCode(*report);
 }

@@ -13,7 +13,7 @@ base::Result<Exit> run(Run& run, const Values&)
         return badArgument(translate("cli", "the tour writes and moves, so it only runs on a "
                                             "simulated bus: --port sim:demo"));
     }
-    return Tour(run).go();
+    return Tour(run).run();
 }
 } // namespace
 

@@ -13,7 +13,7 @@
 
 namespace cli {
 namespace {
-constexpr double usualRate = 20;
+constexpr double defaultRate = 20;
 
 /// The document, written while the readings come in: a watch may last for hours.
 class JsonStream {
@@ -40,7 +40,7 @@ public:
         if (row.answered)
             json.add("status", jsonAlarms(row.status, profile)).add("values", std::move(values));
         else
-            json.add("error", base::errorName(base::ErrorCode::NoAnswer));
+            json.add("error", base::errorName(base::ErrorCode::NoReply));
         put((m_first ? "\n    " : ",\n    ") + json.compact());
         m_first = false;
     }
@@ -54,7 +54,7 @@ public:
 private:
     void put(const QByteArray& text)
     {
-        if (m_console.json())
+        if (m_console.isJson())
             m_console.write(text);
     }
 
@@ -66,7 +66,7 @@ private:
 base::Result<jobs::WatchSpec> timesOf(const Values& values)
 {
     jobs::WatchSpec spec;
-    const QString rate = values.option("--rate").value_or(QString::number(usualRate));
+    const QString rate = values.option("--rate").value_or(QString::number(defaultRate));
     if (rate != QLatin1String("max")) {
         const auto hertz = parsePositive(rate);
         if (!hertz)
@@ -114,8 +114,8 @@ public:
         m_view.add(row);
         m_json.add(row, m_profiles[row.id].get());
         if (row.answered)
-            m_alarms.look(row.id, row.status, QDateTime::currentDateTimeUtc());
-        if (m_console.failure())
+            m_alarms.addStatus(row.id, row.status, QDateTime::currentDateTimeUtc());
+        if (m_console.writeError())
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("watch"));
         if (m_csv == nullptr || !row.answered)
             return {};
@@ -145,7 +145,7 @@ public:
     base::Result<Exit> fail(const base::Error& error)
     {
         m_json.finish("error", jsonError(error));
-        if (m_console.json())
+        if (m_console.isJson())
             return exitCode(error.code);
         return tl::unexpected(error);
     }
@@ -161,7 +161,7 @@ private:
 
 base::Result<Exit> run(Run& run, const Values& values)
 {
-    const auto ids = parseIds(values.words("ID"));
+    const auto ids = parseIds(values.arguments("ID"));
     if (!ids)
         return tl::unexpected(ids.error());
     auto spec = timesOf(values);
@@ -181,12 +181,12 @@ base::Result<Exit> run(Run& run, const Values& values)
     const auto report =
         jobs::watch(*context, *spec, [&sink](const jobs::WatchRow& row) { return sink.take(row); });
     sink.ended();
-    if (run.console().failure())
+    if (run.console().writeError())
         return Exit::File;
     if (!report)
         return sink.fail(report.error());
     sink.finish(run, *report);
-    return report->rows == 0 && report->missed > 0 ? Exit::NoAnswer : Exit::Done;
+    return report->rows == 0 && report->missed > 0 ? Exit::NoReply : Exit::Success;
 }
 } // namespace
 

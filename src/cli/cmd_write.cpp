@@ -11,7 +11,7 @@ namespace cli {
 namespace {
 base::Result<Exit> run(Run& run, const Values& values)
 {
-    for (const QString& word : values.words("KEY=VALUE")) {
+    for (const QString& word : values.arguments("KEY=VALUE")) {
         if (const auto assignment = parseAssignment(word); !assignment)
             return tl::unexpected(assignment.error());
     }
@@ -20,14 +20,14 @@ base::Result<Exit> run(Run& run, const Values& values)
         return tl::unexpected(servo.error());
     if (const auto writable = device::requireWritable(*servo, QStringLiteral("write")); !writable)
         return tl::unexpected(writable.error());
-    const auto items = parseWriteItems(*servo, values.words("KEY=VALUE"));
+    const auto items = parseWriteItems(*servo, values.arguments("KEY=VALUE"));
     if (!items)
         return tl::unexpected(items.error());
     device::WriteOptions options;
     options.temporary = values.has("--temporary");
     options.dangerous = values.has("--dangerous");
     const auto context = run.context();
-    if (const auto saved = run.saveFirst(*servo); !saved)
+    if (const auto saved = run.backupTable(*servo); !saved)
         return tl::unexpected(saved.error());
     const auto report = device::write(*context, *servo, *items, options);
     if (!report)

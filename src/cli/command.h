@@ -35,11 +35,11 @@ struct Values {
     QHash<QString, QString> options;
     QStringList switches;
 
-    QStringList words(const char* positional) const
+    QStringList arguments(const char* positional) const
     {
         return positionals.value(QString::fromUtf8(positional));
     }
-    QString word(const char* positional) const { return words(positional).value(0); }
+    QString argument(const char* positional) const { return arguments(positional).value(0); }
     std::optional<QString> option(const char* flag) const
     {
         const auto it = options.find(QLatin1String(flag));

@@ -38,19 +38,19 @@ void put(const QString& text)
 void Console::print(const QString& text)
 {
     if (!m_json)
-        writeBytes(forTerminal(text).toUtf8());
+        writeBytes(terminalSafe(text).toUtf8());
 }
 
 void Console::write(const QByteArray& bytes)
 {
-    writeBytes(resultTerminal() ? forTerminal(QString::fromUtf8(bytes)).toUtf8() : bytes);
+    writeBytes(isStdoutTerminal() ? terminalSafe(QString::fromUtf8(bytes)).toUtf8() : bytes);
 }
 
 void Console::rewrite(int linesAbove, const QStringList& lines)
 {
     QString screen = linesAbove > 0 ? QStringLiteral("\033[%1A").arg(linesAbove) : QString();
     for (const QString& line : lines)
-        screen += clearLine + forTerminal(line) + QLatin1Char('\n');
+        screen += clearLine + terminalSafe(line) + QLatin1Char('\n');
     if (!m_json)
         writeBytes(screen.toUtf8());
 }
@@ -64,28 +64,28 @@ void Console::writeBytes(const QByteArray& bytes)
         m_failure = errno;
 }
 
-void Console::say(const QString& line)
+void Console::printMessage(const QString& line)
 {
-    put(forTerminal(line) + QLatin1Char('\n'));
+    put(terminalSafe(line) + QLatin1Char('\n'));
 }
 
-void Console::status(const QString& line)
+void Console::showStatus(const QString& line)
 {
-    put(clearLine + forTerminal(line));
+    put(clearLine + terminalSafe(line));
 }
 
-void Console::remark(const QString& line)
+void Console::printNote(const QString& line)
 {
     if (!m_json)
-        say(line);
+        printMessage(line);
 }
 
-bool Console::resultTerminal() const
+bool Console::isStdoutTerminal() const
 {
     return isTerminal(1);
 }
 
-bool Console::remarkTerminal() const
+bool Console::isStderrTerminal() const
 {
     return isTerminal(2);
 }

@@ -15,12 +15,12 @@ Exit exitCode(base::ErrorCode code)
     case ErrorCode::RateUnsupported:
     case ErrorCode::LinkLost:
         return Exit::Port;
-    case ErrorCode::NoAnswer:
+    case ErrorCode::NoReply:
     case ErrorCode::Garbled:
-    case ErrorCode::WrongAnswer:
+    case ErrorCode::UnexpectedReply:
     case ErrorCode::LineBusy:
     case ErrorCode::Uncertain:
-        return Exit::NoAnswer;
+        return Exit::NoReply;
     case ErrorCode::BadArgument:
     case ErrorCode::UnknownRegister:
     case ErrorCode::ReadOnly:
@@ -36,12 +36,12 @@ Exit exitCode(base::ErrorCode code)
     case ErrorCode::Mismatch:
     case ErrorCode::LockOpen:
     case ErrorCode::UnknownModel:
-    case ErrorCode::FamilyUnclear:
-    case ErrorCode::SeveralServos:
-    case ErrorCode::IdentityDiffers:
+    case ErrorCode::FamilyConflict:
+    case ErrorCode::DuplicateId:
+    case ErrorCode::IdentityMismatch:
     case ErrorCode::TurnsUnknown:
-    case ErrorCode::SeveralProtocols:
-        return Exit::NotDone;
+    case ErrorCode::AmbiguousProtocol:
+        return Exit::Failed;
     case ErrorCode::FileMissing:
     case ErrorCode::FileUnreadable:
     case ErrorCode::FileFormat:
@@ -49,21 +49,21 @@ Exit exitCode(base::ErrorCode code)
     case ErrorCode::DiskFull:
         return Exit::File;
     }
-    return Exit::NotDone;
+    return Exit::Failed;
 }
 
 Exit exitCode(const device::WriteReport& report)
 {
-    if (report.allGood())
-        return Exit::Done;
+    if (report.isSuccessful())
+        return Exit::Success;
     const auto& writes = report.writes;
     const bool lost = std::any_of(writes.begin(), writes.end(), [](const auto& result) {
         return result.error && exitCode(result.error->code) == Exit::Port;
     });
     const bool silent =
         !writes.empty() && std::all_of(writes.begin(), writes.end(), [](const auto& result) {
-            return result.outcome == device::WriteOutcome::NoAnswer;
+            return result.outcome == device::WriteOutcome::NoReply;
         });
-    return lost ? Exit::Port : silent ? Exit::NoAnswer : Exit::NotDone;
+    return lost ? Exit::Port : silent ? Exit::NoReply : Exit::Failed;
 }
 } // namespace cli

@@ -7,11 +7,11 @@
 
 namespace cli {
 enum Exit : int {
-    Done = 0,
-    NotDone = 1, ///< the servo did not do it, or not all that was asked for
+    Success = 0,
+    Failed = 1, ///< the servo did not do it, or not all that was asked for
     Usage = 2,
     Port = 3,
-    NoAnswer = 4,
+    NoReply = 4,
     File = 5,
 };
 

@@ -13,7 +13,7 @@ QString entry(const QString& name, const char* help)
            translate("cli", help) + QLatin1Char('\n');
 }
 
-QString shownName(const Positional& positional)
+QString formatName(const Positional& positional)
 {
     QString name = QString::fromUtf8(positional.name);
     if (positional.max == many && !name.contains(u'…'))
@@ -21,7 +21,7 @@ QString shownName(const Positional& positional)
     return positional.min == 0 ? QStringLiteral("[%1]").arg(name) : name;
 }
 
-QString shownFlag(const Option& option)
+QString formatFlag(const Option& option)
 {
     return option.value == nullptr ? QString::fromLatin1(option.flag)
                                    : QStringLiteral("%1 %2").arg(QLatin1String(option.flag),
@@ -34,7 +34,7 @@ QString optionList(const QString& title, const std::vector<Option>& options)
         return {};
     QString text = QLatin1Char('\n') + title + QLatin1Char('\n');
     for (const Option& option : options)
-        text += entry(shownFlag(option), option.help);
+        text += entry(formatFlag(option), option.help);
     return text;
 }
 
@@ -42,7 +42,7 @@ QString usage(const Command& command)
 {
     QString line = QLatin1String(command.name);
     for (const Positional& positional : command.positionals)
-        line += QLatin1Char(' ') + shownName(positional);
+        line += QLatin1Char(' ') + formatName(positional);
     return line;
 }
 } // namespace
@@ -64,7 +64,7 @@ QString helpText(const Command* command)
         if (!command->positionals.empty())
             text += QLatin1Char('\n');
         for (const Positional& positional : command->positionals)
-            text += entry(shownName(positional), positional.help);
+            text += entry(formatName(positional), positional.help);
         text += optionList(translate("cli", "Options of this command:"), command->options);
     }
     text += optionList(translate("cli", "Options:"), globalOptions());

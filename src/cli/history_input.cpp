@@ -11,8 +11,8 @@
 
 namespace cli {
 namespace {
-constexpr int usualRows = 200;
-constexpr int mostRows = 1'000'000;
+constexpr int defaultRows = 200;
+constexpr int maxRows = 1'000'000;
 
 std::optional<QDateTime> ago(const QString& word, const QDateTime& now)
 {
@@ -33,13 +33,13 @@ base::Result<void> takeTimes(record::HistoryFilter& filter, const Values& values
 {
     const QDateTime now = QDateTime::currentDateTimeUtc();
     if (const auto word = values.option("--since")) {
-        const auto at = parseMoment(*word, now);
+        const auto at = parseDateTime(*word, now);
         if (!at)
             return tl::unexpected(at.error());
         filter.from = *at;
     }
     if (const auto word = values.option("--until")) {
-        const auto at = parseMoment(*word, now);
+        const auto at = parseDateTime(*word, now);
         if (!at)
             return tl::unexpected(at.error());
         filter.until = *at;
@@ -73,7 +73,7 @@ std::vector<Option> historyOptions()
 base::Result<std::unique_ptr<record::History>> openHistory()
 {
     const QString path = session::historyFile();
-    if (!QFile::exists(path) && !QFile::exists(record::oldJournalBeside(path)))
+    if (!QFile::exists(path) && !QFile::exists(record::legacyJournalPath(path)))
         return nullptr;
     return record::History::open(path);
 }
@@ -85,8 +85,8 @@ base::Result<record::HistoryFilter> historyFilter(const record::History* history
     filter.model = values.option("--model").value_or(QString());
     filter.label = values.option("--label").value_or(QString());
     filter.key = values.option("--register").value_or(QString());
-    filter.onlyTrouble = values.has("--trouble");
-    filter.most = usualRows;
+    filter.onlyProblems = values.has("--trouble");
+    filter.limit = defaultRows;
     if (const auto word = values.option("--id")) {
         const auto id = parseId(*word);
         if (!id)
@@ -94,10 +94,10 @@ base::Result<record::HistoryFilter> historyFilter(const record::History* history
         filter.id = *id;
     }
     if (const auto word = values.option("--most")) {
-        const auto most = parseWhole(*word, 1, mostRows);
-        if (!most)
-            return tl::unexpected(most.error());
-        filter.most = *most;
+        const auto limit = parseInt(*word, 1, maxRows);
+        if (!limit)
+            return tl::unexpected(limit.error());
+        filter.limit = *limit;
     }
     if (const auto times = takeTimes(filter, values); !times)
         return tl::unexpected(times.error());
@@ -110,7 +110,7 @@ base::Result<record::HistoryFilter> historyFilter(const record::History* history
     return filter;
 }
 
-base::Result<QDateTime> parseMoment(const QString& word, const QDateTime& now)
+base::Result<QDateTime> parseDateTime(const QString& word, const QDateTime& now)
 {
     if (const auto at = ago(word, now))
         return *at;
@@ -152,10 +152,10 @@ base::Result<std::int64_t> parseServo(const record::History& history, const QStr
                            .arg(word));
 }
 
-base::Result<void> knowServos(const record::History& history, record::HistoryProfiles& profiles)
+base::Result<void> loadProfiles(const record::History& history, record::HistoryProfiles& profiles)
 {
     record::HistoryFilter all;
-    all.most = mostRows;
+    all.limit = maxRows;
     const auto servos = history.log().servos(all);
     if (!servos)
         return tl::unexpected(servos.error());

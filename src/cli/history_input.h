@@ -19,10 +19,10 @@ base::Result<record::HistoryFilter> historyFilter(const record::History* history
 
 /// "2026-11-22", "2026-11-22T10:30" or "2026-11-22 10:30:05" (local, unless it says otherwise),
 /// "10:30" (today), "90m", "2h", "3d", "1w" (ago). Answers UTC.
-base::Result<QDateTime> parseMoment(const QString& word, const QDateTime& now);
+base::Result<QDateTime> parseDateTime(const QString& word, const QDateTime& now);
 /// The number of a servo, or the label of the only one that has it.
 base::Result<std::int64_t> parseServo(const record::History& history, const QString& word);
 
 /// All servos of the history, so that values can be shown with their units.
-base::Result<void> knowServos(const record::History& history, record::HistoryProfiles& profiles);
+base::Result<void> loadProfiles(const record::History& history, record::HistoryProfiles& profiles);
 } // namespace cli

@@ -12,15 +12,15 @@
 namespace cli {
 namespace {
 using record::HistoryServer;
-constexpr auto lookEvery = std::chrono::milliseconds(50);
-constexpr auto atTheEnd = std::chrono::milliseconds(900);
+constexpr auto checkInterval = std::chrono::milliseconds(50);
+constexpr auto shutdownTimeout = std::chrono::milliseconds(900);
 
 base::Result<std::unique_ptr<HistoryServer>> connect(Run& run, const Values& values)
 {
     QString address = values.option("--server").value_or(QStringLiteral("default"));
     if (address == QLatin1String("default")) {
         session::Settings settings;
-        address = rememberedServer(run, settings).address;
+        address = savedServer(run, settings).address;
     }
     if (address.isEmpty())
         return badArgument(translate("cli", "no history server is set; name one with --server or "
@@ -28,7 +28,7 @@ base::Result<std::unique_ptr<HistoryServer>> connect(Run& run, const Values& val
     return record::connectHistoryServer(address, HistoryServer::Purpose::Browse, &run.stop());
 }
 
-base::Result<void> chooseBench(const HistoryServer& server, const QString& name)
+base::Result<void> selectBench(const HistoryServer& server, const QString& name)
 {
     const auto benches = server.benches();
     if (!benches)
@@ -36,45 +36,46 @@ base::Result<void> chooseBench(const HistoryServer& server, const QString& name)
     QStringList names;
     for (const record::HistoryBench& bench : *benches) {
         if (bench.name.compare(name, Qt::CaseInsensitive) == 0)
-            return server.choose(bench.number);
+            return server.selectBench(bench.number);
         names.append(bench.name);
     }
     return badArgument(translate("cli", "no bench called %1 sends there; these do: %2")
                            .arg(name, names.join(QStringLiteral(", "))));
 }
 
-bool asksServer(const Values& values)
+bool usesServer(const Values& values)
 {
     return values.option("--server") || values.option("--bench") ||
            values.option("--kind") == QStringLiteral("benches");
 }
 } // namespace
 
-base::Result<Exit> askHistory(Run& run, const Values& values,
-                              base::Result<Exit> (*work)(Run&, const Values&))
+base::Result<Exit> runHistoryCommand(Run& run, const Values& values,
+                                     base::Result<Exit> (*work)(Run&, const Values&))
 {
-    if (!asksServer(values))
+    if (!usesServer(values))
         return work(run, values);
     (void)run.session(); // belongs to this thread
     const auto promise = std::make_shared<std::promise<base::Result<Exit>>>();
     auto answer = promise->get_future();
-    session::LooseThread thread;
+    session::DetachableWorker thread;
     thread.start([&run, values, work, promise] { promise->set_value(work(run, values)); });
-    while (answer.wait_for(lookEvery) != std::future_status::ready) {
+    while (answer.wait_for(checkInterval) != std::future_status::ready) {
         // One that is connected hangs up by itself; connecting cannot be ended.
-        if (run.stop().requested() && answer.wait_for(atTheEnd) != std::future_status::ready)
+        if (run.stop().isRequested() &&
+            answer.wait_for(shutdownTimeout) != std::future_status::ready)
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("history-server"));
     }
-    thread.end(atTheEnd);
+    thread.finish(shutdownTimeout);
     return answer.get();
 }
 
-session::HistoryServerChoice rememberedServer(Run& run, session::Settings& settings)
+session::HistoryServerChoice savedServer(Run& run, session::Settings& settings)
 {
     if (const auto removed = session::removeStoredPassword(settings)) {
         const text::Description words = text::describe(*removed);
-        run.console().say(
-            QStringList{words.what, words.cause, words.remedy}.join(QLatin1Char('\n')));
+        run.console().printMessage(
+            QStringList{words.message, words.cause, words.remedy}.join(QLatin1Char('\n')));
     }
     return session::historyServerChoice(settings);
 }
@@ -98,7 +99,7 @@ base::Result<std::unique_ptr<record::History>> openHistory(Run& run, const Value
     if (!server)
         return tl::unexpected(server.error());
     if (bench) {
-        if (const auto chosen = chooseBench(**server, *bench); !chosen)
+        if (const auto chosen = selectBench(**server, *bench); !chosen)
             return tl::unexpected(chosen.error());
     }
     return std::make_unique<record::History>(std::move(*server));

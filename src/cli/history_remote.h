@@ -16,13 +16,13 @@ namespace cli {
 /// --server, --bench
 std::vector<Option> serverOptions();
 /// `work`, which may ask a server: then on a thread that Ctrl-C leaves behind.
-base::Result<Exit> askHistory(Run& run, const Values& values,
-                              base::Result<Exit> (*work)(Run&, const Values&));
+base::Result<Exit> runHistoryCommand(Run& run, const Values& values,
+                                     base::Result<Exit> (*work)(Run&, const Values&));
 /// Null: nothing was ever kept on this computer.
 base::Result<std::unique_ptr<record::History>> openHistory(Run& run, const Values& values);
 /// Who sends to the server.
 base::Result<std::vector<record::HistoryBench>> listBenches(Run& run, const Values& values);
 
 /// What is remembered, said once if a password had to be removed from it.
-session::HistoryServerChoice rememberedServer(Run& run, session::Settings& settings);
+session::HistoryServerChoice savedServer(Run& run, session::Settings& settings);
 } // namespace cli

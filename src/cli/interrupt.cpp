@@ -13,7 +13,7 @@
 namespace cli {
 #ifdef Q_OS_UNIX
 namespace {
-constexpr auto graceForLocks = std::chrono::seconds(2);
+constexpr auto lockGracePeriod = std::chrono::seconds(2);
 
 sigset_t endingSignals()
 {
@@ -27,7 +27,7 @@ sigset_t endingSignals()
 /// As if it had never been blocked, so that the caller (a shell) sees what ended the program.
 /// _exit would do, but not under a sanitizer: its own version flushes stdout first, and that may
 /// be just what the program hangs in.
-void dieOf(int signal)
+void exitBySignal(int signal)
 {
     std::signal(signal, SIG_DFL);
     const sigset_t set = endingSignals();
@@ -61,17 +61,17 @@ void Interrupt::receive()
     if (sigwait(&set, &signal) != 0 || m_ending)
         return;
     m_stop.request();
-    const auto lastMoment = std::chrono::steady_clock::now() + graceForLocks;
+    const auto lastMoment = std::chrono::steady_clock::now() + lockGracePeriod;
     if (sigwait(&set, &signal) != 0 || m_ending)
         return;
     while (std::chrono::steady_clock::now() < lastMoment && !m_ending)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     if (!m_ending)
-        dieOf(signal);
+        exitBySignal(signal);
 }
 #else
 namespace {
-base::Stop* stopOfProgram = nullptr;
+base::StopToken* stopOfProgram = nullptr;
 
 // The system calls this on a thread of its own.
 void requestStop(int)

@@ -18,12 +18,12 @@ public:
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
 
-    const base::Stop& stop() const { return m_stop; }
+    const base::StopToken& stop() const { return m_stop; }
 
 private:
     void receive();
 
-    base::Stop m_stop;
+    base::StopToken m_stop;
     std::atomic<bool> m_ending{false};
     std::thread m_receiver;
 };

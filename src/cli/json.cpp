@@ -14,7 +14,7 @@ QByteArray quoted(const QString& text)
 {
     QString out(QLatin1Char('"'));
     for (const QChar c : text) {
-        if (commandsTerminal(c)) {
+        if (isTerminalControl(c)) {
             out += QStringLiteral("\\u%1").arg(int(c.unicode()), 4, 16, QLatin1Char('0'));
             continue;
         }

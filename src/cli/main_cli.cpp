@@ -31,6 +31,6 @@ int main(int argc, char** argv)
     const auto application = makeApplication(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("servodesk"));
     QCoreApplication::setApplicationVersion(QStringLiteral(SERVODESK_VERSION));
-    return session::LooseThread::exitCode(
+    return session::DetachableWorker::exitCode(
         cli::runProgram(QCoreApplication::arguments().mid(1), interrupt.stop()));
 }

@@ -12,7 +12,7 @@
 namespace {
 std::string shown(const QString& text)
 {
-    return cli::forTerminal(text).toStdString();
+    return cli::terminalSafe(text).toStdString();
 }
 } // namespace
 
@@ -32,7 +32,8 @@ int main(int argc, char** argv)
     const auto tell = [](const QString& what) { std::cout << shown(what) << std::endl; };
     if (const auto run = session::runSimulator(*line.options, announce, tell); !run) {
         const auto words = text::describe(run.error());
-        std::cerr << "servodesk-sim: " << shown(words.what) << '\n' << shown(words.remedy) << '\n';
+        std::cerr << "servodesk-sim: " << shown(words.message) << '\n'
+                  << shown(words.remedy) << '\n';
         return cli::exitCode(run.error().code);
     }
     return 0;

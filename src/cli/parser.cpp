@@ -11,7 +11,7 @@
 
 namespace cli {
 namespace {
-constexpr int maxPatienceMs = 60'000;
+constexpr int maxTimeoutMs = 60'000;
 constexpr int maxRetries = 20;
 constexpr int maxSilenceUs = 100'000;
 
@@ -26,9 +26,9 @@ struct Slots {
 void addOptions(CLI::App& app, const std::vector<Option>& options, Slots& into)
 {
     for (const Option& option : options) {
-        auto& place = into.options.emplace_back(&option, std::string());
+        auto& slot = into.options.emplace_back(&option, std::string());
         if (option.value != nullptr)
-            app.add_option(option.flag, place.second);
+            app.add_option(option.flag, slot.second);
         else
             app.add_flag(option.flag)->disable_flag_override();
     }
@@ -53,8 +53,8 @@ void addCommand(CLI::App& root, const Command& command, Slots& into)
     into.app = addCommand(root, QLatin1String(command.name));
     int number = 0;
     for (const Positional& positional : command.positionals) {
-        auto& place = into.positionals.emplace_back();
-        CLI::Option* option = into.app->add_option("p" + std::to_string(number++), place);
+        auto& slot = into.positionals.emplace_back();
+        CLI::Option* option = into.app->add_option("p" + std::to_string(number++), slot);
         if (positional.max == many)
             option->expected(1, CLI::detail::expected_max_vector_size);
         else
@@ -66,12 +66,12 @@ void addCommand(CLI::App& root, const Command& command, Slots& into)
 base::Result<Values> valuesOf(const Slots& from)
 {
     Values values;
-    auto place = from.positionals.begin();
+    auto slot = from.positionals.begin();
     for (const Positional& positional : from.command->positionals) {
         QStringList words;
-        for (const std::string& word : *place)
+        for (const std::string& word : *slot)
             words << QString::fromStdString(word);
-        ++place;
+        ++slot;
         if (words.size() < positional.min)
             return badArgument(
                 translate("cli", "%1 is missing").arg(QString::fromUtf8(positional.name)));
@@ -98,11 +98,11 @@ base::Result<Globals> globalsOf(const Values& values)
     Globals globals;
     globals.port = values.option("--port").value_or(QString());
     if (const auto baud = values.option("--baud")) {
-        globals.searchBaud = *baud == QLatin1String("auto");
-        const auto rates = parseBauds(globals.searchBaud ? QStringLiteral("all") : *baud);
+        globals.autoBaud = *baud == QLatin1String("auto");
+        const auto rates = parseBauds(globals.autoBaud ? QStringLiteral("all") : *baud);
         if (!rates)
             return tl::unexpected(rates.error());
-        if (!globals.searchBaud)
+        if (!globals.autoBaud)
             globals.baud = rates->front();
     }
     if (const auto word = values.option("--protocol")) {
@@ -112,19 +112,19 @@ base::Result<Globals> globalsOf(const Values& values)
         globals.protocol = *protocol;
     }
     if (const auto silence = values.option("--silence")) {
-        const auto us = parseWhole(*silence, 0, maxSilenceUs);
+        const auto us = parseInt(*silence, 0, maxSilenceUs);
         if (!us)
             return tl::unexpected(us.error());
-        globals.silence = std::chrono::microseconds(*us);
+        globals.frameSilence = std::chrono::microseconds(*us);
     }
     if (const auto timeout = values.option("--timeout")) {
-        const auto ms = parseWhole(*timeout, 1, maxPatienceMs);
+        const auto ms = parseInt(*timeout, 1, maxTimeoutMs);
         if (!ms)
             return tl::unexpected(ms.error());
-        globals.patience = std::chrono::milliseconds(*ms);
+        globals.maxReplyLateness = std::chrono::milliseconds(*ms);
     }
     if (const auto retries = values.option("--retries")) {
-        const auto number = parseWhole(*retries, 0, maxRetries);
+        const auto number = parseInt(*retries, 0, maxRetries);
         if (!number)
             return tl::unexpected(number.error());
         globals.retries = *number;
@@ -132,7 +132,7 @@ base::Result<Globals> globalsOf(const Values& values)
     return globals;
 }
 
-tl::unexpected<base::Error> notUnderstood(const QString& word, bool commandKnown)
+tl::unexpected<base::Error> parseFailure(const QString& word, bool commandKnown)
 {
     QStringList known;
     for (const Command& command : commands())
@@ -151,10 +151,10 @@ tl::unexpected<base::Error> notUnderstood(const QString& word, bool commandKnown
 class Parser {
 public:
     Parser();
-    base::Result<Parsed> parse(const QStringList& arguments);
+    base::Result<ParsedCommandLine> parse(const QStringList& arguments);
 
 private:
-    base::Result<Parsed> result();
+    base::Result<ParsedCommandLine> result();
     const Slots* chosen() const;
 
     CLI::App m_app;
@@ -179,12 +179,12 @@ const Slots* Parser::chosen() const
     return it == m_commands.end() ? nullptr : &*it;
 }
 
-base::Result<Parsed> Parser::result()
+base::Result<ParsedCommandLine> Parser::result()
 {
     const Slots* command = chosen();
     const auto rest = m_app.remaining(true);
     if (!rest.empty())
-        return notUnderstood(QString::fromStdString(rest.front()), command != nullptr);
+        return parseFailure(QString::fromStdString(rest.front()), command != nullptr);
     if (command == nullptr)
         return badArgument(translate("cli", "say which command; --help lists them"));
     Values global;
@@ -196,11 +196,11 @@ base::Result<Parsed> Parser::result()
     if (!values)
         return tl::unexpected(values.error());
     takeOptions(*command, *values);
-    return Parsed{Parsed::Wish::Command, command->command, std::move(*values), *globals,
-                  global.has("--json")};
+    return ParsedCommandLine{ParsedCommandLine::Action::Command, command->command,
+                             std::move(*values), *globals, global.has("--json")};
 }
 
-base::Result<Parsed> Parser::parse(const QStringList& arguments)
+base::Result<ParsedCommandLine> Parser::parse(const QStringList& arguments)
 {
     // CLI11 wants them last first.
     std::vector<std::string> words;
@@ -209,13 +209,13 @@ base::Result<Parsed> Parser::parse(const QStringList& arguments)
     try {
         m_app.parse(std::move(words));
     } catch (const CLI::CallForHelp&) {
-        Parsed help;
-        help.wish = Parsed::Wish::Help;
+        ParsedCommandLine help;
+        help.action = ParsedCommandLine::Action::Help;
         help.command = chosen() != nullptr ? chosen()->command : nullptr;
         return help;
     } catch (const CLI::CallForVersion&) {
-        Parsed version;
-        version.wish = Parsed::Wish::Version;
+        ParsedCommandLine version;
+        version.action = ParsedCommandLine::Action::Version;
         return version;
     } catch (const CLI::ArgumentMismatch& error) {
         return badArgument(translate("cli", "an option lacks its value, or is given twice (%1)")
@@ -259,7 +259,7 @@ const std::vector<Option>& globalOptions()
     return options;
 }
 
-base::Result<QString> wantedLanguage(const QStringList& arguments)
+base::Result<QString> requestedLanguage(const QStringList& arguments)
 {
     QString language;
     for (qsizetype i = 0; i < arguments.size(); ++i) {
@@ -276,7 +276,7 @@ base::Result<QString> wantedLanguage(const QStringList& arguments)
     return language;
 }
 
-base::Result<Parsed> parseCommandLine(const QStringList& arguments)
+base::Result<ParsedCommandLine> parseCommandLine(const QStringList& arguments)
 {
     return Parser().parse(arguments);
 }

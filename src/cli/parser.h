@@ -6,9 +6,9 @@
 #include "cli/run.h"
 
 namespace cli {
-struct Parsed {
-    enum class Wish { Command, Help, Version };
-    Wish wish = Wish::Command;
+struct ParsedCommandLine {
+    enum class Action { Command, Help, Version };
+    Action action = Action::Command;
     const Command* command = nullptr; ///< null: help on everything
     Values values;
     Globals globals;
@@ -16,14 +16,14 @@ struct Parsed {
 };
 
 /// Without the program's name.
-base::Result<Parsed> parseCommandLine(const QStringList& arguments);
+base::Result<ParsedCommandLine> parseCommandLine(const QStringList& arguments);
 
 /// Global options, for parser and help. --json and --lang are looked at before all else.
 const std::vector<Option>& globalOptions();
 
 /// The value of --lang, wherever it stands; empty if it is not there. BadArgument for a language
 /// there is none of.
-base::Result<QString> wantedLanguage(const QStringList& arguments);
+base::Result<QString> requestedLanguage(const QStringList& arguments);
 
 /// Usage of one command, or of the program (null).
 QString helpText(const Command* command);

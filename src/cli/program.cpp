@@ -14,60 +14,61 @@ namespace cli {
 namespace {
 Exit report(const base::Error& error, Console& console)
 {
-    if (console.json())
+    if (console.isJson())
         console.write(Json::object().add("error", jsonError(error)).text());
     else
-        console.say(errorText(error));
+        console.printMessage(errorText(error));
     return exitCode(error.code);
 }
 
 /// A reader that has gone away ("| head") needs no explanation; a full disk does.
 Exit checkOutput(Exit exit, Console& console)
 {
-    if (!console.failure())
+    if (!console.writeError())
         return exit;
-    if (*console.failure() != EPIPE) {
-        const auto why = std::generic_category().message(*console.failure());
-        console.say(translate("cli", "The result could not be written: %1")
-                        .arg(QString::fromStdString(why)));
+    if (*console.writeError() != EPIPE) {
+        const auto why = std::generic_category().message(*console.writeError());
+        console.printMessage(translate("cli", "The result could not be written: %1")
+                                 .arg(QString::fromStdString(why)));
     }
-    return exit == Exit::Done ? Exit::File : exit;
+    return exit == Exit::Success ? Exit::File : exit;
 }
 
-Exit runCommand(const Parsed& parsed, Console& console, const base::Stop& stop)
+Exit runCommand(const ParsedCommandLine& parsed, Console& console, const base::StopToken& stop)
 {
     Run run(parsed.globals, console, stop);
     const auto done = parsed.command->run(run, parsed.values);
-    for (const base::Error& journal : record::takeUnreadableJournals())
-        console.say(errorText(journal) + QLatin1Char('\n') +
-                    translate("cli", "  File, and how many lines: %1").arg(journal.detail));
+    for (const base::Error& journal : record::importUnreadableJournals())
+        console.printMessage(
+            errorText(journal) + QLatin1Char('\n') +
+            translate("cli", "  File, and how many lines: %1").arg(journal.detail));
     if (done)
-        return *done == Exit::Done && run.notRecorded() ? Exit::File : *done;
+        return *done == Exit::Success && run.hasUnrecordedChange() ? Exit::File : *done;
     run.fail(done.error());
     return exitCode(done.error().code);
 }
 } // namespace
 
-int runProgram(const QStringList& arguments, const base::Stop& stop)
+int runProgram(const QStringList& arguments, const base::StopToken& stop)
 {
     Console console(arguments.contains(QLatin1String("--json")));
     text::installTranslator({});
-    const auto language = wantedLanguage(arguments);
+    const auto language = requestedLanguage(arguments);
     if (!language)
         return report(language.error(), console);
     text::installTranslator(*language);
     const auto parsed = parseCommandLine(arguments);
     if (!parsed)
         return report(parsed.error(), console);
-    Exit exit = Exit::Done;
-    switch (parsed->wish) {
-    case Parsed::Wish::Help:
+    Exit exit = Exit::Success;
+    switch (parsed->action) {
+    case ParsedCommandLine::Action::Help:
         console.write(helpText(parsed->command).toUtf8());
         break;
-    case Parsed::Wish::Version:
+    case ParsedCommandLine::Action::Version:
         console.write("servodesk-cli " + QCoreApplication::applicationVersion().toUtf8() + '\n');
         break;
-    case Parsed::Wish::Command:
+    case ParsedCommandLine::Action::Command:
         exit = runCommand(*parsed, console, stop);
         break;
     }

@@ -9,5 +9,5 @@
 
 namespace cli {
 /// `arguments` without the program's name.
-int runProgram(const QStringList& arguments, const base::Stop& stop);
+int runProgram(const QStringList& arguments, const base::StopToken& stop);
 } // namespace cli

@@ -7,21 +7,21 @@
 
 namespace cli {
 namespace {
-constexpr auto quietTime = std::chrono::seconds(1);
-constexpr auto rewriteEvery = std::chrono::milliseconds(100);
-constexpr auto lineEvery = std::chrono::seconds(2);
+constexpr auto initialDelay = std::chrono::seconds(1);
+constexpr auto rewriteInterval = std::chrono::milliseconds(100);
+constexpr auto lineInterval = std::chrono::seconds(2);
 } // namespace
 
 ProgressLine::ProgressLine(Console& console, QString task)
     : m_console(console)
     , m_task(std::move(task))
-    , m_next(m_start + quietTime)
+    , m_next(m_start + initialDelay)
 {}
 
 ProgressLine::~ProgressLine()
 {
-    if (m_shown && m_console.remarkTerminal())
-        m_console.status({});
+    if (m_shown && m_console.isStderrTerminal())
+        m_console.showStatus({});
 }
 
 void ProgressLine::update(const jobs::Progress& progress)
@@ -47,12 +47,12 @@ void ProgressLine::show(const QString& state)
     if (now < m_next)
         return;
     const QString line = QStringLiteral("%1: %2").arg(m_task, state);
-    if (m_console.remarkTerminal()) {
-        m_console.status(line);
-        m_next = now + rewriteEvery;
+    if (m_console.isStderrTerminal()) {
+        m_console.showStatus(line);
+        m_next = now + rewriteInterval;
     } else {
-        m_console.say(line);
-        m_next = now + lineEvery;
+        m_console.printMessage(line);
+        m_next = now + lineInterval;
     }
     m_shown = true;
 }

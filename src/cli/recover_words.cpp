@@ -10,7 +10,7 @@
 
 namespace cli {
 namespace {
-constexpr int shownUuid = 8; ///< enough to tell a handful of changes apart
+constexpr int uuidDigits = 8; ///< enough to tell a handful of changes apart
 
 QString kindName(const base::Intent& intent)
 {
@@ -38,12 +38,12 @@ QString kindName(const base::Intent& intent)
     return {};
 }
 
-struct FindingWord {
+struct FindingText {
     const char* name;
     const char* shown;
 };
 
-FindingWord findingWord(jobs::Finding finding)
+FindingText findingText(jobs::Finding finding)
 {
     switch (finding) {
     case jobs::Finding::AllOld:
@@ -54,7 +54,7 @@ FindingWord findingWord(jobs::Finding finding)
         return {"mixed", QT_TRANSLATE_NOOP("cli", "some new, some old values")};
     case jobs::Finding::OtherServo:
         return {"other-servo", QT_TRANSLATE_NOOP("cli", "another servo answers: left alone")};
-    case jobs::Finding::NoAnswer:
+    case jobs::Finding::NoReply:
         return {"no-answer", QT_TRANSLATE_NOOP("cli", "it does not answer")};
     case jobs::Finding::Unreadable:
         return {"unreadable", QT_TRANSLATE_NOOP("cli", "something answers, but nothing readable")};
@@ -83,26 +83,26 @@ Json jsonIntent(const base::Intent& intent)
         .add("id", intent.servo.id)
         .add("port", intent.servo.port)
         .add("baud", intent.servo.baud)
-        .add("under_way", intent.underWayElsewhere)
+        .add("under_way", intent.isActiveElsewhere)
         .add("items", std::move(items));
     return json;
 }
 
 } // namespace
 
-Json jsonRecovered(const jobs::Recovered& one)
+Json jsonRecovered(const jobs::RecoveryResult& one)
 {
     Json json = jsonIntent(one.before.intent);
-    json.add("finding", QString::fromLatin1(findingWord(one.before.finding).name))
+    json.add("finding", QString::fromLatin1(findingText(one.before.finding).name))
         .add("found_id", one.before.foundId >= 0 ? Json(one.before.foundId) : Json())
         .add("found_baud", one.before.foundBaud > 0 ? Json(one.before.foundBaud) : Json())
         .add("lock_open", one.before.lockOpen)
         .add("done", one.done);
-    if (!one.left.isEmpty())
-        json.add("left", one.left);
-    if (one.action != jobs::RecoverAction::Look)
-        json.add("action", one.action == jobs::RecoverAction::Undo ? QStringLiteral("undo")
-                                                                   : QStringLiteral("finish"));
+    if (!one.skippedKeys.isEmpty())
+        json.add("left", one.skippedKeys);
+    if (one.action != jobs::RecoveryAction::Preview)
+        json.add("action", one.action == jobs::RecoveryAction::Undo ? QStringLiteral("undo")
+                                                                    : QStringLiteral("finish"));
     if (one.report)
         json.add("result", jsonWrites(*one.report));
     if (one.error)
@@ -125,10 +125,10 @@ QStringList changesOf(const base::Intent& intent)
 /// beforehand (calibration, restored defaults) by their names.
 QString changesCell(const base::Intent& intent)
 {
-    constexpr int shownInOneLine = 3;
+    constexpr int maxItemsInLine = 3;
     const QStringList changes = changesOf(intent);
     const int count = static_cast<int>(intent.items.size());
-    if (count > shownInOneLine)
+    if (count > maxItemsInLine)
         return translate("cli", "%1 registers").arg(count);
     if (!changes.isEmpty())
         return changes.join(QStringLiteral(", "));
@@ -147,18 +147,18 @@ QString changesBelow(const base::Intent& intent)
     if (changesCell(intent) == changes.join(QStringLiteral(", ")) || changes.isEmpty())
         return {};
     QString lines =
-        translate("cli", "Change %1:").arg(intent.uuid.left(shownUuid)) + QLatin1Char('\n');
+        translate("cli", "Change %1:").arg(intent.uuid.left(uuidDigits)) + QLatin1Char('\n');
     for (const QString& change : changes)
         lines += QStringLiteral("  %1\n").arg(change);
     return lines;
 }
 
-QString givenUpLines(const base::Intent& intent)
+QString discardedText(const base::Intent& intent)
 {
     const QStringList changes = changesOf(intent);
     QString lines =
         translate("cli", "Given up: change %1, servo %2 (%3, %4)")
-            .arg(intent.uuid.left(shownUuid))
+            .arg(intent.uuid.left(uuidDigits))
             .arg(intent.servo.id)
             .arg(kindName(intent),
                  intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
@@ -178,56 +178,57 @@ QString givenUpLines(const base::Intent& intent)
     return lines;
 }
 
-Json jsonGivenUp(const base::Intent& intent)
+Json jsonDiscarded(const base::Intent& intent)
 {
     return jsonIntent(intent).add("lock_may_be_open", intent.lockOpened);
 }
 
 namespace {
-QString lockShown(const std::optional<bool>& open)
+QString formatLock(const std::optional<bool>& open)
 {
-    return text::lockWord(!open   ? QStringLiteral("unknown")
-                          : *open ? QStringLiteral("open")
-                                  : QStringLiteral("closed"));
+    return text::lockLabel(!open   ? QStringLiteral("unknown")
+                           : *open ? QStringLiteral("open")
+                                   : QStringLiteral("closed"));
 }
 
 /// A restore whose way back had begun is undone even if finishing was asked for.
-QString settledWord(const jobs::Recovered& one, jobs::RecoverAction asked)
+QString recoveryText(const jobs::RecoveryResult& one, jobs::RecoveryAction asked)
 {
     if (!one.done)
         return translate("cli", "no");
-    if (one.allLeft)
+    if (one.isAllSkipped)
         return translate("cli", "left as it is");
-    const bool undone = asked == jobs::RecoverAction::Finish && one.action != asked;
+    const bool undone = asked == jobs::RecoveryAction::Finish && one.action != asked;
     return undone ? translate("cli", "undone") : translate("cli", "yes");
 }
 
 } // namespace
 
 /// What was not written although it reads another value than was asked for.
-QString leftLine(const jobs::Recovered& one)
+QString notWrittenLine(const jobs::RecoveryResult& one)
 {
-    if (one.left.isEmpty())
+    if (one.skippedKeys.isEmpty())
         return {};
     return translate("cli", "Change %1, left as they are, because they have another value since or "
                             "would move the servo: %2")
-               .arg(one.before.intent.uuid.left(shownUuid), one.left.join(QStringLiteral(", "))) +
+               .arg(one.before.intent.uuid.left(uuidDigits),
+                    one.skippedKeys.join(QStringLiteral(", "))) +
            QLatin1Char('\n');
 }
 
-Table recoveredTable(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action)
+Table recoveredTable(const std::vector<jobs::RecoveryResult>& all, jobs::RecoveryAction action)
 {
     Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
                  translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Found"),
                  translate("cli", "Lock"), translate("cli", "Settled")});
-    table.right({2});
-    for (const jobs::Recovered& one : all) {
+    table.alignRight({2});
+    for (const jobs::RecoveryResult& one : all) {
         const base::Intent& intent = one.before.intent;
-        table.add({intent.uuid.left(shownUuid),
+        table.add({intent.uuid.left(uuidDigits),
                    intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
                    QString::number(intent.servo.id), kindName(intent), changesCell(intent),
-                   translate("cli", findingWord(one.before.finding).shown),
-                   lockShown(one.before.lockOpen), settledWord(one, action)});
+                   translate("cli", findingText(one.before.finding).shown),
+                   formatLock(one.before.lockOpen), recoveryText(one, action)});
     }
     return table;
 }
@@ -237,7 +238,7 @@ QString namesOf(const std::vector<base::Intent>& intents)
 {
     QStringList names;
     for (const base::Intent& intent : intents)
-        names << intent.uuid.left(shownUuid);
+        names << intent.uuid.left(uuidDigits);
     return names.join(QStringLiteral(", "));
 }
 
@@ -253,10 +254,10 @@ QString UncheckedChanges::command() const
 {
     QString there;
     for (const base::Intent& intent : intents) {
-        if (intent.underWayElsewhere)
+        if (intent.isActiveElsewhere)
             continue;
         if (!jobs::isPortPresent(intent))
-            return commandHere();
+            return commandForThisPort();
         if (there.isEmpty())
             there = commandOn(intent.servo.port);
     }
@@ -277,7 +278,8 @@ void UncheckedChanges::addTo(Json& document, const char* name) const
         document.add(name, json());
 }
 
-void addAdvice(Json& document, const UncheckedChanges& first, const UncheckedChanges& second)
+void addRecoverCommand(Json& document, const UncheckedChanges& first,
+                       const UncheckedChanges& second)
 {
     const QString command = first.command().isEmpty() ? second.command() : first.command();
     if (!command.isEmpty())
@@ -290,7 +292,7 @@ QString UncheckedChanges::advice() const
     std::map<QString, std::vector<base::Intent>> present;
     bool gone = false;
     for (const base::Intent& intent : intents) {
-        if (intent.underWayElsewhere)
+        if (intent.isActiveElsewhere)
             running.push_back(intent);
         else if (jobs::isPortPresent(intent))
             present[intent.servo.port].push_back(intent);
@@ -311,13 +313,13 @@ QString UncheckedChanges::advice() const
                                "Only if you know that the same servo is connected to %1 now: "
                                "%2. Another servo of this model and ID cannot be told "
                                "apart from it.")
-                         .arg(port, commandHere() + QStringLiteral(" --change ") +
-                                        its.front().uuid.left(shownUuid));
+                         .arg(port, commandForThisPort() + QStringLiteral(" --change ") +
+                                        its.front().uuid.left(uuidDigits));
     }
     if (gone)
         lines << translate("cli", "An adapter that is plugged in again may have another name. "
                                   "Where the servo is connected now, look at them with: %1")
-                     .arg(commandHere());
+                     .arg(commandForThisPort());
     return lines.isEmpty() ? QString() : lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
@@ -327,9 +329,9 @@ QString UncheckedChanges::text(const QString& title) const
         return {};
     Table table({translate("cli", "Change"), translate("cli", "When"), translate("cli", "ID"),
                  translate("cli", "What"), translate("cli", "Changes"), translate("cli", "Port")});
-    table.right({2});
+    table.alignRight({2});
     for (const base::Intent& intent : intents) {
-        table.add({intent.uuid.left(shownUuid),
+        table.add({intent.uuid.left(uuidDigits),
                    intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")),
                    QString::number(intent.servo.id), kindName(intent), changesCell(intent),
                    intent.servo.port});
@@ -337,20 +339,20 @@ QString UncheckedChanges::text(const QString& title) const
     return title + QLatin1Char('\n') + table.text() + advice();
 }
 
-QString elsewhereTitle()
+QString otherPortsTitle()
 {
     return translate("cli", "Changes that were begun on other ports are open:");
 }
 
 /// One that was named although its own port is there: nothing proves that it is the same servo.
-QString userSaidSo(const jobs::Recovered& one, const QString& port)
+QString userConfirmedText(const jobs::RecoveryResult& one, const QString& port)
 {
     const base::Intent& intent = one.before.intent;
     if (intent.servo.port == port || !jobs::isPortPresent(intent))
         return {};
     return translate("cli", "Change %1 was begun on %2, which still exists. "
                             "ServoDesk relies on your word that the servo on %3 is the same one.")
-               .arg(intent.uuid.left(shownUuid), intent.servo.port, port) +
+               .arg(intent.uuid.left(uuidDigits), intent.servo.port, port) +
            QLatin1Char('\n');
 }
 

@@ -9,17 +9,17 @@
 #include "jobs/recover.h"
 
 namespace cli {
-Json jsonRecovered(const jobs::Recovered& one);
-Table recoveredTable(const std::vector<jobs::Recovered>& all, jobs::RecoverAction action);
+Json jsonRecovered(const jobs::RecoveryResult& one);
+Table recoveredTable(const std::vector<jobs::RecoveryResult>& all, jobs::RecoveryAction action);
 /// What the table only counts, one a line.
 QString changesBelow(const base::Intent& intent);
 /// A change that was given up unread: what it concerned, and that the lock may be open.
-QString givenUpLines(const base::Intent& intent);
-Json jsonGivenUp(const base::Intent& intent);
+QString discardedText(const base::Intent& intent);
+Json jsonDiscarded(const base::Intent& intent);
 /// What was not written although it reads another value than was asked for.
-QString leftLine(const jobs::Recovered& one);
+QString notWrittenLine(const jobs::RecoveryResult& one);
 /// One that was named although its own port is there: nothing proves that it is the same servo.
-QString userSaidSo(const jobs::Recovered& one, const QString& port);
+QString userConfirmedText(const jobs::RecoveryResult& one, const QString& port);
 
 /// Changes that were not compared with a servo, and how to get at each.
 struct UncheckedChanges {
@@ -32,7 +32,7 @@ struct UncheckedChanges {
         return isOpen && !port.isEmpty() && !port.startsWith(QLatin1String("sim:"));
     }
     /// On this port: the adapter may only have another name now.
-    QString commandHere() const
+    QString commandForThisPort() const
     {
         return QStringLiteral("servodesk-cli recover --any-port --port %1")
             .arg(hasRealPort() ? port : QStringLiteral("PORT"));
@@ -44,7 +44,8 @@ struct UncheckedChanges {
     QString text(const QString& title) const;
 };
 /// What to type, of the first of them that has something.
-void addAdvice(Json& document, const UncheckedChanges& first, const UncheckedChanges& second = {});
+void addRecoverCommand(Json& document, const UncheckedChanges& first,
+                       const UncheckedChanges& second = {});
 
-QString elsewhereTitle();
+QString otherPortsTitle();
 } // namespace cli

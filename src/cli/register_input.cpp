@@ -6,7 +6,7 @@
 
 namespace cli {
 namespace {
-QString expectation(const catalog::Register& reg, const catalog::Meaning& meaning)
+QString expectation(const catalog::Register& reg, const catalog::ValueFormat& meaning)
 {
     QStringList kinds;
     if (meaning.min && meaning.max)
@@ -27,7 +27,7 @@ QString expectation(const catalog::Register& reg, const catalog::Meaning& meanin
 base::Result<std::int64_t> parseRegisterValue(const device::Servo& servo,
                                               const catalog::Register& reg, const QString& text)
 {
-    const catalog::Meaning meaning = servo.meaning(reg);
+    const catalog::ValueFormat meaning = servo.meaning(reg);
     const auto raw = catalog::parseValue(text, reg, meaning);
     if (raw)
         return raw;

@@ -31,7 +31,7 @@ QString commandHint(const base::Error& error)
     if (error.operation == QLatin1String("history-server"))
         return {}; // no servo is concerned
     switch (error.code) {
-    case base::ErrorCode::NoAnswer:
+    case base::ErrorCode::NoReply:
     case base::ErrorCode::Garbled:
         return QStringLiteral("servodesk-cli scan --bauds all");
     case base::ErrorCode::NeedsConsent:
@@ -90,14 +90,14 @@ QString servoTitle(const device::Servo& servo)
         .arg(profile.modelName, profile.identity.modelId(), profile.identity.firmware());
 }
 
-QString shownValue(const device::Servo& servo, const catalog::Register& reg)
+QString formatValueText(const device::Servo& servo, const catalog::Register& reg)
 {
     const auto raw = servo.raw(reg);
-    return raw ? catalog::formatValue(*raw, reg, servo.meaning(reg), text::inChinese())
+    return raw ? catalog::formatValue(*raw, reg, servo.meaning(reg), text::isUiChinese())
                : QStringLiteral("–");
 }
 
-QString shownUnit(const device::Servo& servo, const catalog::Register& reg)
+QString formatUnit(const device::Servo& servo, const catalog::Register& reg)
 {
     return servo.meaning(reg).unit;
 }
@@ -107,7 +107,7 @@ Json jsonValue(const device::Servo& servo, const catalog::Register& reg)
     const auto raw = servo.raw(reg);
     if (!raw)
         return {};
-    const catalog::Meaning meaning = servo.meaning(reg);
+    const catalog::ValueFormat meaning = servo.meaning(reg);
     if (meaning.encoding == catalog::Encoding::Bits)
         return bitKeys(*raw, reg);
     if (meaning.encoding == catalog::Encoding::Enum) {
@@ -132,7 +132,7 @@ Json jsonRegister(const device::Servo& servo, const catalog::Register& reg)
         .add("address", reg.address)
         .add("raw", servo.raw(reg))
         .add("value", jsonValue(servo, reg))
-        .add("unit", shownUnit(servo, reg))
+        .add("unit", formatUnit(servo, reg))
         .add("area", catalog::areaName(reg.area))
         .add("access", catalog::accessName(reg.access));
 }
@@ -143,12 +143,12 @@ Table registerTable(const device::Servo& servo,
     Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Name"),
                  translate("cli", "Value"), translate("cli", "Raw"), translate("cli", "Area"),
                  translate("cli", "Access")});
-    table.right({0, 4});
+    table.alignRight({0, 4});
     for (const catalog::Register* reg : registers) {
         table.add({QString::number(reg->address), reg->key,
-                   servo.meaning(*reg).name.in(text::inChinese()), shownValue(servo, *reg),
-                   numberOrDash(servo.raw(*reg)), text::areaWord(reg->area),
-                   text::accessWord(reg->access)});
+                   servo.meaning(*reg).name.in(text::isUiChinese()), formatValueText(servo, *reg),
+                   numberOrDash(servo.raw(*reg)), text::areaLabel(reg->area),
+                   text::accessLabel(reg->access)});
     }
     return table;
 }
@@ -179,23 +179,23 @@ QString writeText(const device::Servo& servo, const device::WriteReport& report)
     Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Old"),
                  translate("cli", "New"), translate("cli", "Read back"),
                  translate("cli", "Outcome")});
-    table.right({0, 2, 3, 4});
+    table.alignRight({0, 2, 3, 4});
     const auto shown = [&servo](const QString& key, const std::optional<std::int64_t>& raw) {
         const catalog::Register* reg = servo.profile->find(key);
         return raw && reg != nullptr
-                   ? catalog::formatValue(*raw, *reg, servo.meaning(*reg), text::inChinese())
+                   ? catalog::formatValue(*raw, *reg, servo.meaning(*reg), text::isUiChinese())
                    : numberOrDash(raw);
     };
     QString why;
     for (const device::WriteResult& result : report.writes) {
         table.add({QString::number(result.address), result.key, shown(result.key, result.oldRaw),
                    shown(result.key, result.newRaw), shown(result.key, result.readBack),
-                   text::outcomeWord(device::outcomeName(result.outcome))});
+                   text::outcomeLabel(device::outcomeName(result.outcome))});
         if (result.error)
-            why += text::describe(*result.error).what + QLatin1Char('\n');
+            why += text::describe(*result.error).message + QLatin1Char('\n');
     }
     return table.text() +
-           translate("cli", "EPROM lock: %1").arg(text::lockWord(device::lockName(report.lock))) +
+           translate("cli", "EPROM lock: %1").arg(text::lockLabel(device::lockName(report.lock))) +
            QLatin1Char('\n') + why;
 }
 
@@ -204,7 +204,7 @@ Json jsonError(const base::Error& error)
     const text::Description words = text::describe(error);
     Json json = Json::object()
                     .add("code", base::errorName(error.code))
-                    .add("message", words.what)
+                    .add("message", words.message)
                     .add("cause", words.cause)
                     .add("remedy", remedyFor(error, words.remedy));
     if (error.id >= 0)
@@ -220,7 +220,7 @@ Json jsonError(const base::Error& error)
 QString errorText(const base::Error& error)
 {
     const text::Description words = text::describe(error);
-    QStringList lines{words.what};
+    QStringList lines{words.message};
     // A slip of the keyboard has no cause to look for.
     if (error.operation != QLatin1String("arguments")) {
         lines << translate("cli", "  Likely cause: %1").arg(words.cause)

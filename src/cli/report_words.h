@@ -12,12 +12,12 @@ namespace cli {
 QString servoTitle(const device::Servo& servo);
 
 /// A register's value as a person reads it; "–" if it was not read.
-QString shownValue(const device::Servo& servo, const catalog::Register& reg);
+QString formatValueText(const device::Servo& servo, const catalog::Register& reg);
 
 /// Physical value as a number; an enum's key (a number if it is one), a list of bit keys; null if
 /// not read.
 Json jsonValue(const device::Servo& servo, const catalog::Register& reg);
-QString shownUnit(const device::Servo& servo, const catalog::Register& reg);
+QString formatUnit(const device::Servo& servo, const catalog::Register& reg);
 
 /// {"key","address","raw","value","unit","area","access"}
 /// Keys of the alarms; null where the family reports none.

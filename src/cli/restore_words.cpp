@@ -21,13 +21,13 @@ QString shown(const device::Servo& servo, const QString& key, std::optional<std:
     const catalog::Register* reg = servo.profile->find(key);
     if (!raw || reg == nullptr)
         return raw ? QString::number(*raw) : dash;
-    const catalog::Meaning meaning = servo.meaning(*reg);
-    const QString value = catalog::formatValue(*raw, *reg, meaning, text::inChinese());
+    const catalog::ValueFormat meaning = servo.meaning(*reg);
+    const QString value = catalog::formatValue(*raw, *reg, meaning, text::isUiChinese());
     const QString number = QString::number(*raw);
     return value == number ? number : number + QStringLiteral(" · ") + value;
 }
 
-/// Differs, or might, and is not written: jobs::leftOut(), and what nobody expects to be.
+/// Differs, or might, and is not written: jobs::omittedRows(), and what nobody expects to be.
 std::vector<const jobs::RestoreRow*> notWritten(const jobs::RestorePlan& plan)
 {
     std::vector<const jobs::RestoreRow*> rows;
@@ -36,10 +36,10 @@ std::vector<const jobs::RestoreRow*> notWritten(const jobs::RestorePlan& plan)
             rows.push_back(row);
     };
     for (const jobs::RestoreRow& row : plan.rows) {
-        if (row.mayTick && !row.ticked)
+        if (row.isSelectable && !row.selected)
             take(&row);
     }
-    for (const auto& more : {plan.unmapped(), jobs::leftOut(plan)})
+    for (const auto& more : {plan.unmappedRows(), jobs::omittedRows(plan)})
         std::for_each(more.begin(), more.end(), take);
     return rows;
 }
@@ -47,7 +47,7 @@ std::vector<const jobs::RestoreRow*> notWritten(const jobs::RestorePlan& plan)
 Json::Array jsonWritesOf(const jobs::RestorePlan& plan)
 {
     Json::Array writes;
-    for (const jobs::RestoreWrite& write : jobs::writesOf(plan)) {
+    for (const jobs::RestoreWrite& write : jobs::plannedWrites(plan)) {
         writes.push_back(Json::object()
                              .add("key", write.key)
                              .add("address", write.address)
@@ -60,7 +60,7 @@ Json::Array jsonWritesOf(const jobs::RestorePlan& plan)
 Json::Array jsonSteps(const jobs::RestorePlan& plan)
 {
     Json::Array steps;
-    for (const jobs::RestoreStep& step : jobs::stepsOf(plan)) {
+    for (const jobs::RestoreStep& step : jobs::plannedSteps(plan)) {
         steps.push_back(Json::object()
                             .add("step", jobs::restoreStepName(step.kind))
                             .add("key", step.key)
@@ -78,7 +78,7 @@ Json::Array jsonLeftOut(const jobs::RestorePlan& plan)
                            .add("key", row->key)
                            .add("now", row->now)
                            .add("file", row->fileRaw)
-                           .add("asked", row->asked)
+                           .add("asked", row->isRequested)
                            .add("reasons", jobs::restoreReasonNames(row->reasons)));
     }
     return rows;
@@ -91,11 +91,11 @@ QString notWrittenTable(const jobs::RestorePlan& plan)
         return {};
     Table table({translate("cli", "Left out"), translate("cli", "Now"), translate("cli", "File"),
                  translate("cli", "Why")});
-    table.right({1, 2});
+    table.alignRight({1, 2});
     for (const jobs::RestoreRow* row : left) {
         table.add({row->key, shown(plan.servo, row->key, row->now),
-                   shownNumber(row->fileRaw, row->fileValue, row->fileUnit),
-                   text::restoreReasonWords(jobs::restoreReasonNames(row->reasons))});
+                   formatNumber(row->fileRaw, row->fileValue, row->fileUnit),
+                   text::restoreReasonText(jobs::restoreReasonNames(row->reasons))});
     }
     return table.text();
 }
@@ -103,13 +103,13 @@ QString notWrittenTable(const jobs::RestorePlan& plan)
 Json::Array jsonAlarms(const jobs::RestorePlan& plan)
 {
     Json::Array rows;
-    for (const jobs::RestoreRow* row : jobs::alarmsToCome(plan)) {
+    for (const jobs::RestoreRow* row : jobs::predictedAlarms(plan)) {
         rows.push_back(Json::object()
                            .add("key", row->key)
                            .add("alarm", row->alarm)
                            .add("reading", row->reading)
                            .add("unit", row->readingUnit)
-                           .add("selected", row->ticked));
+                           .add("selected", row->selected));
     }
     return rows;
 }
@@ -152,7 +152,7 @@ Json jsonRow(const jobs::RestoreRowResult& row)
 
 QString rowState(const jobs::RestoreRowResult& row)
 {
-    const QString word = text::outcomeWord(device::outcomeName(row.write.outcome));
+    const QString word = text::outcomeLabel(device::outcomeName(row.write.outcome));
     return row.rolledBack ? translate("cli", "%1, put back").arg(word) : word;
 }
 
@@ -168,8 +168,8 @@ device::WriteReport reportOf(const jobs::RestoreOutcome& outcome)
 }
 } // namespace
 
-QString shownNumber(std::optional<std::int64_t> raw, std::optional<double> value,
-                    const QString& unit)
+QString formatNumber(std::optional<std::int64_t> raw, std::optional<double> value,
+                     const QString& unit)
 {
     if (!raw)
         return dash;
@@ -253,15 +253,15 @@ void addPlan(Json& json, const jobs::RestorePlan& plan)
 QString alarmsText(const jobs::RestorePlan& plan)
 {
     QString text;
-    for (const jobs::RestoreRow* row : jobs::alarmsToCome(plan)) {
+    for (const jobs::RestoreRow* row : jobs::predictedAlarms(plan)) {
         const catalog::Register& reg = *plan.servo.profile->find(row->key);
         const QString limit =
-            catalog::formatValue(*row->wanted, reg, plan.servo.meaning(reg), text::inChinese());
+            catalog::formatValue(*row->newRaw, reg, plan.servo.meaning(reg), text::isUiChinese());
         const QString reading =
             QString::number(row->reading, 'g', 4) + catalog::unitSuffix(row->readingUnit);
-        const QString line = text::restoreAlarmWords(row->alarm, limit, reading);
-        text += (row->ticked ? translate("cli", "! %1: %2").arg(row->key, line)
-                             : translate("cli", "! %1, not selected: %2").arg(row->key, line)) +
+        const QString line = text::restoreAlarmText(row->alarm, limit, reading);
+        text += (row->selected ? translate("cli", "! %1: %2").arg(row->key, line)
+                               : translate("cli", "! %1, not selected: %2").arg(row->key, line)) +
                 QLatin1Char('\n');
     }
     return text;
@@ -270,13 +270,13 @@ QString alarmsText(const jobs::RestorePlan& plan)
 QString planText(const jobs::RestorePlan& plan)
 {
     QString text = originText(plan);
-    const auto writes = jobs::writesOf(plan);
+    const auto writes = jobs::plannedWrites(plan);
     if (writes.empty())
         return text + translate("cli", "Nothing to write.") + QLatin1Char('\n') +
                notWrittenTable(plan) + alarmsText(plan);
     Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Now"),
                  translate("cli", "Will be")});
-    table.right({0, 2, 3});
+    table.alignRight({0, 2, 3});
     for (const jobs::RestoreWrite& write : writes)
         table.add({QString::number(write.address), write.key,
                    shown(plan.servo, write.key, write.from),
@@ -287,8 +287,8 @@ QString planText(const jobs::RestorePlan& plan)
 QString leftOutText(const jobs::RestorePlan& plan)
 {
     QStringList rows;
-    for (const jobs::RestoreRow* row : jobs::leftOut(plan)) {
-        const QString why = text::restoreReasonWords(jobs::restoreReasonNames(row->reasons));
+    for (const jobs::RestoreRow* row : jobs::omittedRows(plan)) {
+        const QString why = text::restoreReasonText(jobs::restoreReasonNames(row->reasons));
         rows << (why.isEmpty() ? row->key : QStringLiteral("%1 (%2)").arg(row->key, why));
     }
     if (rows.isEmpty())
@@ -304,9 +304,9 @@ QString stepsText(const jobs::RestorePlan& plan)
 {
     QString text;
     int number = 0;
-    for (const jobs::RestoreStep& step : jobs::stepsOf(plan)) {
+    for (const jobs::RestoreStep& step : jobs::plannedSteps(plan)) {
         QString line = QStringLiteral("%1. %2").arg(++number).arg(
-            text::restoreStepWords(jobs::restoreStepName(step.kind)));
+            text::restoreStepText(jobs::restoreStepName(step.kind)));
         if (step.kind != jobs::RestoreStepKind::TorqueOff && step.to)
             line += QStringLiteral(": %1 %2 → %3")
                         .arg(step.key, shown(plan.servo, step.key, step.from),
@@ -327,18 +327,18 @@ void addOutcome(Json& json, const jobs::RestoreOutcome& outcome)
         .add("torque_switched_off", outcome.torqueSwitchedOff)
         .add("new_id", outcome.newId)
         .add("new_baud", outcome.newBaud);
-    if (!outcome.notPutBack.isEmpty())
-        json.add("not_put_back", outcome.notPutBack);
+    if (!outcome.notReverted.isEmpty())
+        json.add("not_put_back", outcome.notReverted);
 }
 
 namespace {
 QString notPutBackText(const jobs::RestoreOutcome& outcome)
 {
-    if (outcome.notPutBack.isEmpty())
+    if (outcome.notReverted.isEmpty())
         return {};
-    const QString keys = outcome.notPutBack.join(QStringLiteral(", "));
+    const QString keys = outcome.notReverted.join(QStringLiteral(", "));
     const QString next =
-        outcome.changeOpen
+        outcome.isChangeOpen
             ? translate("cli", "The change stays open; look at it with: servodesk-cli recover")
             : translate("cli", "The values in the table stand in the servo. The snapshot that was "
                                "taken before the first write has the earlier ones.");
@@ -349,12 +349,12 @@ QString notPutBackText(const jobs::RestoreOutcome& outcome)
 
 QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& servo)
 {
-    if (outcome.verdict == jobs::RestoreVerdict::AlreadySo)
+    if (outcome.verdict == jobs::RestoreVerdict::AlreadySet)
         return translate("cli", "Nothing had to be written.") + QLatin1Char('\n');
     Table table({translate("cli", "Addr"), translate("cli", "Key"), translate("cli", "Old"),
                  translate("cli", "New"), translate("cli", "Read back"),
                  translate("cli", "Outcome")});
-    table.right({0, 2, 3, 4});
+    table.alignRight({0, 2, 3, 4});
     QString why;
     for (const jobs::RestoreRowResult& row : outcome.rows) {
         const device::WriteResult& write = row.write;
@@ -362,35 +362,35 @@ QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& se
                    shown(servo, write.key, write.newRaw), shown(servo, write.key, write.readBack),
                    rowState(row)});
         if (write.error)
-            why += text::describe(*write.error).what + QLatin1Char('\n');
+            why += text::describe(*write.error).message + QLatin1Char('\n');
     }
     return table.text() +
-           translate("cli", "EPROM lock: %1").arg(text::lockWord(device::lockName(outcome.lock))) +
+           translate("cli", "EPROM lock: %1").arg(text::lockLabel(device::lockName(outcome.lock))) +
            QLatin1Char('\n') + why +
            translate("cli", "Result: %1")
-               .arg(text::restoreVerdictWords(jobs::verdictName(outcome.verdict))) +
+               .arg(text::restoreVerdictText(jobs::verdictName(outcome.verdict))) +
            QLatin1Char('\n') + notPutBackText(outcome);
 }
 
-bool wentWell(const jobs::RestoreOutcome& outcome)
+bool isSuccess(const jobs::RestoreOutcome& outcome)
 {
-    return outcome.verdict == jobs::RestoreVerdict::AlreadySo ||
+    return outcome.verdict == jobs::RestoreVerdict::AlreadySet ||
            outcome.verdict == jobs::RestoreVerdict::Done;
 }
 
-bool missesAsked(const jobs::RestorePlan& plan)
+bool hasUnwrittenRequest(const jobs::RestorePlan& plan)
 {
-    const auto left = jobs::leftOut(plan);
+    const auto left = jobs::omittedRows(plan);
     return std::any_of(left.begin(), left.end(),
-                       [](const jobs::RestoreRow* row) { return row->asked; });
+                       [](const jobs::RestoreRow* row) { return row->isRequested; });
 }
 
 Exit exitCode(const jobs::RestoreOutcome& outcome, const jobs::RestorePlan& plan)
 {
-    if (wentWell(outcome))
-        return missesAsked(plan) ? Exit::NotDone : Exit::Done;
+    if (isSuccess(outcome))
+        return hasUnwrittenRequest(plan) ? Exit::Failed : Exit::Success;
     const Exit code = exitCode(reportOf(outcome));
-    return code == Exit::Done ? Exit::NotDone : code;
+    return code == Exit::Success ? Exit::Failed : code;
 }
 
 } // namespace cli

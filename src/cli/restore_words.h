@@ -10,8 +10,8 @@
 
 namespace cli {
 /// "300 · 26.4°"; "–" where there is no number.
-QString shownNumber(std::optional<std::int64_t> raw, std::optional<double> value,
-                    const QString& unit);
+QString formatNumber(std::optional<std::int64_t> raw, std::optional<double> value,
+                     const QString& unit);
 
 /// --only, --live, --dangerous, --roll-back, --dry-run, --result; the command adds its own.
 std::vector<Option> restoreOptions(std::vector<Option> more = {});
@@ -36,18 +36,18 @@ QString stepsText(const jobs::RestorePlan& plan);
 void addOutcome(Json& json, const jobs::RestoreOutcome& outcome);
 QString outcomeText(const jobs::RestoreOutcome& outcome, const device::Servo& servo);
 /// Nothing had to be written, or all of it was.
-bool wentWell(const jobs::RestoreOutcome& outcome);
+bool isSuccess(const jobs::RestoreOutcome& outcome);
 /// A row that was asked for by name differs, or might, and is not written.
-bool missesAsked(const jobs::RestorePlan& plan);
+bool hasUnwrittenRequest(const jobs::RestorePlan& plan);
 /// NotDone also where a row that was asked for by name is left out.
 Exit exitCode(const jobs::RestoreOutcome& outcome, const jobs::RestorePlan& plan);
 
 /// Several servos: one line each, then the rows that did not go well.
-Json jsonApplied(const jobs::Applied& applied);
-QString appliedText(const std::vector<jobs::Applied>& all);
-Exit exitCode(const std::vector<jobs::Applied>& all);
+Json jsonApplied(const jobs::ApplyResult& applied);
+QString appliedText(const std::vector<jobs::ApplyResult>& all);
+Exit exitCode(const std::vector<jobs::ApplyResult>& all);
 
 /// For --result; servos that never answered have a line without rows.
-std::vector<record::RestoreResult> resultsOf(const std::vector<jobs::Applied>& all,
+std::vector<record::RestoreResult> resultsOf(const std::vector<jobs::ApplyResult>& all,
                                              const QString& source);
 } // namespace cli

@@ -14,7 +14,7 @@ namespace {
 const QString dash = QStringLiteral("–");
 } // namespace
 
-Json jsonApplied(const jobs::Applied& applied)
+Json jsonApplied(const jobs::ApplyResult& applied)
 {
     Json json = Json::object();
     json.add("id", applied.id).add("verdict", jobs::verdictName(applied.verdict));
@@ -32,27 +32,28 @@ Json jsonApplied(const jobs::Applied& applied)
     return json;
 }
 
-QString appliedText(const std::vector<jobs::Applied>& all)
+QString appliedText(const std::vector<jobs::ApplyResult>& all)
 {
     Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Rows"),
                  translate("cli", "Result"), translate("cli", "Remark")});
-    table.right({0, 2});
-    for (const jobs::Applied& one : all) {
-        QString remark = one.error ? text::describe(*one.error).what : QString();
+    table.alignRight({0, 2});
+    for (const jobs::ApplyResult& one : all) {
+        QString remark = one.error ? text::describe(*one.error).message : QString();
         if (remark.isEmpty() && one.plan.servo.profile) {
-            const auto left = jobs::leftOut(one.plan);
+            const auto left = jobs::omittedRows(one.plan);
             if (!left.empty())
                 remark = translate("cli", "rows left out: %1").arg(left.size());
         }
         const bool known = one.servo && one.servo->profile;
-        table.add({QString::number(one.id), known ? one.servo->profile->modelName : dash,
-                   one.plan.servo.profile ? QString::number(jobs::writesOf(one.plan).size()) : dash,
-                   text::restoreVerdictWords(jobs::verdictName(one.verdict)), remark});
+        table.add(
+            {QString::number(one.id), known ? one.servo->profile->modelName : dash,
+             one.plan.servo.profile ? QString::number(jobs::plannedWrites(one.plan).size()) : dash,
+             text::restoreVerdictText(jobs::verdictName(one.verdict)), remark});
     }
     QString text = table.text();
-    for (const jobs::Applied& one : all) {
+    for (const jobs::ApplyResult& one : all) {
         QString more;
-        if (one.outcome && !wentWell(*one.outcome))
+        if (one.outcome && !isSuccess(*one.outcome))
             more += outcomeText(*one.outcome, *one.servo);
         if (one.plan.servo.profile)
             more += leftOutText(one.plan) + alarmsText(one.plan);
@@ -62,37 +63,39 @@ QString appliedText(const std::vector<jobs::Applied>& all)
     return text;
 }
 
-Exit exitCode(const std::vector<jobs::Applied>& all)
+Exit exitCode(const std::vector<jobs::ApplyResult>& all)
 {
     using jobs::ApplyVerdict;
     const auto every = [&](auto&& fits) { return std::all_of(all.begin(), all.end(), fits); };
-    if (every([](const jobs::Applied& one) {
-            return one.verdict == ApplyVerdict::AlreadySo || one.verdict == ApplyVerdict::Done ||
+    if (every([](const jobs::ApplyResult& one) {
+            return one.verdict == ApplyVerdict::AlreadySet || one.verdict == ApplyVerdict::Done ||
                    one.verdict == ApplyVerdict::Planned;
         })) {
-        const bool misses = std::any_of(all.begin(), all.end(), [](const jobs::Applied& one) {
-            return one.outcome && missesAsked(one.plan); // a dry run has done what it should
+        const bool misses = std::any_of(all.begin(), all.end(), [](const jobs::ApplyResult& one) {
+            return one.outcome &&
+                   hasUnwrittenRequest(one.plan); // a dry run has done what it should
         });
-        return misses ? Exit::NotDone : Exit::Done;
+        return misses ? Exit::Failed : Exit::Success;
     }
-    const auto lost = std::find_if(all.begin(), all.end(), [](const jobs::Applied& one) {
+    const auto lost = std::find_if(all.begin(), all.end(), [](const jobs::ApplyResult& one) {
         return one.error && exitCode(one.error->code) == Exit::Port;
     });
     if (lost != all.end())
         return Exit::Port;
-    if (every([](const jobs::Applied& one) { return one.verdict == ApplyVerdict::NoAnswer; }))
-        return Exit::NoAnswer;
-    return Exit::NotDone;
+    if (every([](const jobs::ApplyResult& one) { return one.verdict == ApplyVerdict::NoReply; }))
+        return Exit::NoReply;
+    return Exit::Failed;
 }
 
-std::vector<record::RestoreResult> resultsOf(const std::vector<jobs::Applied>& all,
+std::vector<record::RestoreResult> resultsOf(const std::vector<jobs::ApplyResult>& all,
                                              const QString& source)
 {
     std::vector<record::RestoreResult> results;
-    for (const jobs::Applied& one : all) {
+    for (const jobs::ApplyResult& one : all) {
         record::RestoreResult result;
         if (one.outcome && one.servo)
-            result = jobs::resultOf(*one.outcome, *one.servo, source, session::programName());
+            result =
+                jobs::toRestoreResult(*one.outcome, *one.servo, source, session::programName());
         result.program = session::programName();
         result.at = QDateTime::currentDateTimeUtc();
         result.source = source;

@@ -17,7 +17,7 @@
 namespace cli {
 using base::ErrorCode;
 
-Run::Run(Globals globals, Console& console, const base::Stop& stop)
+Run::Run(Globals globals, Console& console, const base::StopToken& stop)
     : m_globals(std::move(globals))
     , m_console(console)
     , m_stop(stop)
@@ -28,8 +28,8 @@ session::Session& Run::session()
     if (!m_session) {
         m_session = std::make_unique<session::Session>();
         for (const catalog::LoadWarning& warning : m_session->warnings()) {
-            m_console.say(translate("cli", "Warning: %1, %2: %3")
-                              .arg(warning.file, warning.where, warning.detail));
+            m_console.printMessage(translate("cli", "Warning: %1, %2: %3")
+                                       .arg(warning.file, warning.where, warning.detail));
         }
     }
     return *m_session;
@@ -48,7 +48,7 @@ base::Result<QString> Run::choosePort()
         return m_globals.port;
     const auto adapters = session::adapters();
     if (adapters.size() == 1) {
-        m_console.remark(translate("cli", "Using the only adapter, %1.").arg(adapters[0].path));
+        m_console.printNote(translate("cli", "Using the only adapter, %1.").arg(adapters[0].path));
         return adapters[0].path;
     }
     QStringList names;
@@ -73,15 +73,16 @@ base::Result<session::Connection*> Run::connect()
     request.name = m_port;
     request.baud = m_globals.baud;
     request.protocol = m_globals.protocol;
-    request.silence = m_globals.silence;
-    request.patience = m_globals.patience;
+    request.frameSilence = m_globals.frameSilence;
+    request.maxReplyLateness = m_globals.maxReplyLateness;
     request.retries = m_globals.retries;
     auto connection = session().connect(request);
     if (!connection)
         return tl::unexpected(connection.error());
     m_connection = std::move(*connection);
-    if (m_connection->simulated())
-        m_console.remark(translate("cli", "SIMULATED bus %1").arg(m_connection->bus().portName()));
+    if (m_connection->isSimulated())
+        m_console.printNote(
+            translate("cli", "SIMULATED bus %1").arg(m_connection->bus().portName()));
     if (!m_listsOpenChanges)
         warnOfOpenChanges();
     return m_connection.get();
@@ -95,7 +96,7 @@ QString Run::portName() const
 /// On stderr in JSON mode as well: not every document has room for notes.
 void Run::warn(const char* code, int id, const QString& text)
 {
-    m_console.say(text);
+    m_console.printMessage(text);
     Json note = Json::object().add("code", QString::fromLatin1(code));
     if (id >= 0)
         note.add("id", id);
@@ -111,7 +112,7 @@ void Run::warnOfOpenChanges()
     const QString port = m_connection->bus().portName();
     QStringList ids;
     for (const base::Intent& intent : *open) {
-        if (intent.servo.port != port || intent.underWayElsewhere)
+        if (intent.servo.port != port || intent.isActiveElsewhere)
             continue;
         m_openChanges.push_back(intent);
         ids << QString::number(intent.servo.id);
@@ -137,24 +138,25 @@ QString Run::recoverCommand() const
 }
 
 /// The look itself takes some reads, so it is taken only where something was out of the ordinary.
-void Run::noteTwins(const device::Servo& servo)
+void Run::reportDuplicates(const device::Servo& servo)
 {
     bus::Bus& bus = m_connection->bus();
-    const auto strays = bus.takeStrays();
-    const bool second = std::any_of(strays.begin(), strays.end(),
-                                    [&](const bus::Stray& stray) { return stray.id == servo.id; });
+    const auto strays = bus.takeUnexpectedFrames();
+    const bool second =
+        std::any_of(strays.begin(), strays.end(),
+                    [&](const bus::UnexpectedFrame& stray) { return stray.id == servo.id; });
     const bus::Counters total = bus.statistics().total;
     const bool broken =
-        total.badChecks > 0 || total.foreign > 0 || total.noiseBytes > 0 || total.retried > 0;
+        total.badChecksums > 0 || total.foreign > 0 || total.noiseBytes > 0 || total.retried > 0;
     const auto ready = context();
     if (!(second || broken) || !ready)
         return;
-    const auto alone = device::requireAlone(*ready, servo, QStringLiteral("read"));
-    if (alone || alone.error().code != ErrorCode::SeveralServos)
+    const auto alone = device::requireUniqueId(*ready, servo, QStringLiteral("read"));
+    if (alone || alone.error().code != ErrorCode::DuplicateId)
         return;
     const text::Description words = text::describe(alone.error());
     warn("several-servos", servo.id,
-         QStringList{words.what, words.cause, words.remedy}.join(QLatin1Char('\n')));
+         QStringList{words.message, words.cause, words.remedy}.join(QLatin1Char('\n')));
 }
 
 base::Result<device::Context> Run::context()
@@ -168,16 +170,16 @@ base::Result<device::Context> Run::context()
 namespace {
 /// Anything but silence in one of the languages.
 bool heard(const device::Context& context, int id, const std::vector<base::Protocol>& languages,
-           base::Duration patience)
+           base::Duration timeout)
 {
     return std::any_of(languages.begin(), languages.end(), [&](base::Protocol language) {
         bus::Transaction ping;
         ping.request = protocol::Request::ping(id).in(language);
         ping.retries = 1;
-        ping.patience = patience;
+        ping.timeout = timeout;
         ping.stop = &context.stop;
         const auto outcome = context.bus.transact(ping);
-        return outcome || (outcome.error().code != ErrorCode::NoAnswer &&
+        return outcome || (outcome.error().code != ErrorCode::NoReply &&
                            outcome.error().code != ErrorCode::BadArgument);
     });
 }
@@ -187,30 +189,30 @@ bool heard(const device::Context& context, int id, const std::vector<base::Proto
 /// nobody waits for a slow adapter.
 base::Result<device::Servo> Run::findRate(const device::Context& context, int id)
 {
-    for (const auto patience : {context.bus.statistics().patience, context.bus.replyTimeout()}) {
-        for (const int rate : transport::knownRates()) {
-            if (m_stop.requested())
+    for (const auto timeout : {context.bus.statistics().timeout, context.bus.maxReplyLateness()}) {
+        for (const int rate : transport::standardBaudRates()) {
+            if (m_stop.isRequested())
                 return base::fail(ErrorCode::Stopped, QStringLiteral("identify"), {}, id);
             const auto set = context.bus.setBaud(rate);
             if (!set && set.error().code == ErrorCode::RateUnsupported)
                 continue;
             if (!set)
                 return tl::unexpected(set.error());
-            if (!heard(context, id, m_connection->protocols(), patience))
+            if (!heard(context, id, m_connection->protocols(), timeout))
                 continue;
             auto servo = device::identifyAmong(context, id, m_connection->protocols());
             if (servo) {
                 m_rateFound = true;
-                m_console.remark(
+                m_console.printNote(
                     translate("cli", "Servo %1 answers at %2 baud.").arg(id).arg(rate));
                 return servo;
             }
             if (servo.error().code == ErrorCode::LinkLost ||
-                servo.error().code == ErrorCode::SeveralProtocols)
+                servo.error().code == ErrorCode::AmbiguousProtocol)
                 return servo;
         }
     }
-    return base::fail(ErrorCode::NoAnswer, QStringLiteral("identify"),
+    return base::fail(ErrorCode::NoReply, QStringLiteral("identify"),
                       translate("cli", "at none of the known baud rates"), id);
 }
 
@@ -219,11 +221,11 @@ base::Result<device::Servo> Run::servo(int id)
     const auto ready = context();
     if (!ready)
         return tl::unexpected(ready.error());
-    const bool search = m_globals.searchBaud && !m_rateFound && ready->bus.hasBaud();
+    const bool search = m_globals.autoBaud && !m_rateFound && ready->bus.canSetBaud();
     auto found = search ? findRate(*ready, id)
                         : device::identifyAmong(*ready, id, m_connection->protocols());
     if (found)
-        m_connection->know(*found);
+        m_connection->addStopTarget(*found);
     return found;
 }
 
@@ -240,21 +242,23 @@ base::Result<device::Servo> Run::servoWithSettings(int id)
 
 base::Result<device::Servo> Run::servo(const Values& values)
 {
-    return parseId(values.word("ID")).and_then([this](int id) { return servo(id); });
+    return parseId(values.argument("ID")).and_then([this](int id) { return servo(id); });
 }
 
 base::Result<device::Servo> Run::servoWithSettings(const Values& values)
 {
-    return parseId(values.word("ID")).and_then([this](int id) { return servoWithSettings(id); });
+    return parseId(values.argument("ID")).and_then([this](int id) {
+        return servoWithSettings(id);
+    });
 }
 
-base::Result<void> Run::saveFirst(device::Servo& servo)
+base::Result<void> Run::backupTable(device::Servo& servo)
 {
     const auto ready = context();
-    return ready ? saveFirst(*ready, servo) : base::Result<void>(tl::unexpected(ready.error()));
+    return ready ? backupTable(*ready, servo) : base::Result<void>(tl::unexpected(ready.error()));
 }
 
-base::Result<void> Run::saveFirst(const device::Context& context, device::Servo& servo)
+base::Result<void> Run::backupTable(const device::Context& context, device::Servo& servo)
 {
     const bool done = std::any_of(m_saved.begin(), m_saved.end(),
                                   [&](const auto& saved) { return saved.first == servo.id; });
@@ -264,33 +268,34 @@ base::Result<void> Run::saveFirst(const device::Context& context, device::Servo&
         return may;
     const auto saved = session::saveSafetySnapshot(context, servo);
     if (!saved) {
-        m_console.say(translate("cli", "The settings of servo %1 could not be saved first, so "
-                                       "nothing is written to it.")
-                          .arg(servo.id));
+        m_console.printMessage(translate("cli",
+                                         "The settings of servo %1 could not be saved first, so "
+                                         "nothing is written to it.")
+                                   .arg(servo.id));
         return tl::unexpected(saved.error());
     }
     m_saved.emplace_back(servo.id, *saved);
-    m_console.remark(translate("cli", "The present settings are saved in %1").arg(*saved));
+    m_console.printNote(translate("cli", "The present settings are saved in %1").arg(*saved));
     return {};
 }
 
-base::Result<void> Run::saveFirstAndSay(device::Servo& servo)
+base::Result<void> Run::backupTableAndReport(device::Servo& servo)
 {
     const std::size_t before = m_saved.size();
-    const auto saved = saveFirst(servo);
-    if (m_console.json() && m_saved.size() > before)
-        m_console.say(
+    const auto saved = backupTable(servo);
+    if (m_console.isJson() && m_saved.size() > before)
+        m_console.printMessage(
             translate("cli", "The present settings are saved in %1").arg(m_saved.back().second));
     return saved;
 }
 
-void Run::dropUnusedSnapshots()
+void Run::removeUnusedSnapshots()
 {
-    if (m_saved.empty() || session().journal().begun() > 0)
+    if (m_saved.empty() || session().journal().intentCount() > 0)
         return;
     for (const auto& [id, file] : m_saved) {
-        session::dropSafetySnapshot(file);
-        m_console.remark(
+        session::removeSafetySnapshot(file);
+        m_console.printNote(
             translate("cli", "No setting was changed; %1 has been removed again.").arg(file));
     }
     m_saved.clear();
@@ -309,13 +314,13 @@ void Run::addSaved(Json& document) const
     document.add("snapshots", std::move(all));
 }
 
-bool Run::notRecorded() const
+bool Run::hasUnrecordedChange() const
 {
     return m_notRecorded;
 }
 
 /// Steps of one task may say the same thing.
-void Run::dropRepeatedNotices()
+void Run::removeRepeatedNotices()
 {
     device::Notices once;
     for (const device::Notice& notice : m_notices) {
@@ -328,7 +333,7 @@ void Run::dropRepeatedNotices()
 
 QString Run::takeNotices()
 {
-    dropRepeatedNotices();
+    removeRepeatedNotices();
     QString lines;
     for (const device::Notice& notice : m_notices) {
         const QString sentence = text::describe(notice);
@@ -343,7 +348,7 @@ QString Run::takeNotices()
 
 Json Run::takeNoticesAsJson()
 {
-    dropRepeatedNotices();
+    removeRepeatedNotices();
     Json::Array notes = std::move(m_warnings);
     m_warnings.clear();
     for (const device::Notice& notice : m_notices) {
@@ -362,7 +367,7 @@ Json Run::takeNoticesAsJson()
 
 void Run::finish(Json document, const QString& text)
 {
-    if (!m_console.json()) {
+    if (!m_console.isJson()) {
         m_console.print(text + takeNotices());
         return;
     }
@@ -374,12 +379,12 @@ void Run::finish(Json document, const QString& text)
 
 void Run::fail(const base::Error& error)
 {
-    dropUnusedSnapshots();
-    if (m_console.json()) {
+    removeUnusedSnapshots();
+    if (m_console.isJson()) {
         finish(Json::object().add("error", jsonError(error)), {});
         return;
     }
     m_console.print(takeNotices());
-    m_console.say(errorText(error));
+    m_console.printMessage(errorText(error));
 }
 } // namespace cli

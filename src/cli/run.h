@@ -12,20 +12,20 @@ namespace cli {
 struct Globals {
     QString port;
     std::optional<int> baud;                ///< none: the usual rate
-    bool searchBaud = false;                ///< --baud auto
+    bool autoBaud = false;                  ///< --baud auto
     std::optional<base::Protocol> protocol; ///< none: auto
-    std::optional<base::Duration> patience;
-    std::optional<base::Duration> silence; ///< between Modbus frames
+    std::optional<base::Duration> maxReplyLateness;
+    std::optional<base::Duration> frameSilence; ///< between Modbus frames
     std::optional<int> retries;
 };
 
 class Run {
 public:
-    Run(Globals globals, Console& console, const base::Stop& stop);
+    Run(Globals globals, Console& console, const base::StopToken& stop);
 
     Console& console() { return m_console; }
     const Globals& globals() const { return m_globals; }
-    const base::Stop& stop() const { return m_stop; }
+    const base::StopToken& stop() const { return m_stop; }
     session::Session& session();
 
     base::Result<session::Connection*> connect();
@@ -38,7 +38,7 @@ public:
     /// What to type to finish or undo changes that are open on this port.
     QString recoverCommand() const;
     /// Says so if what has been read from it until now looks as if a second servo answered.
-    void noteTwins(const device::Servo& servo);
+    void reportDuplicates(const device::Servo& servo);
 
     /// Connects first. Valid while the run lives.
     base::Result<device::Context> context();
@@ -52,10 +52,10 @@ public:
 
     /// Before anything is written to its memory: the whole table to a file and to the history, once
     /// a run. Says where; finish() says it in the document. What cannot be read is not written to.
-    base::Result<void> saveFirst(device::Servo& servo);
+    base::Result<void> backupTable(device::Servo& servo);
     /// For commands whose document is a file of its own: said on stderr in JSON mode too.
-    base::Result<void> saveFirstAndSay(device::Servo& servo);
-    base::Result<void> saveFirst(const device::Context& context, device::Servo& servo);
+    base::Result<void> backupTableAndReport(device::Servo& servo);
+    base::Result<void> backupTable(const device::Context& context, device::Servo& servo);
     /// Shows the result: the document with the notices in JSON mode, else the text and the notices.
     void finish(Json document, const QString& text);
     /// The notices since the last call, as lines.
@@ -67,16 +67,16 @@ public:
     Json takeNoticesAsJson();
 
     /// A change was made whose end the history could not take.
-    bool notRecorded() const;
+    bool hasUnrecordedChange() const;
 
     /// For commands whose port is not the user's choice (tour).
     void setDefaultPort(const QString& port);
 
 private:
     /// What was saved is taken away again if no change was begun.
-    void dropUnusedSnapshots();
+    void removeUnusedSnapshots();
     void addSaved(Json& document) const;
-    void dropRepeatedNotices();
+    void removeRepeatedNotices();
     base::Result<QString> choosePort();
     void warn(const char* code, int id, const QString& text);
     void warnOfOpenChanges();
@@ -84,7 +84,7 @@ private:
 
     Globals m_globals;
     Console& m_console;
-    const base::Stop& m_stop;
+    const base::StopToken& m_stop;
     device::Notices m_notices;
     Json::Array m_warnings;                       ///< said on stderr already; for the document
     std::vector<base::Intent> m_openChanges;      ///< on this port

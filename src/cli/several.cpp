@@ -6,20 +6,20 @@
 #include "session/safety_snapshot.h"
 
 namespace cli {
-Several::Several(Run& run, const Values& values)
+MultiServoRestore::MultiServoRestore(Run& run, const Values& values)
     : m_run(run)
     , m_values(values)
 {
     m_line.emplace(run.console(), translate("cli", "Restoring"));
 }
 
-jobs::ApplyOptions Several::options()
+jobs::ApplyOptions MultiServoRestore::options()
 {
     jobs::ApplyOptions options;
     options.choice = choiceOf(m_values);
     options.restore = restoreOptionsOf(m_values);
     options.restore.beforeWrite = [this](const device::Context& context, device::Servo& servo) {
-        return m_run.saveFirst(context, servo);
+        return m_run.backupTable(context, servo);
     };
     options.dryRun = m_values.has("--dry-run");
     if (m_run.globals().protocol)
@@ -27,17 +27,18 @@ jobs::ApplyOptions Several::options()
     return options;
 }
 
-jobs::ProgressFn Several::progress()
+jobs::ProgressFn MultiServoRestore::progress()
 {
     return [this](const jobs::Progress& progress) { m_line->update(progress); };
 }
 
-base::Result<Exit> Several::finish(const std::vector<jobs::Applied>& all, const QString& file)
+base::Result<Exit> MultiServoRestore::finish(const std::vector<jobs::ApplyResult>& all,
+                                             const QString& file)
 {
     m_line.reset();
     Json::Array servos;
     QString text = appliedText(all);
-    for (const jobs::Applied& one : all)
+    for (const jobs::ApplyResult& one : all)
         servos.push_back(jsonApplied(one));
     Json document = Json::object();
     document.add("file", file)

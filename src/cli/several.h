@@ -8,15 +8,15 @@
 #include "jobs/restore_many.h"
 
 namespace cli {
-class Several {
+class MultiServoRestore {
 public:
-    Several(Run& run, const Values& values);
+    MultiServoRestore(Run& run, const Values& values);
 
     /// As the options on the command line say. Valid while this lives.
     jobs::ApplyOptions options();
     jobs::ProgressFn progress();
     /// Shows everything; saves the result where --result names a file.
-    base::Result<Exit> finish(const std::vector<jobs::Applied>& all, const QString& file);
+    base::Result<Exit> finish(const std::vector<jobs::ApplyResult>& all, const QString& file);
 
 private:
     Run& m_run;

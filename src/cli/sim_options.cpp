@@ -77,7 +77,7 @@ session::SimOptions toOptions(const CLI::App& app, const Raw& raw)
     options.servos = text(raw.servos);
     if (app.count("--baud") > 0)
         options.baud = raw.baud;
-    options.link = text(raw.link);
+    options.symlink = text(raw.link);
     options.stateFile = text(raw.state);
     if (app.count("--seconds") > 0)
         options.runFor = base::Duration(static_cast<base::Duration::rep>(raw.seconds * 1e6));

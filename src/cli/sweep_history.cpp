@@ -25,30 +25,31 @@ const QRegularExpression& runNumber()
     return expression;
 }
 
-QString wordsFor(Console& console, const record::KeptRun& kept)
+QString textFor(Console& console, const record::SavedRun& kept)
 {
     if (!kept.trouble)
         return translate("cli", "Kept in the history as test run %1").arg(qint64(kept.number));
-    console.say(translate("cli", "The test could not be kept in the history: %1")
-                    .arg(text::describe(*kept.trouble).what));
-    console.say(kept.file.isEmpty()
-                    ? translate("cli", "It could not be left in a file beside the history either")
-                    : translate("cli", "It was left in %1 instead").arg(kept.file));
+    console.printMessage(translate("cli", "The test could not be kept in the history: %1")
+                             .arg(text::describe(*kept.trouble).message));
+    console.printMessage(
+        kept.file.isEmpty()
+            ? translate("cli", "It could not be left in a file beside the history either")
+            : translate("cli", "It was left in %1 instead").arg(kept.file));
     return {};
 }
 } // namespace
 
-QString keepSweep(Console& console, const record::SweepRun& run, const QStringList& files)
+QString saveSweep(Console& console, const record::SweepRun& run, const QStringList& files)
 {
-    return wordsFor(console, record::keepRun(session::historyFile(), run, files));
+    return textFor(console, record::saveRun(session::historyFile(), run, files));
 }
 
-QString keepStep(Console& console, const record::StepRun& run, const QStringList& files)
+QString saveStep(Console& console, const record::StepRun& run, const QStringList& files)
 {
-    return wordsFor(console, record::keepRun(session::historyFile(), run, files));
+    return textFor(console, record::saveRun(session::historyFile(), run, files));
 }
 
-QString torqueLeftText(const jobs::TorqueLeft& left)
+QString unreleasedTorqueText(const jobs::UnreleasedTorque& left)
 {
     const QString words =
         left.holding
@@ -70,9 +71,9 @@ base::Result<std::vector<record::TestRun>> listSweeps(const record::RunFilter& f
     return (*history)->runs(filter);
 }
 
-base::Result<SweepWord> parseSweepWord(const QString& word)
+base::Result<RunSelector> parseRunSelector(const QString& word)
 {
-    SweepWord parsed{word};
+    RunSelector parsed{word};
     if (QFile::exists(word))
         return parsed;
     if (const auto match = withServo().match(word); match.hasMatch()) {
@@ -88,7 +89,7 @@ base::Result<SweepWord> parseSweepWord(const QString& word)
     return parsed;
 }
 
-base::Result<record::SweepRun> loadSweep(const SweepWord& word)
+base::Result<record::SweepRun> loadSweep(const RunSelector& word)
 {
     if (word.number == 0)
         return record::loadSweepRun(word.name);
@@ -109,7 +110,7 @@ base::Result<record::SweepRun> loadSweep(const SweepWord& word)
 }
 
 base::Result<const record::SweepServo*> chooseServo(const record::SweepRun& run,
-                                                    const SweepWord& word)
+                                                    const RunSelector& word)
 {
     if (word.servo) {
         if (const record::SweepServo* servo = record::servoOf(run, *word.servo))

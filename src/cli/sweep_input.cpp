@@ -13,14 +13,14 @@ using record::SweepShape;
 using record::SweepSpec;
 
 namespace {
-constexpr int mostCycles = 1'000'000;
-constexpr int longestPause = 3'600'000; ///< ms
-constexpr int longestTime = 65'535;     ///< ms, as registers have it
+constexpr int maxCycles = 1'000'000;
+constexpr int maxPause = 3'600'000; ///< ms
+constexpr int maxTime = 65'535;     ///< ms, as registers have it
 constexpr double usPerSecond = 1e6;
-constexpr double shortestPeriod = 0.1; ///< s
-constexpr double longestPeriod = 3600;
-constexpr double shortestSpan = 0.1;
-constexpr double longestSpan = 1e6; ///< eleven days
+constexpr double minPeriod = 0.1; ///< s
+constexpr double maxPeriod = 3600;
+constexpr double minSpan = 0.1;
+constexpr double maxSpan = 1e6; ///< eleven days
 
 base::Result<void> takeSpan(const Values& values, const char* flag, double min, double max,
                             base::Duration& into)
@@ -67,7 +67,7 @@ base::Result<void> takeShape(const Values& values, SweepSpec& spec)
             "cli", "--step, --both-sides, --random, --sine and --points exclude each other"));
     if (const auto step = takeStep(values, spec); !step)
         return step;
-    const auto seed = wholeOption(values, "--random", 0, std::numeric_limits<int>::max());
+    const auto seed = intOption(values, "--random", 0, std::numeric_limits<int>::max());
     if (!seed)
         return tl::unexpected(seed.error());
     spec.seed = static_cast<std::uint32_t>(seed->value_or(int(spec.seed)));
@@ -77,7 +77,7 @@ base::Result<void> takeShape(const Values& values, SweepSpec& spec)
             return tl::unexpected(points.error());
         spec.points = std::move(*points);
     }
-    return takeSpan(values, "--sine", shortestPeriod, longestPeriod, spec.period);
+    return takeSpan(values, "--sine", minPeriod, maxPeriod, spec.period);
 }
 
 base::Result<void> takeRange(const Values& values, SweepSpec& spec)
@@ -105,7 +105,7 @@ base::Result<void> takePace(const Values& values, SweepSpec& spec)
     if (needed && !delay && !dwell)
         return badArgument(translate("cli", "--delay or --dwell is needed"));
     spec.pace = dwell ? SweepPace::Dwell : SweepPace::Delay;
-    const auto pause = wholeOption(values, dwell ? "--dwell" : "--delay", 1, longestPause);
+    const auto pause = intOption(values, dwell ? "--dwell" : "--delay", 1, maxPause);
     if (!pause)
         return tl::unexpected(pause.error());
     spec.pause = std::chrono::milliseconds(pause->value_or(0));
@@ -114,12 +114,11 @@ base::Result<void> takePace(const Values& values, SweepSpec& spec)
 
 base::Result<void> takeEnd(const Values& values, SweepSpec& spec)
 {
-    if (const auto taken = takeSpan(values, "--for", shortestSpan, longestSpan, spec.length);
-        !taken)
+    if (const auto taken = takeSpan(values, "--for", minSpan, maxSpan, spec.length); !taken)
         return taken;
     // A length alone is the length.
     spec.cycles = spec.length > base::Duration::zero() ? 0 : 10;
-    const auto cycles = wholeOption(values, "--cycles", 1, mostCycles);
+    const auto cycles = intOption(values, "--cycles", 1, maxCycles);
     if (!cycles)
         return tl::unexpected(cycles.error());
     spec.cycles = cycles->value_or(spec.cycles);
@@ -128,16 +127,15 @@ base::Result<void> takeEnd(const Values& values, SweepSpec& spec)
 
 base::Result<void> takeMotion(const Values& values, SweepSpec& spec)
 {
-    if (const auto warm = takeSpan(values, "--warm-up", shortestSpan, longestSpan, spec.warmUp);
-        !warm)
+    if (const auto warm = takeSpan(values, "--warm-up", minSpan, maxSpan, spec.warmUp); !warm)
         return warm;
-    const auto speed = unsignedOption(values, "--speed");
+    const auto speed = nonNegativeOption(values, "--speed");
     if (!speed)
         return tl::unexpected(speed.error());
-    const auto acceleration = unsignedOption(values, "--acceleration");
+    const auto acceleration = nonNegativeOption(values, "--acceleration");
     if (!acceleration)
         return tl::unexpected(acceleration.error());
-    const auto time = wholeOption(values, "--time", 1, longestTime);
+    const auto time = intOption(values, "--time", 1, maxTime);
     if (!time)
         return tl::unexpected(time.error());
     spec.speed = *speed;
@@ -147,13 +145,12 @@ base::Result<void> takeMotion(const Values& values, SweepSpec& spec)
 }
 } // namespace
 
-base::Result<std::optional<int>> wholeOption(const Values& values, const char* flag, int min,
-                                             int max)
+base::Result<std::optional<int>> intOption(const Values& values, const char* flag, int min, int max)
 {
     const auto word = values.option(flag);
     if (!word)
         return std::optional<int>();
-    const auto number = parseWhole(*word, min, max);
+    const auto number = parseInt(*word, min, max);
     if (!number)
         return badArgument(
             translate("cli", "%1 \"%2\": give a whole number from %3 to %4")
@@ -176,7 +173,7 @@ base::Result<std::optional<base::Duration>> secondsOption(const Values& values, 
     return std::optional(base::Duration(std::llround(number * usPerSecond)));
 }
 
-base::Result<QString> unsignedOption(const Values& values, const char* flag)
+base::Result<QString> nonNegativeOption(const Values& values, const char* flag)
 {
     QString word = values.option(flag).value_or(QString());
     if (belowZero(word))

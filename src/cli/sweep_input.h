@@ -15,11 +15,11 @@ base::Result<record::SweepSpec> sweepSpec(const Values& values);
 base::Result<std::optional<record::SweepLimits>> sweepLimits(const Values& values);
 
 // Numbers of the tests' options; errors name the option and what it takes. nullopt: not given.
-base::Result<std::optional<int>> wholeOption(const Values& values, const char* flag, int min,
-                                             int max);
+base::Result<std::optional<int>> intOption(const Values& values, const char* flag, int min,
+                                           int max);
 base::Result<std::optional<base::Duration>> secondsOption(const Values& values, const char* flag,
                                                           double min, double max);
 /// A speed or the like as it was typed, empty where it was not: the servo's register says how much
 /// is possible, but below 0 is nonsense of any.
-base::Result<QString> unsignedOption(const Values& values, const char* flag);
+base::Result<QString> nonNegativeOption(const Values& values, const char* flag);
 } // namespace cli

@@ -51,7 +51,7 @@ QString padded(const QString& text, int width, bool right)
     return right ? blanks + text : text + blanks;
 }
 
-Table& Table::right(const QSet<int>& columns)
+Table& Table::alignRight(const QSet<int>& columns)
 {
     m_right = columns;
     return *this;
@@ -64,7 +64,7 @@ QString Table::text() const
     // A cell that ended its line would pass for a row of its own.
     for (QStringList& line : lines) {
         for (QString& cell : line)
-            cell = forTerminal(cell).replace(QLatin1Char('\n'), QLatin1Char(' '));
+            cell = terminalSafe(cell).replace(QLatin1Char('\n'), QLatin1Char(' '));
     }
     std::vector<int> widths(static_cast<std::size_t>(m_header.size()), 0);
     for (const QStringList& line : lines) {

@@ -22,7 +22,7 @@ public:
     {}
 
     /// Numbers stand to the right.
-    Table& right(const QSet<int>& columns);
+    Table& alignRight(const QSet<int>& columns);
     void add(QStringList row) { m_rows.push_back(std::move(row)); }
     bool empty() const { return m_rows.empty(); }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 namespace cli {
-bool commandsTerminal(QChar c)
+bool isTerminalControl(QChar c)
 {
     const char16_t code = c.unicode();
     const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
@@ -13,11 +13,11 @@ bool commandsTerminal(QChar c)
     return control || direction || code == 0x2028 || code == 0x2029;
 }
 
-QString forTerminal(const QString& text)
+QString terminalSafe(const QString& text)
 {
     QString shown = text;
     for (QChar& c : shown) {
-        if (commandsTerminal(c) && c != QLatin1Char('\n') && c != QLatin1Char('\t'))
+        if (isTerminalControl(c) && c != QLatin1Char('\n') && c != QLatin1Char('\t'))
             c = QChar::ReplacementCharacter;
     }
     return shown;

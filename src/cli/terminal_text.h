@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keeps what comes from files, devices and the command line from being taken for commands by the
-// terminal it is shown on. All human output of the programs goes through forTerminal(); see
+// terminal it is shown on. All human output of the programs goes through terminalSafe(); see
 // Console. Pure; any thread.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace cli {
 /// Control characters (C0, DEL, C1) and those that change the direction of text.
-bool commandsTerminal(QChar c);
+bool isTerminalControl(QChar c);
 /// With a replacement character for each of them, but for line ends and tabs.
-QString forTerminal(const QString& text);
+QString terminalSafe(const QString& text);
 } // namespace cli

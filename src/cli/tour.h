@@ -16,26 +16,26 @@ public:
         : m_run(run)
     {}
 
-    base::Result<Exit> go();
+    base::Result<Exit> run();
 
 private:
     base::Result<void> search();
     base::Result<void> chooseServo();
-    base::Result<void> lookAtMemory();
+    base::Result<void> showMemory();
     base::Result<void> saveSnapshot();
     base::Result<void> changeSafely();
-    base::Result<void> switchOffAndOn();
-    base::Result<void> putBack();
+    base::Result<void> powerCycleServos();
+    base::Result<void> restoreValues();
     base::Result<void> move();
     base::Result<void> explainAlarms();
-    base::Result<void> sumUp();
+    base::Result<void> summarize();
 
     base::Result<device::Context> context() { return m_run.context(); }
     base::Result<void> writeAndShow(const QString& key, std::int64_t raw, bool temporary);
     base::Result<void> moveTo(std::int64_t goal);
     base::Result<void> awaitServo();
     void showWire();
-    void say(const QString& text);
+    void print(const QString& text);
     void chapter(const QString& title);
 
     Run& m_run;
@@ -44,10 +44,10 @@ private:
     device::Servo m_servo;
     record::Snapshot m_before;
     QString m_snapshotFile;
-    std::int64_t m_keptValue = 0;      ///< raw, written to be kept
-    std::int64_t m_temporaryValue = 0; ///< raw, written to be lost
-    bool m_keptSurvived = false;
-    bool m_temporaryGone = false;
+    std::int64_t m_persistentValue = 0; ///< raw, written to be kept
+    std::int64_t m_temporaryValue = 0;  ///< raw, written to be lost
+    bool m_persistentSurvived = false;
+    bool m_temporaryReset = false;
     QStringList m_differing; ///< EPROM keys that differ from before at the end
     Json::Array m_moves;
 };

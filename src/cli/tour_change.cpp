@@ -10,9 +10,9 @@ using catalog::Role;
 
 namespace {
 /// Servos start again within a second; none needs longer than this.
-constexpr int restartTries = 40;
+constexpr int maxRestartTries = 40;
 
-const catalog::Register& keptRegister(const device::Servo& servo)
+const catalog::Register& persistentRegister(const device::Servo& servo)
 {
     return *servo.profile->byRole(Role::MaxTemperature);
 }
@@ -32,7 +32,7 @@ base::Result<void> Tour::writeAndShow(const QString& key, std::int64_t raw, bool
     if (!report)
         return tl::unexpected(report.error());
     m_run.console().print(writeText(m_servo, *report));
-    if (report->allGood())
+    if (report->isSuccessful())
         return {};
     base::Error error;
     error.code = base::ErrorCode::Refused;
@@ -44,31 +44,31 @@ base::Result<void> Tour::writeAndShow(const QString& key, std::int64_t raw, bool
 base::Result<void> Tour::changeSafely()
 {
     chapter(translate("cli", "Change two values: one to be kept, one for this power-on only"));
-    const catalog::Register& kept = keptRegister(m_servo);
+    const catalog::Register& kept = persistentRegister(m_servo);
     const catalog::Register& temporary = temporaryRegister(m_servo);
     constexpr std::int64_t cooler = 5;
-    m_keptValue = m_servo.raw(kept).value_or(0) - cooler;
+    m_persistentValue = m_servo.raw(kept).value_or(0) - cooler;
     m_temporaryValue = m_servo.raw(temporary).value_or(0) ^ 1; // the voltage bit
-    if (const auto done = writeAndShow(kept.key, m_keptValue, false); !done)
+    if (const auto done = writeAndShow(kept.key, m_persistentValue, false); !done)
         return done;
-    say(translate("cli", "What that was on the wire: settings read, lock opened, written, read "
-                         "back, lock closed and proven."));
+    print(translate("cli", "What that was on the wire: settings read, lock opened, written, read "
+                           "back, lock closed and proven."));
     showWire();
     return writeAndShow(temporary.key, m_temporaryValue, true);
 }
 
 base::Result<void> Tour::awaitServo()
 {
-    for (int i = 0; i < restartTries; ++i) {
+    for (int i = 0; i < maxRestartTries; ++i) {
         if (const auto there = device::identify(*context(), m_servo.id); there)
             return device::readAll(*context(), m_servo);
-        if (m_run.stop().requested())
+        if (m_run.stop().isRequested())
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("tour"));
     }
-    return base::fail(base::ErrorCode::NoAnswer, QStringLiteral("tour"), {}, m_servo.id);
+    return base::fail(base::ErrorCode::NoReply, QStringLiteral("tour"), {}, m_servo.id);
 }
 
-base::Result<void> Tour::switchOffAndOn()
+base::Result<void> Tour::powerCycleServos()
 {
     chapter(translate("cli", "Switch all servos off and on again"));
     const auto connection = m_run.connect();
@@ -80,25 +80,25 @@ base::Result<void> Tour::switchOffAndOn()
                  translate("cli", "After power-off"), translate("cli", "So it was")});
     const auto row = [&](const catalog::Register& reg, std::int64_t written, bool survived) {
         table.add({reg.key,
-                   catalog::formatValue(written, reg, m_servo.meaning(reg), text::inChinese()),
+                   catalog::formatValue(written, reg, m_servo.meaning(reg), text::isUiChinese()),
                    catalog::formatValue(m_servo.raw(reg).value_or(0), reg, m_servo.meaning(reg),
-                                        text::inChinese()),
+                                        text::isUiChinese()),
                    survived ? translate("cli", "kept") : translate("cli", "lost")});
     };
-    const catalog::Register& kept = keptRegister(m_servo);
+    const catalog::Register& kept = persistentRegister(m_servo);
     const catalog::Register& temporary = temporaryRegister(m_servo);
-    m_keptSurvived = m_servo.raw(kept) == m_keptValue;
-    m_temporaryGone = m_servo.raw(temporary) != m_temporaryValue;
-    row(kept, m_keptValue, m_keptSurvived);
-    row(temporary, m_temporaryValue, !m_temporaryGone);
+    m_persistentSurvived = m_servo.raw(kept) == m_persistentValue;
+    m_temporaryReset = m_servo.raw(temporary) != m_temporaryValue;
+    row(kept, m_persistentValue, m_persistentSurvived);
+    row(temporary, m_temporaryValue, !m_temporaryReset);
     m_run.console().print(table.text());
     return {};
 }
 
-base::Result<void> Tour::putBack()
+base::Result<void> Tour::restoreValues()
 {
     chapter(translate("cli", "Put the old value back"));
-    const catalog::Register& kept = keptRegister(m_servo);
+    const catalog::Register& kept = persistentRegister(m_servo);
     constexpr std::int64_t none = -1;
     std::int64_t before = none;
     for (const record::SnapshotRegister& row : m_before.registers) {

@@ -22,26 +22,26 @@ base::Result<void> Tour::search()
     m_found = std::move(*report);
     Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Firmware"),
                  translate("cli", "Map"), translate("cli", "Alarms")});
-    table.right({0});
-    for (const jobs::Found& found : m_found.found) {
+    table.alignRight({0});
+    for (const jobs::FoundServo& found : m_found.found) {
         const catalog::Profile* profile = found.servo.profile.get();
         table.add({QString::number(found.servo.id),
                    profile != nullptr ? profile->modelName : QStringLiteral("?"),
                    profile != nullptr ? profile->identity.firmware() : QStringLiteral("?"),
                    profile != nullptr ? profile->mapKey : QStringLiteral("?"),
-                   text::statusWords(found.servo.status, profile, text::inChinese())});
+                   text::statusText(found.servo.status, profile, text::isUiChinese())});
     }
     m_run.console().print(table.text());
-    say(translate("cli", "Found: %1, in %2 s")
-            .arg(m_found.found.size())
-            .arg(std::chrono::duration<double>(m_found.elapsed).count(), 0, 'f', 2));
+    print(translate("cli", "Found: %1, in %2 s")
+              .arg(m_found.found.size())
+              .arg(std::chrono::duration<double>(m_found.elapsed).count(), 0, 'f', 2));
     return chooseServo();
 }
 
 /// The first healthy servo in position mode that has what the tour changes.
 base::Result<void> Tour::chooseServo()
 {
-    for (const jobs::Found& found : m_found.found) {
+    for (const jobs::FoundServo& found : m_found.found) {
         device::Servo servo = found.servo;
         const bool suits = servo.profile != nullptr && servo.profile->writable &&
                            servo.status == 0 &&
@@ -61,7 +61,7 @@ base::Result<void> Tour::chooseServo()
                       translate("cli", "no healthy servo in position mode on this bus"));
 }
 
-base::Result<void> Tour::lookAtMemory()
+base::Result<void> Tour::showMemory()
 {
     chapter(translate("cli", "The memory table of servo %1, %2 (some of its rows)")
                 .arg(m_servo.id)
@@ -77,7 +77,7 @@ base::Result<void> Tour::lookAtMemory()
             rows.push_back(reg);
     }
     m_run.console().print(registerTable(m_servo, rows).text());
-    say(translate("cli", "Registers in the table: %1").arg(m_servo.profile->registers.size()));
+    print(translate("cli", "Registers in the table: %1").arg(m_servo.profile->registers.size()));
     return {};
 }
 
@@ -95,9 +95,9 @@ base::Result<void> Tour::saveSnapshot()
     if (!saved)
         return tl::unexpected(saved.error());
     m_before = std::move(*saved);
-    say(translate("cli", "Registers saved: %1, in %2")
-            .arg(m_before.registers.size())
-            .arg(m_snapshotFile));
+    print(translate("cli", "Registers saved: %1, in %2")
+              .arg(m_before.registers.size())
+              .arg(m_snapshotFile));
     return {};
 }
 
@@ -105,16 +105,16 @@ base::Result<void> Tour::explainAlarms()
 {
     chapter(translate("cli", "Alarms, and what releases them"));
     bool any = false;
-    for (const jobs::Found& found : m_found.found) {
+    for (const jobs::FoundServo& found : m_found.found) {
         if (found.servo.profile == nullptr)
             continue;
         auto now = device::identify(*context(), found.servo.id);
         if (!now)
             return tl::unexpected(now.error());
         any = any || now->status != 0;
-        device::noteAlarms(*context(), *now);
+        device::addAlarmNotices(*context(), *now);
     }
-    const QString lines = m_run.console().json() ? QString() : m_run.takeNotices();
+    const QString lines = m_run.console().isJson() ? QString() : m_run.takeNotices();
     m_run.console().print(any ? lines
                               : translate("cli", "No servo reports an alarm.") + QLatin1Char('\n'));
     return {};

@@ -13,16 +13,16 @@ using catalog::Role;
 namespace {
 constexpr int barCells = 48;
 constexpr int valueCells = 8;
-constexpr base::Duration traceEvery = std::chrono::milliseconds(120);
-constexpr base::Duration arrivalLimit = std::chrono::seconds(20);
+constexpr base::Duration traceInterval = std::chrono::milliseconds(120);
+constexpr base::Duration arrivalTimeout = std::chrono::seconds(20);
 
 /// A line whose mark stands where the shaft is between its limits.
 QString bar(double fraction)
 {
-    const int place =
+    const int column =
         static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * (barCells - 1)));
     QString line(barCells, QLatin1Char('.'));
-    line[place] = QLatin1Char('#');
+    line[column] = QLatin1Char('#');
     return QLatin1Char('|') + line + QLatin1Char('|');
 }
 } // namespace
@@ -30,7 +30,7 @@ QString bar(double fraction)
 base::Result<void> Tour::moveTo(std::int64_t goal)
 {
     const auto ready = context();
-    device::MoveOrder order{&m_servo, QString::number(goal)};
+    device::MoveCommand order{&m_servo, QString::number(goal)};
     order.speed = QStringLiteral("8rpm"); // slow enough to watch
     auto plan = device::planMove(*ready, order);
     if (!plan)
@@ -38,10 +38,10 @@ base::Result<void> Tour::moveTo(std::int64_t goal)
     std::vector<device::MovePlan> plans{std::move(*plan)};
     base::Clock& clock = ready->bus.clock();
     const base::Duration start = clock.now();
-    if (const auto sent = device::sendMoves(*ready, plans, device::MoveHow::Write); !sent)
+    if (const auto sent = device::sendMoves(*ready, plans, device::MoveMethod::Write); !sent)
         return sent;
     const catalog::Register& position = *m_servo.profile->byRole(Role::PresentPosition);
-    const catalog::Meaning meaning = m_servo.meaning(position);
+    const catalog::ValueFormat meaning = m_servo.meaning(position);
     const double low = catalog::toPhysical(m_servo.raw(Role::MinAngle).value_or(0), meaning);
     const double high = catalog::toPhysical(m_servo.raw(Role::MaxAngle).value_or(1), meaning);
     base::Duration next{};
@@ -49,20 +49,20 @@ base::Result<void> Tour::moveTo(std::int64_t goal)
         const base::Duration now = clock.now() - start;
         if (!progress.position || now < next)
             return;
-        next = now + traceEvery;
-        say(QStringLiteral("  %1 s  %2  %3")
-                .arg(std::chrono::duration<double>(now).count(), 5, 'f', 2)
-                .arg(padded(shownValue(m_servo, position), valueCells, true),
-                     bar((*progress.position - low) / (high - low))));
+        next = now + traceInterval;
+        print(QStringLiteral("  %1 s  %2  %3")
+                  .arg(std::chrono::duration<double>(now).count(), 5, 'f', 2)
+                  .arg(padded(formatValueText(m_servo, position), valueCells, true),
+                       bar((*progress.position - low) / (high - low))));
     };
-    const auto arrived = device::waitForArrival(*ready, plans, arrivalLimit, trace);
+    const auto arrived = device::waitForArrival(*ready, plans, arrivalTimeout, trace);
     if (!arrived)
         return arrived;
     const double elapsed = std::chrono::duration<double>(clock.now() - start).count();
-    say(translate("cli", "Goal %1, arrived at %2 after %3 s")
-            .arg(catalog::formatValue(goal, position, meaning, text::inChinese()),
-                 shownValue(m_servo, position))
-            .arg(elapsed, 0, 'f', 2));
+    print(translate("cli", "Goal %1, arrived at %2 after %3 s")
+              .arg(catalog::formatValue(goal, position, meaning, text::isUiChinese()),
+                   formatValueText(m_servo, position))
+              .arg(elapsed, 0, 'f', 2));
     m_moves.push_back(Json::object()
                           .add("goal", goal)
                           .add("position", m_servo.raw(position))
@@ -85,7 +85,7 @@ base::Result<void> Tour::move()
     }
     if (const auto off = device::setTorque(*context(), m_servo, device::Torque::Off); !off)
         return off;
-    if (!m_run.console().json())
+    if (!m_run.console().isJson())
         m_run.console().print(m_run.takeNotices());
     return {};
 }

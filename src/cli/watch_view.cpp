@@ -10,7 +10,7 @@
 
 namespace cli {
 namespace {
-constexpr auto redrawEvery = std::chrono::milliseconds(100);
+constexpr auto redrawInterval = std::chrono::milliseconds(100);
 constexpr int timeWidth = 8;
 constexpr int idWidth = 5;
 constexpr int alarmsWidth = 9;
@@ -48,8 +48,8 @@ QString shortened(const QString& line, int width)
 
 WatchView::WatchView(Console& console, const jobs::WatchSpec& spec, bool quiet)
     : m_console(console)
-    , m_inPlace(console.resultTerminal())
-    , m_quiet(console.json() || (quiet && !m_inPlace))
+    , m_inPlace(console.isStdoutTerminal())
+    , m_quiet(console.isJson() || (quiet && !m_inPlace))
 {
     const auto columns = jobs::watchColumns(spec);
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -79,7 +79,7 @@ QString WatchView::line(const jobs::WatchRow& row) const
     const QString state = !row.answered ? translate("cli", "no answer")
                           : !text::reportsAlarms(known)
                               ? QStringLiteral("–")
-                              : text::statusWords(row.status, known, text::inChinese());
+                              : text::statusText(row.status, known, text::isUiChinese());
     QString text = padded(QString::number(seconds, 'f', 3), timeWidth, true) +
                    padded(QString::number(row.id), idWidth, true) + QStringLiteral("  ") +
                    padded(state, alarmsWidth);
@@ -105,9 +105,9 @@ void WatchView::add(const jobs::WatchRow& row)
             redraw();
         return;
     }
-    if (!m_headed)
+    if (!m_headerShown)
         m_console.print(header() + QLatin1Char('\n'));
-    m_headed = true;
+    m_headerShown = true;
     m_console.print(line(row) + QLatin1Char('\n'));
 }
 
@@ -130,7 +130,7 @@ void WatchView::redraw()
         lines << shortened(line(row), width);
     m_console.rewrite(m_drawn, lines);
     m_drawn = static_cast<int>(m_latest.size()) + 1;
-    m_next = Clock::now() + redrawEvery;
+    m_next = Clock::now() + redrawInterval;
 }
 
 void WatchView::finish()

@@ -41,6 +41,6 @@ private:
     int m_drawn = 0; ///< lines on the screen that the next redraw replaces
     bool m_inPlace = false;
     bool m_quiet = false; ///< no terminal to draw on, and the readings go to a file
-    bool m_headed = false;
+    bool m_headerShown = false;
 };
 } // namespace cli

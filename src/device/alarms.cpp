@@ -9,33 +9,34 @@ namespace device {
 using catalog::Role;
 
 namespace {
-struct Release {
+struct AlarmNotice {
     QLatin1StringView bit;
     NoticeCode code;
 };
 
 // Protocol sheet §7: how each protection lets go.
-constexpr std::array releases{
-    Release{QLatin1StringView("overload"), NoticeCode::OverloadHolds},
-    Release{QLatin1StringView("current"), NoticeCode::OvercurrentHolds},
-    Release{QLatin1StringView("voltage"), NoticeCode::VoltageHolds},
-    Release{QLatin1StringView("temperature"), NoticeCode::TemperatureHolds},
-    Release{QLatin1StringView("sensor"), NoticeCode::SensorHolds},
+constexpr std::array alarmNotices{
+    AlarmNotice{QLatin1StringView("overload"), NoticeCode::OverloadActive},
+    AlarmNotice{QLatin1StringView("current"), NoticeCode::OvercurrentActive},
+    AlarmNotice{QLatin1StringView("voltage"), NoticeCode::VoltageAlarmActive},
+    AlarmNotice{QLatin1StringView("temperature"), NoticeCode::TemperatureAlarmActive},
+    AlarmNotice{QLatin1StringView("sensor"), NoticeCode::SensorAlarmActive},
 };
 
-const Release* releaseOf(const catalog::NamedValue& bit)
+const AlarmNotice* alarmNoticeOf(const catalog::NamedValue& bit)
 {
-    const auto found = std::find_if(releases.begin(), releases.end(),
-                                    [&](const Release& release) { return bit.key == release.bit; });
-    return found == releases.end() ? nullptr : &*found;
+    const auto found =
+        std::find_if(alarmNotices.begin(), alarmNotices.end(),
+                     [&](const AlarmNotice& notice) { return bit.key == notice.bit; });
+    return found == alarmNotices.end() ? nullptr : &*found;
 }
 
 /// Bits with a name that is no fault's say how the servo is, not what ails it.
-std::uint8_t faultsIn(std::int64_t raw, const catalog::Register& status)
+std::uint8_t faultBits(std::int64_t raw, const catalog::Register& status)
 {
     auto faults = static_cast<std::uint8_t>(raw & 0xFF);
     for (const catalog::NamedValue& bit : status.values) {
-        if (bit.value < 8 && releaseOf(bit) == nullptr)
+        if (bit.value < 8 && alarmNoticeOf(bit) == nullptr)
             faults = static_cast<std::uint8_t>(faults & ~(1U << bit.value));
     }
     return faults;
@@ -47,7 +48,7 @@ bool reportsFaults(const Servo& servo)
 }
 } // namespace
 
-bool reports(const Servo& servo, const QStringList& faults)
+bool hasFault(const Servo& servo, const QStringList& faults)
 {
     const catalog::Register* status = servo.profile ? servo.profile->byRole(Role::Status) : nullptr;
     return status != nullptr && std::any_of(status->values.begin(), status->values.end(),
@@ -57,7 +58,7 @@ bool reports(const Servo& servo, const QStringList& faults)
                                             });
 }
 
-void takeStatus(Servo& servo, int offset, int count)
+void updateStatus(Servo& servo, int offset, int count)
 {
     const catalog::Register* status = servo.profile && !servo.repliesCarryStatus()
                                           ? servo.profile->byRole(Role::Status)
@@ -65,7 +66,7 @@ void takeStatus(Servo& servo, int offset, int count)
     if (status == nullptr || status->offset < offset ||
         status->offset + status->size > offset + count)
         return;
-    servo.status = faultsIn(servo.raw(*status).value_or(0), *status);
+    servo.status = faultBits(servo.raw(*status).value_or(0), *status);
 }
 
 std::vector<Notice> derivedAlarms(const Servo& servo)
@@ -77,41 +78,41 @@ std::vector<Notice> derivedAlarms(const Servo& servo)
         alarms.push_back({code, servo.id, servo.profile->byRole(measured)->key, value, limit});
     };
     const auto celsius = servo.raw(Role::PresentTemperature);
-    const auto hottest = servo.raw(Role::MaxTemperature);
-    if (celsius && hottest && *celsius > *hottest)
-        add(NoticeCode::DerivedTemperature, Role::PresentTemperature, *celsius, *hottest);
+    const auto maxTemperature = servo.raw(Role::MaxTemperature);
+    if (celsius && maxTemperature && *celsius > *maxTemperature)
+        add(NoticeCode::DerivedTemperature, Role::PresentTemperature, *celsius, *maxTemperature);
     const auto volts = servo.raw(Role::PresentVoltage);
-    const auto least = servo.raw(Role::MinVoltage);
-    const auto most = servo.raw(Role::MaxVoltage);
-    if (volts && least && *volts < *least)
-        add(NoticeCode::DerivedVoltage, Role::PresentVoltage, *volts, *least);
-    else if (volts && most && *volts > *most)
-        add(NoticeCode::DerivedVoltage, Role::PresentVoltage, *volts, *most);
+    const auto min = servo.raw(Role::MinVoltage);
+    const auto max = servo.raw(Role::MaxVoltage);
+    if (volts && min && *volts < *min)
+        add(NoticeCode::DerivedVoltage, Role::PresentVoltage, *volts, *min);
+    else if (volts && max && *volts > *max)
+        add(NoticeCode::DerivedVoltage, Role::PresentVoltage, *volts, *max);
     return alarms;
 }
 
 namespace {
 /// What is not told with every reply; limits are read once, they do not change by themselves.
-base::Result<void> readEvidence(const Context& context, Servo& servo)
+base::Result<void> readAlarmRegisters(const Context& context, Servo& servo)
 {
     if (servo.repliesCarryStatus())
         return {};
-    std::vector<Role> wanted{Role::Status};
+    std::vector<Role> roles{Role::Status};
     if (!reportsFaults(servo)) {
-        wanted = {Role::PresentTemperature, Role::PresentVoltage};
+        roles = {Role::PresentTemperature, Role::PresentVoltage};
         for (const Role limit : {Role::MaxTemperature, Role::MinVoltage, Role::MaxVoltage}) {
             if (!servo.raw(limit))
-                wanted.push_back(limit);
+                roles.push_back(limit);
         }
     }
-    return readRoles(context, servo, wanted);
+    return readRoles(context, servo, roles);
 }
 } // namespace
 
-void noteAlarms(const Context& context, Servo& servo)
+void addAlarmNotices(const Context& context, Servo& servo)
 {
     // What was read long ago is no alarm of now.
-    if (!readEvidence(context, servo))
+    if (!readAlarmRegisters(context, servo))
         return;
     for (const Notice& alarm : derivedAlarms(servo))
         context.notices.push_back(alarm);
@@ -119,9 +120,9 @@ void noteAlarms(const Context& context, Servo& servo)
     if (status == nullptr)
         return;
     for (const catalog::NamedValue& bit : status->values) {
-        const Release* release = releaseOf(bit);
-        if (release != nullptr && (servo.status >> bit.value & 1) != 0)
-            context.note(release->code, servo.id, bit.key);
+        const AlarmNotice* notice = alarmNoticeOf(bit);
+        if (notice != nullptr && (servo.status >> bit.value & 1) != 0)
+            context.note(notice->code, servo.id, bit.key);
     }
 }
 } // namespace device

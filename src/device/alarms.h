@@ -9,10 +9,10 @@
 namespace device {
 /// After a read of these bytes: the status register becomes the servo's status, where replies have
 /// no error byte. Bits that are no fault (torque is on) are left out.
-void takeStatus(Servo& servo, int offset, int count);
+void updateStatus(Servo& servo, int offset, int count);
 
 /// Whether a fault bit with one of these keys is set in its status.
-bool reports(const Servo& servo, const QStringList& faults);
+bool hasFault(const Servo& servo, const QStringList& faults);
 
 /// Temperature and voltage against the servo's own limits, from what has been read; for servos
 /// that report no faults themselves. DerivedTemperature and DerivedVoltage.
@@ -20,5 +20,5 @@ std::vector<Notice> derivedAlarms(const Servo& servo);
 
 /// What keeps an alarm alive and what releases it, as notices (facts §7 of the protocol sheet).
 /// Reads what it needs where replies tell nothing; what cannot be read is left out.
-void noteAlarms(const Context& context, Servo& servo);
+void addAlarmNotices(const Context& context, Servo& servo);
 } // namespace device

@@ -11,47 +11,49 @@ using base::ErrorCode;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr base::Duration briefPatience = 4ms;
+constexpr base::Duration pingTimeout = 4ms;
 constexpr base::Duration listenSlice = 10ms;
 
 /// Anything but silence, also the collision of two replies.
-bool answers(const Context& context, int id, base::Protocol protocol)
+bool responds(const Context& context, int id, base::Protocol protocol)
 {
-    const auto outcome = pingOnce(context, protocol, id, briefPatience);
+    const auto outcome = pingOnce(context, protocol, id, pingTimeout);
     return outcome || outcome.error().code == ErrorCode::Garbled ||
-           outcome.error().code == ErrorCode::WrongAnswer;
+           outcome.error().code == ErrorCode::UnexpectedReply;
 }
 } // namespace
 
-std::vector<int> answeringAmong(const Context& context, const std::vector<int>& ids,
+std::vector<int> findResponding(const Context& context, const std::vector<int>& ids,
                                 const std::vector<base::Protocol>& protocols)
 {
-    std::set<int> heard;
-    const auto takeLate = [&] {
-        for (const bus::Stray& stray : context.bus.takeStrays())
-            heard.insert(stray.id);
+    std::set<int> responding;
+    const auto collectLate = [&] {
+        for (const bus::UnexpectedFrame& stray : context.bus.takeUnexpectedFrames())
+            responding.insert(stray.id);
     };
-    const auto allHeard = [&] {
-        return std::all_of(ids.begin(), ids.end(), [&](int id) { return heard.count(id) > 0; });
+    const auto allResponded = [&] {
+        return std::all_of(ids.begin(), ids.end(),
+                           [&](int id) { return responding.count(id) > 0; });
     };
-    context.bus.takeStrays();
+    context.bus.takeUnexpectedFrames();
     for (const int id : ids) {
         for (const base::Protocol protocol : protocols) {
-            if (heard.count(id) == 0 && answers(context, id, protocol))
-                heard.insert(id);
+            if (responding.count(id) == 0 && responds(context, id, protocol))
+                responding.insert(id);
         }
-        takeLate();
+        collectLate();
     }
     base::Clock& clock = context.bus.clock();
-    const base::Duration end = clock.now() + context.bus.replyTimeout();
-    while (!allHeard() && clock.now() < end && !context.stop.requested() && !context.bus.lost()) {
+    const base::Duration end = clock.now() + context.bus.maxReplyLateness();
+    while (!allResponded() && clock.now() < end && !context.stop.isRequested() &&
+           !context.bus.lost()) {
         if (!context.bus.listen(listenSlice))
             break;
-        takeLate();
+        collectLate();
     }
-    std::vector<int> answering;
-    std::copy_if(ids.begin(), ids.end(), std::back_inserter(answering),
-                 [&](int id) { return heard.count(id) > 0; });
-    return answering;
+    std::vector<int> result;
+    std::copy_if(ids.begin(), ids.end(), std::back_inserter(result),
+                 [&](int id) { return responding.count(id) > 0; });
+    return result;
 }
 } // namespace device

@@ -9,8 +9,8 @@
 
 namespace device {
 /// Asks each ID once with a PING, in each of these protocols, as briefly as a search does, then
-/// waits for late replies no longer than Bus::replyTimeout(). In the order given. A servo that is
-/// not among them may still answer a question that is repeated. Ends early on stop.
-std::vector<int> answeringAmong(const Context& context, const std::vector<int>& ids,
+/// waits for late replies no longer than Bus::maxReplyLateness(). In the order given. A servo that
+/// is not among them may still answer a question that is repeated. Ends early on stop.
+std::vector<int> findResponding(const Context& context, const std::vector<int>& ids,
                                 const std::vector<base::Protocol>& protocols);
 } // namespace device

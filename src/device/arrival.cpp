@@ -11,27 +11,27 @@ using base::ErrorCode;
 using catalog::Role;
 
 namespace {
-constexpr base::Duration readEvery = std::chrono::milliseconds(20);
+constexpr base::Duration readInterval = std::chrono::milliseconds(20);
 /// The moving flag of a servo that has just got its goal may not be up yet.
-constexpr base::Duration settleTime = std::chrono::milliseconds(100);
-constexpr int quietReadings = 3;
+constexpr base::Duration minWaitTime = std::chrono::milliseconds(100);
+constexpr int minQuietReadings = 3;
 /// The flag stays down when the goal written equals the one before, and a slow goal may run ahead
 /// of the shaft until friction gives way. Far from its goal a servo rests when it has not stirred
 /// for so long.
-constexpr int stuckReadings = 50;
+constexpr int minStuckReadings = 50;
 /// Friction leaves 2–8 steps without I (error-diagnosis row 14) and a heavy arm sags further; more
 /// than this share of the family's stepsPerTurn (64 of 4096, 15 of 1000) means that something is in
 /// the way.
-constexpr std::int64_t restShare = 64;
+constexpr std::int64_t toleranceFraction = 64;
 
 struct Waiting {
     MovePlan* plan = nullptr;
     int quiet = 0; ///< readings in a row without motion
-    std::optional<std::int64_t> place{};
+    std::optional<std::int64_t> position{};
 };
 
-base::Result<void> look(const Context& context, Waiting& waiting,
-                        const std::function<void(const MoveProgress&)>& onSample)
+base::Result<void> pollServo(const Context& context, Waiting& waiting,
+                             const std::function<void(const MoveProgress&)>& onSample)
 {
     Servo& servo = *waiting.plan->servo;
     const auto done =
@@ -40,33 +40,33 @@ base::Result<void> look(const Context& context, Waiting& waiting,
         return done;
     const bool hasFlag = servo.profile->byRole(Role::Moving) != nullptr;
     const bool flag = servo.raw(Role::Moving).value_or(0) != 0;
-    const auto place = servo.raw(Role::PresentPosition);
+    const auto position = servo.raw(Role::PresentPosition);
     // The last step of the encoder comes and goes.
-    const bool stirred = place && waiting.place && std::abs(*place - *waiting.place) > 1;
-    if (stirred || !waiting.place)
-        waiting.place = place;
-    waiting.quiet = flag || stirred ? 0 : waiting.quiet + 1;
+    const bool moved = position && waiting.position && std::abs(*position - *waiting.position) > 1;
+    if (moved || !waiting.position)
+        waiting.position = position;
+    waiting.quiet = flag || moved ? 0 : waiting.quiet + 1;
     if (onSample) {
-        onSample({servo.id, servo.physical(Role::PresentPosition), hasFlag ? flag : stirred,
+        onSample({servo.id, servo.physical(Role::PresentPosition), hasFlag ? flag : moved,
                   servo.status});
     }
     return {};
 }
 
 /// Without a flag, a slow move may rest between two readings as long as its own time runs.
-bool underWay(const Waiting& waiting, base::Duration elapsed)
+bool isTravelTimeLeft(const Waiting& waiting, base::Duration elapsed)
 {
     const MovePlan& plan = *waiting.plan;
     const bool hasFlag = plan.servo->profile->byRole(Role::Moving) != nullptr;
-    return !hasFlag && elapsed < plan.ownTime;
+    return !hasFlag && elapsed < plan.travelTime;
 }
 
 /// Ending the wait does not end the motion, and that is said.
-base::Result<void> stopped(const Context& context, const std::vector<Waiting>& waiting,
-                           base::Duration elapsed)
+base::Result<void> stopError(const Context& context, const std::vector<Waiting>& waiting,
+                             base::Duration elapsed)
 {
     for (const Waiting& one : waiting) {
-        if (one.quiet == 0 || underWay(one, elapsed))
+        if (one.quiet == 0 || isTravelTimeLeft(one, elapsed))
             context.note(NoticeCode::StillMoving, one.plan->servo->id);
     }
     return base::fail(ErrorCode::Stopped, QStringLiteral("arrive"));
@@ -74,7 +74,7 @@ base::Result<void> stopped(const Context& context, const std::vector<Waiting>& w
 
 base::Result<void> checkArrived(const MovePlan& plan)
 {
-    const auto missed = missesGoal(*plan.servo, plan.goalRaw, plan.relative);
+    const auto missed = goalDeviation(*plan.servo, plan.goalRaw, plan.relative);
     if (!missed)
         return {};
     return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("arrive"),
@@ -82,21 +82,21 @@ base::Result<void> checkArrived(const MovePlan& plan)
 }
 
 /// Nothing tells any more what the servos do; none of them is stopped by that.
-base::Result<void> lost(const Context& context, const std::vector<Waiting>& waiting,
-                        base::Duration elapsed, base::Error why)
+base::Result<void> lostError(const Context& context, const std::vector<Waiting>& waiting,
+                             base::Duration elapsed, base::Error why)
 {
-    constexpr std::int64_t mayBe = 1;
+    constexpr std::int64_t unconfirmed = 1;
     for (const Waiting& one : waiting) {
-        const bool rested = !underWay(one, elapsed) && one.quiet >= quietReadings;
+        const bool isAtRest = !isTravelTimeLeft(one, elapsed) && one.quiet >= minQuietReadings;
         // An emergency stop has taken its torque off.
-        if (why.code != ErrorCode::Preempted && !(rested && checkArrived(*one.plan)))
-            context.note(NoticeCode::StillMoving, one.plan->servo->id, {}, mayBe);
+        if (why.code != ErrorCode::Preempted && !(isAtRest && checkArrived(*one.plan)))
+            context.note(NoticeCode::StillMoving, one.plan->servo->id, {}, unconfirmed);
     }
     return tl::unexpected(std::move(why));
 }
 } // namespace
 
-std::optional<std::int64_t> missesGoal(const Servo& servo, std::int64_t goalRaw, bool relative)
+std::optional<std::int64_t> goalDeviation(const Servo& servo, std::int64_t goalRaw, bool relative)
 {
     const auto present = servo.raw(Role::PresentPosition);
     const catalog::Mode* mode = servo.mode();
@@ -112,7 +112,7 @@ std::optional<std::int64_t> missesGoal(const Servo& servo, std::int64_t goalRaw,
             rest = std::llround(
                 std::remainder(static_cast<double>(rest), servo.profile->stepsPerTurn));
     }
-    if (std::abs(rest) <= servo.profile->stepsPerTurn / restShare * factor)
+    if (std::abs(rest) <= servo.profile->stepsPerTurn / toleranceFraction * factor)
         return std::nullopt;
     return rest;
 }
@@ -128,23 +128,23 @@ base::Result<void> waitForArrival(const Context& context, std::vector<MovePlan>&
         waiting.push_back({&plan, 0});
     for (;;) {
         for (Waiting& one : waiting) {
-            if (const auto seen = look(context, one, onSample); !seen)
-                return lost(context, waiting, clock.now() - start, seen.error());
+            if (const auto seen = pollServo(context, one, onSample); !seen)
+                return lostError(context, waiting, clock.now() - start, seen.error());
         }
         const base::Duration elapsed = clock.now() - start;
         const bool quiet = std::all_of(waiting.begin(), waiting.end(), [&](const Waiting& one) {
-            return !underWay(one, elapsed) &&
-                   one.quiet >= (checkArrived(*one.plan) ? quietReadings : stuckReadings);
+            return !isTravelTimeLeft(one, elapsed) &&
+                   one.quiet >= (checkArrived(*one.plan) ? minQuietReadings : minStuckReadings);
         });
-        if (quiet && elapsed >= settleTime)
+        if (quiet && elapsed >= minWaitTime)
             break;
         if (elapsed > limit)
             return base::fail(ErrorCode::Refused, QStringLiteral("arrive"), QStringLiteral("time"));
-        if (!context.bus.pauseUntil(clock.now() + readEvery, &context.stop))
-            return stopped(context, waiting, elapsed);
+        if (!context.bus.pauseUntil(clock.now() + readInterval, &context.stop))
+            return stopError(context, waiting, elapsed);
     }
     for (const MovePlan& plan : plans) {
-        noteAlarms(context, *plan.servo);
+        addAlarmNotices(context, *plan.servo);
         if (const auto arrived = checkArrived(plan); !arrived)
             return arrived;
     }

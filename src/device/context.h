@@ -16,7 +16,7 @@ struct Context {
     bus::Bus& bus;
     const catalog::Catalog& catalog;
     base::Journal& journal;
-    const base::Stop& stop;
+    const base::StopToken& stop;
     Notices& notices;
     bus::Priority priority = bus::Priority::Job;
     std::uint64_t hold = 0; ///< token of the bus::Hold this work owns its servos by
@@ -40,7 +40,7 @@ struct Context {
 
     /// Ends the intent of a change that was made. Where that cannot be recorded the change is
     /// reported all the same, with a notice, and the intent stays open. False then.
-    bool record(const QString& uuid, int id, const base::IntentEnd& end) const
+    bool record(const QString& uuid, int id, const base::IntentResult& end) const
     {
         const auto ended = journal.end(uuid, end);
         if (!ended)

@@ -10,9 +10,9 @@
 namespace device {
 /// For a servo of which torque is off, or an LX servo that stands still. True: something may still
 /// wait.
-base::Result<bool> disarm(const Context& context, Servo& servo);
+base::Result<bool> cancelHeldGoal(const Context& context, Servo& servo);
 
 /// For one that has an ACTION flag, whatever its torque: the closing of the EPROM lock, which is
 /// closed already, takes the goal's place.
-base::Result<bool> dropHeld(const Context& context, Servo& servo);
+base::Result<bool> discardHeldGoal(const Context& context, Servo& servo);
 } // namespace device

@@ -17,15 +17,15 @@ using namespace std::chrono_literals;
 namespace {
 constexpr std::int64_t torqueIsOn = 1;
 /// Enough for three steps of the slowest move (LX: 1000 steps in 30 s).
-constexpr base::Duration readEvery = 100ms;
+constexpr base::Duration readInterval = 100ms;
 /// A servo that brakes is slower by `slower` within this time; one that is not goes on turning.
-constexpr base::Duration brakingShows = 600ms;
-constexpr double slower = 0.95;
-constexpr base::Duration longestBraking = 10s;
+constexpr base::Duration brakingTimeout = 600ms;
+constexpr double slowdownFactor = 0.95;
+constexpr base::Duration maxBrakingTime = 10s;
 /// Near a position goal (1/64 turn) the shaft may still swing.
-constexpr int nearShare = 64;
+constexpr int nearFraction = 64;
 /// Far from its goal a servo rests when it has not moved in so many readings.
-constexpr int stuckReadings = 10;
+constexpr int minStuckReadings = 10;
 
 struct MotionReading {
     base::Duration at{};
@@ -51,9 +51,9 @@ base::Result<MotionReading> readMotion(const Context& context, Servo& servo)
 }
 
 /// Follows a servo that was told to stand still.
-class RestCheck {
+class BrakingMonitor {
 public:
-    RestCheck(const Servo& servo, std::optional<std::int64_t> goal, const MotionReading& first)
+    BrakingMonitor(const Servo& servo, std::optional<std::int64_t> goal, const MotionReading& first)
         : m_turn(servo.profile->stepsPerTurn)
         , m_goal(goal)
         , m_factor(std::max<std::int64_t>(1, servo.raw(Role::AngleResolution).value_or(1)))
@@ -66,50 +66,50 @@ public:
 
     void add(const MotionReading& now)
     {
-        const double moved = apart(now.position, m_last.position);
+        const double moved = distanceBetween(now.position, m_last.position);
         const double seconds = std::chrono::duration<double>(now.at - m_last.at).count();
         const bool wasNear = isNear(m_last);
         m_standing = moved <= 1 ? m_standing + 1 : 0; // the last step of the encoder flickers
         m_resting = m_standing > 0 && !now.turning;
         if (!m_endless)
-            m_resting = m_resting || (wasNear && isNear(now)) || m_standing >= stuckReadings;
-        bool improved = lower(m_speed, seconds > 0 ? moved / seconds : 0);
+            m_resting = m_resting || (wasNear && isNear(now)) || m_standing >= minStuckReadings;
+        bool improved = lowerMinimum(m_speed, seconds > 0 ? moved / seconds : 0);
         if (m_goal) {
             const double left = distance(now);
-            if (left > apart(m_last.position, *m_goal * m_factor))
+            if (left > distanceBetween(m_last.position, *m_goal * m_factor))
                 m_distance = left; // overshoots: counted from where it turns back
-            improved = lower(m_distance, left) || improved;
+            improved = lowerMinimum(m_distance, left) || improved;
         }
         m_improvedAt = improved ? now.at : m_improvedAt;
         m_last = now;
     }
 
     bool resting() const { return m_resting; }
-    bool keepsTurning() const
+    bool isStillTurning() const
     {
         const bool mayStand = !m_endless && m_standing > 0;
-        return m_last.at - m_begin > longestBraking ||
-               (!mayStand && m_last.at - m_improvedAt > brakingShows);
+        return m_last.at - m_begin > maxBrakingTime ||
+               (!mayStand && m_last.at - m_improvedAt > brakingTimeout);
     }
 
 private:
-    double apart(std::int64_t a, std::int64_t b) const
+    double distanceBetween(std::int64_t a, std::int64_t b) const
     {
         return std::abs(std::remainder(static_cast<double>(a - b), m_turn));
     }
     double distance(const MotionReading& at) const
     {
-        return m_goal ? apart(at.position, *m_goal * m_factor) : 0;
+        return m_goal ? distanceBetween(at.position, *m_goal * m_factor) : 0;
     }
     bool isNear(const MotionReading& at) const
     {
-        return m_goal && distance(at) <= m_turn / nearShare * static_cast<double>(m_factor);
+        return m_goal && distance(at) <= m_turn / nearFraction * static_cast<double>(m_factor);
     }
-    static bool lower(std::optional<double>& least, double now)
+    static bool lowerMinimum(std::optional<double>& minimum, double now)
     {
-        if (least && now >= *least * slower)
+        if (minimum && now >= *minimum * slowdownFactor)
             return false;
-        least = now;
+        minimum = now;
         return true;
     }
 
@@ -127,18 +127,18 @@ private:
 };
 
 /// False when it goes on turning. A servo that slows down is waited for.
-base::Result<bool> comesToRest(const Context& context, Servo& servo,
+base::Result<bool> waitForRest(const Context& context, Servo& servo,
                                std::optional<std::int64_t> goal)
 {
     const auto first = readMotion(context, servo);
     if (!first)
         return tl::unexpected(first.error());
-    RestCheck check(servo, goal, *first);
+    BrakingMonitor check(servo, goal, *first);
     while (!check.resting()) {
-        if (check.keepsTurning())
+        if (check.isStillTurning())
             return false;
         base::Clock& clock = context.bus.clock();
-        if (!context.bus.pauseUntil(clock.now() + readEvery, &context.stop))
+        if (!context.bus.pauseUntil(clock.now() + readInterval, &context.stop))
             return base::fail(ErrorCode::Stopped, QStringLiteral("torque"), {}, servo.id);
         const auto now = readMotion(context, servo);
         if (!now)
@@ -149,16 +149,16 @@ base::Result<bool> comesToRest(const Context& context, Servo& servo,
 }
 
 /// Nothing tells where to hold: then the servo is let go, which ends the motion for certain.
-bool nowhereToHold(const base::Error& error)
+bool cannotHold(const base::Error& error)
 {
     return error.code == ErrorCode::TurnsUnknown || error.code == ErrorCode::OutOfRange ||
            error.code == ErrorCode::NotSupported;
 }
 
-base::Result<HaltCommand> standStill(const Context& context, Servo& servo)
+base::Result<HaltCommand> holdStill(const Context& context, Servo& servo)
 {
-    const auto holding = holdingValues(servo);
-    if (!holding && nowhereToHold(holding.error()))
+    const auto holding = holdValues(servo);
+    if (!holding && cannotHold(holding.error()))
         return torqueOff(context, servo).map([] { return HaltCommand{}; });
     if (!holding)
         return tl::unexpected(holding.error());
@@ -169,26 +169,26 @@ base::Result<HaltCommand> standStill(const Context& context, Servo& servo)
 
 /// Ends the move that is under way at its present place (LX). Nobody answers, so it is said more
 /// than once.
-base::Result<HaltCommand> sayHalt(const Context& context, Servo& servo)
+base::Result<HaltCommand> sendHalt(const Context& context, Servo& servo)
 {
-    constexpr int sends = 3;
-    for (int sent = 0; sent < sends; ++sent) {
+    constexpr int sendCount = 3;
+    for (int sent = 0; sent < sendCount; ++sent) {
         bus::Transaction transaction;
         transaction.request = protocol::Request::halt(servo.id).in(servo.protocol);
         transaction.priority = context.priority;
         transaction.hold = context.hold;
         transaction.epoch = context.epoch;
-        if (const auto said = context.bus.transact(transaction); !said)
-            return tl::unexpected(said.error());
+        if (const auto result = context.bus.transact(transaction); !result)
+            return tl::unexpected(result.error());
     }
     return HaltCommand{HaltCommand::Kind::StopCommand};
 }
 
 /// Signs of a second servo, or of a line on which none could be told.
-std::uint64_t signsHeard(const Context& context)
+std::uint64_t busErrorCount(const Context& context)
 {
     const bus::Counters total = context.bus.statistics().total;
-    return total.badChecks + total.foreign + total.late + total.noiseBytes + total.retried;
+    return total.badChecksums + total.foreign + total.late + total.noiseBytes + total.retried;
 }
 
 /// Goes out before it is proven that one servo answers alone: that takes a dozen reads, and
@@ -205,19 +205,19 @@ base::Result<HaltCommand> commandTurning(const Context& context, Servo& servo, s
     if (mode != nullptr && isRelative(*mode))
         return torqueOff(atOnce, servo).map([] { return HaltCommand{}; });
     const bool drivesPosition = mode != nullptr && mode->command == Role::GoalPosition;
-    if (drivesPosition && canSay(servo, protocol::Request::halt(servo.id)))
-        return sayHalt(context, servo);
+    if (drivesPosition && canEncode(servo, protocol::Request::halt(servo.id)))
+        return sendHalt(context, servo);
     if (mode != nullptr && !drivesPosition)
-        return standStill(atOnce, servo);
+        return holdStill(atOnce, servo);
     if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
         return tl::unexpected(fresh.error());
-    if (signsHeard(context) == before)
-        return standStill(atOnce, servo);
+    if (busErrorCount(context) == before)
+        return holdStill(atOnce, servo);
     if (const auto alone = requireVerified(context, servo, QStringLiteral("torque")); !alone)
         return tl::unexpected(alone.error());
     if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
         return tl::unexpected(fresh.error());
-    return standStill(context, servo);
+    return holdStill(context, servo);
 }
 
 /// Nothing with a register: torque is off already.
@@ -233,12 +233,12 @@ base::Result<HaltCommand> command(const Context& context, Servo& servo)
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
     if (torque == nullptr)
         return base::fail(ErrorCode::NotSupported, operation, operation, servo.id);
-    const std::uint64_t before = signsHeard(context);
+    const std::uint64_t before = busErrorCount(context);
     if (const auto fresh = readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
-    if (auto bar = writeBar(servo)) {
-        bar->operation = operation;
-        return tl::unexpected(std::move(*bar));
+    if (auto obstacle = writeObstacle(servo)) {
+        obstacle->operation = operation;
+        return tl::unexpected(std::move(*obstacle));
     }
     if (servo.raw(*torque).value_or(0) != torqueIsOn)
         return HaltCommand{HaltCommand::Kind::Nothing, torque};
@@ -246,12 +246,12 @@ base::Result<HaltCommand> command(const Context& context, Servo& servo)
 }
 
 /// True when the stop command was heard: the shaft does not move between two readings.
-base::Result<bool> heardStop(const Context& context, Servo& servo)
+base::Result<bool> hasStopped(const Context& context, Servo& servo)
 {
     const auto first = readMotion(context, servo);
     if (!first)
         return tl::unexpected(first.error());
-    context.bus.clock().sleepFor(readEvery);
+    context.bus.clock().sleepFor(readInterval);
     return readMotion(context, servo).map([&](const MotionReading& second) {
         return std::abs(second.position - first->position) <= 1;
     });
@@ -262,13 +262,13 @@ base::Result<void> confirm(const Context& context, Servo& servo, HaltCommand com
     if (const auto alone = requireVerified(context, servo, QStringLiteral("torque")); !alone)
         return alone;
     if (command.kind == HaltCommand::Kind::StopCommand) {
-        const auto heard = heardStop(context, servo);
+        const auto heard = hasStopped(context, servo);
         if (!heard)
             return tl::unexpected(heard.error());
         if (*heard)
             return {};
         // One that moves on gets its own place as the goal.
-        auto holding = standStill(context, servo);
+        auto holding = holdStill(context, servo);
         if (!holding && holding.error().code == ErrorCode::Mismatch)
             holding.error().code = ErrorCode::Refused;
         if (!holding)
@@ -277,12 +277,12 @@ base::Result<void> confirm(const Context& context, Servo& servo, HaltCommand com
     }
     if (command.kind == HaltCommand::Kind::Nothing) {
         if (command.reg != nullptr)
-            context.note(NoticeCode::AlreadySo, servo.id, command.reg->key);
+            context.note(NoticeCode::AlreadySet, servo.id, command.reg->key);
         return {};
     }
     const bool position = command.reg->role == Role::GoalPosition;
     const auto rests =
-        comesToRest(context, servo, position ? std::optional(command.raw) : std::nullopt);
+        waitForRest(context, servo, position ? std::optional(command.raw) : std::nullopt);
     if (!rests)
         return tl::unexpected(rests.error());
     if (!*rests)
@@ -298,7 +298,7 @@ base::Result<HaltCommand> commandHalt(const Context& outer, Servo& servo)
     auto commanded = command(owned.context, servo);
     if (commanded)
         return commanded;
-    return releaseAnyway(owned.context, servo, std::move(commanded.error())).map([] {
+    return forceTorqueOff(owned.context, servo, std::move(commanded.error())).map([] {
         return HaltCommand{};
     });
 }
@@ -307,7 +307,7 @@ base::Result<void> confirmHalt(const Context& outer, Servo& servo, const HaltCom
 {
     const Owned owned = own(outer, {servo.id});
     auto halted = confirm(owned.context, servo, command);
-    return halted ? halted : releaseAnyway(owned.context, servo, std::move(halted.error()));
+    return halted ? halted : forceTorqueOff(owned.context, servo, std::move(halted.error()));
 }
 
 base::Result<void> halt(const Context& outer, Servo& servo)

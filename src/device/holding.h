@@ -11,8 +11,8 @@ RegisterValues goalValues(const Servo& servo, const catalog::Register& goal, std
 
 /// What keeps the servo where it is, or at a standstill: the present position as the goal, speed,
 /// PWM or current 0, a relative move of nothing. Needs settings and present position.
-base::Result<RegisterValues> holdingValues(const Servo& servo);
+base::Result<RegisterValues> holdValues(const Servo& servo);
 
 /// Makes the mode's command mean "stay" and switches torque on.
-base::Result<void> switchOn(const Context& context, Servo& servo);
+base::Result<void> enableTorque(const Context& context, Servo& servo);
 } // namespace device

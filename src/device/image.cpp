@@ -10,23 +10,23 @@ void Image::store(int offset, base::ByteView bytes, base::Duration at)
     if (m_cells.size() < first + bytes.size())
         m_cells.resize(first + bytes.size());
     for (std::size_t i = 0; i < bytes.size(); ++i) {
-        Cell& place = m_cells[first + i];
-        if (place.at <= at)
-            place = {bytes[i], true, at};
+        Cell& index = m_cells[first + i];
+        if (index.at <= at)
+            index = {bytes[i], true, at};
     }
 }
 
-void Image::forget(int offset, int count)
+void Image::invalidate(int offset, int count)
 {
-    forget(offset, count, {});
+    invalidate(offset, count, {});
 }
 
-void Image::forget(int offset, int count, base::Duration readUntil)
+void Image::invalidate(int offset, int count, base::Duration readUntil)
 {
     const auto first = static_cast<std::size_t>(std::max(offset, 0));
     const auto end = std::min(first + static_cast<std::size_t>(std::max(count, 0)), m_cells.size());
-    for (std::size_t place = first; place < end; ++place)
-        m_cells[place] = {0, false, readUntil};
+    for (std::size_t index = first; index < end; ++index)
+        m_cells[index] = {0, false, readUntil};
 }
 
 void Image::clear()
@@ -34,33 +34,33 @@ void Image::clear()
     m_cells.clear();
 }
 
-void Image::takeNewer(const Image& other, base::Duration since)
+void Image::mergeNewer(const Image& other, base::Duration since)
 {
     if (m_cells.size() < other.m_cells.size())
         m_cells.resize(other.m_cells.size());
-    for (std::size_t place = 0; place < other.m_cells.size(); ++place) {
-        const Cell& theirs = other.m_cells[place];
-        Cell& mine = m_cells[place];
+    for (std::size_t index = 0; index < other.m_cells.size(); ++index) {
+        const Cell& theirs = other.m_cells[index];
+        Cell& mine = m_cells[index];
         const bool newer = mine.read ? mine.at < theirs.at : mine.at <= theirs.at;
         if (theirs.read && theirs.at >= since && newer)
             mine = theirs;
     }
 }
 
-void Image::takeMissing(const Image& other)
+void Image::mergeMissing(const Image& other)
 {
     if (m_cells.size() < other.m_cells.size())
         m_cells.resize(other.m_cells.size());
-    for (std::size_t place = 0; place < other.m_cells.size(); ++place) {
-        if (!m_cells[place].read)
-            m_cells[place] = other.m_cells[place];
+    for (std::size_t index = 0; index < other.m_cells.size(); ++index) {
+        if (!m_cells[index].read)
+            m_cells[index] = other.m_cells[index];
     }
 }
 
 const Image::Cell* Image::cell(int offset) const
 {
-    const auto place = static_cast<std::size_t>(std::max(offset, 0));
-    return place < m_cells.size() && m_cells[place].read ? &m_cells[place] : nullptr;
+    const auto index = static_cast<std::size_t>(std::max(offset, 0));
+    return index < m_cells.size() && m_cells[index].read ? &m_cells[index] : nullptr;
 }
 
 std::optional<base::Bytes> Image::bytes(int offset, int count) const

@@ -17,15 +17,15 @@ public:
     /// What was read later already stays: a polled block may be handed over after the write that
     /// followed it.
     void store(int offset, base::ByteView bytes, base::Duration at);
-    void forget(int offset, int count);
+    void invalidate(int offset, int count);
     /// The same before a write whose read-back may be lost: what was read by then, here or by
     /// others, no longer says what stands there.
-    void forget(int offset, int count, base::Duration readUntil);
+    void invalidate(int offset, int count, base::Duration readUntil);
     void clear();
     /// Takes what `other` has read from `since` on, where it is the newer reading.
-    void takeNewer(const Image& other, base::Duration since);
+    void mergeNewer(const Image& other, base::Duration since);
     /// Takes what `other` has where nothing was read here.
-    void takeMissing(const Image& other);
+    void mergeMissing(const Image& other);
 
     /// The bytes of a register, if all of them have been read.
     std::optional<base::Bytes> bytes(int offset, int count) const;

@@ -11,7 +11,7 @@ namespace device {
 using base::ErrorCode;
 using catalog::Role;
 
-QString keptLimits()
+QString savedLimitsName()
 {
     return QStringLiteral("limits");
 }
@@ -27,18 +27,18 @@ std::optional<ModeChange> modeChange(const Servo& servo, const RegisterValues& i
     return ModeChange{from, to};
 }
 
-bool travelsWithMode(const catalog::Profile& profile, Role command)
+bool sharesFrameWithMode(const catalog::Profile& profile, Role command)
 {
     const catalog::Register* mode = profile.byRole(Role::OperatingMode);
     const catalog::Register* reg = profile.byRole(command);
     return mode != nullptr && reg != nullptr && mode->block && mode->block == reg->block;
 }
 
-base::Result<void> addQuietCommand(const Servo& servo, RegisterValues& items)
+base::Result<void> addZeroCommand(const Servo& servo, RegisterValues& items)
 {
     const std::size_t given = items.size();
     for (const catalog::Mode& mode : servo.profile->modes) {
-        if (!travelsWithMode(*servo.profile, mode.command))
+        if (!sharesFrameWithMode(*servo.profile, mode.command))
             continue;
         const catalog::Register* reg = servo.profile->byRole(mode.command);
         const auto same =
@@ -62,30 +62,31 @@ base::Result<void> addQuietCommand(const Servo& servo, RegisterValues& items)
 namespace {
 bool limitsVanish(const Servo& servo, const RegisterValues& items)
 {
-    const bool some =
+    const bool hasLimits =
         servo.raw(Role::MinAngle).value_or(0) != 0 || servo.raw(Role::MaxAngle).value_or(0) != 0;
-    return some && valueAfter(servo, items, Role::MinAngle).value_or(0) == 0 &&
+    return hasLimits && valueAfter(servo, items, Role::MinAngle).value_or(0) == 0 &&
            valueAfter(servo, items, Role::MaxAngle).value_or(0) == 0;
 }
 } // namespace
 
-base::Result<void> rememberWayBack(const Context& context, const Servo& servo,
-                                   const ModeChange& change, const RegisterValues& items)
+base::Result<void> saveForReturn(const Context& context, const Servo& servo,
+                                 const ModeChange& change, const RegisterValues& items)
 {
     if (limitsVanish(servo, items)) {
         const std::int64_t min = servo.raw(Role::MinAngle).value_or(0);
         const std::int64_t max = servo.raw(Role::MaxAngle).value_or(0);
-        const auto kept = context.journal.keep(servo.identity(), keptLimits(), {min, max});
+        const auto kept =
+            context.journal.saveServoValues(servo.identity(), savedLimitsName(), {min, max});
         if (!kept)
             return kept;
-        context.note(NoticeCode::LimitsKept, servo.id, {}, min, max);
+        context.note(NoticeCode::LimitsSaved, servo.id, {}, min, max);
     }
     const auto speed = servo.raw(Role::GoalSpeed);
     const bool positionBefore =
         change.from != nullptr && change.from->command == Role::GoalPosition;
     if (positionBefore && change.to->command == Role::GoalSpeed && speed &&
-        !travelsWithMode(*servo.profile, Role::GoalSpeed))
-        return context.journal.keep(servo.identity(), keptSpeed(), {*speed});
+        !sharesFrameWithMode(*servo.profile, Role::GoalSpeed))
+        return context.journal.saveServoValues(servo.identity(), savedSpeedName(), {*speed});
     return {};
 }
 
@@ -96,15 +97,15 @@ base::Result<void> torqueOff(const Context& context, Servo& servo)
         return {};
     const auto present = readRegister(context, servo, *torque);
     if (!present) {
-        writeUnproven(context, servo, *torque, 0, present.error());
+        writeUnverified(context, servo, *torque, 0, present.error());
         return tl::unexpected(present.error());
     }
     if (*present == 0)
         return {};
-    auto off = writeVerified(context, servo, *torque, 0);
-    if (!off) {
-        off.error().operation = QStringLiteral("torque-off");
-        return off;
+    auto torqueResult = writeVerified(context, servo, *torque, 0);
+    if (!torqueResult) {
+        torqueResult.error().operation = QStringLiteral("torque-off");
+        return torqueResult;
     }
     context.note(NoticeCode::TorqueSwitchedOff, servo.id);
     return {};
@@ -163,16 +164,16 @@ Role commandToZero(const ModeChange& change)
 }
 } // namespace
 
-Role zeroedBySwitch(const Servo& servo, const ModeChange& change)
+Role commandZeroedBySwitch(const Servo& servo, const ModeChange& change)
 {
     for (const catalog::Mode& mode : servo.profile->modes) {
-        if (travelsWithMode(*servo.profile, mode.command))
+        if (sharesFrameWithMode(*servo.profile, mode.command))
             return mode.command;
     }
     return commandToZero(change);
 }
 
-std::vector<WriteItem> settledBySwitch(const Servo& servo, const std::vector<WriteItem>& items)
+std::vector<WriteItem> extraWritesOfSwitch(const Servo& servo, const std::vector<WriteItem>& items)
 {
     RegisterValues values;
     for (const WriteItem& item : items) {
@@ -182,19 +183,19 @@ std::vector<WriteItem> settledBySwitch(const Servo& servo, const std::vector<Wri
     const auto change = modeChange(servo, values);
     if (!change)
         return {};
-    std::vector<WriteItem> also;
+    std::vector<WriteItem> writes;
     const catalog::Register* limit = servo.profile->byRole(Role::GoalCurrent);
     const auto start = valueAfter(servo, values, Role::ProtectionCurrent);
     if (commandBefore(*change) == Role::GoalCurrent && change->to->command != Role::GoalCurrent &&
         limit != nullptr && start && servo.raw(*limit) != *start)
-        also.push_back({limit->key, *start});
-    const catalog::Register* command = servo.profile->byRole(zeroedBySwitch(servo, *change));
+        writes.push_back({limit->key, *start});
+    const catalog::Register* command = servo.profile->byRole(commandZeroedBySwitch(servo, *change));
     if (command != nullptr && servo.raw(*command) != 0)
-        also.push_back({command->key, 0});
-    return also;
+        writes.push_back({command->key, 0});
+    return writes;
 }
 
-base::Result<void> settleMode(const Context& context, Servo& servo, const ModeChange& change)
+base::Result<void> finishModeSwitch(const Context& context, Servo& servo, const ModeChange& change)
 {
     const Role after = change.to->command;
     const Role before = commandBefore(change);
@@ -214,19 +215,19 @@ base::Result<void> settleMode(const Context& context, Servo& servo, const ModeCh
     return torqueOff(context, servo);
 }
 
-void noteNoCurrent(const Context& context, const Servo& servo)
+void noteZeroCurrentLimit(const Context& context, const Servo& servo)
 {
     const catalog::Register* limit = servo.profile->byRole(Role::GoalCurrent);
     const catalog::Mode* mode = servo.mode();
     if (limit != nullptr && mode != nullptr && mode->command != Role::GoalCurrent &&
         servo.raw(*limit) == 0)
-        context.note(NoticeCode::NoCurrentAllowed, servo.id, limit->key);
+        context.note(NoticeCode::CurrentLimitZero, servo.id, limit->key);
 }
 
-base::Result<void> quieten(const Context& context, Servo& servo)
+base::Result<void> torqueOffAndZero(const Context& context, Servo& servo)
 {
-    if (const auto off = torqueOff(context, servo); !off)
-        return off;
+    if (const auto torqueResult = torqueOff(context, servo); !torqueResult)
+        return torqueResult;
     if (const auto fresh = readSettings(context, servo); !fresh)
         return fresh;
     const catalog::Mode* mode = servo.mode();

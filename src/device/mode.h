@@ -16,29 +16,29 @@ std::optional<ModeChange> modeChange(const Servo& servo, const RegisterValues& i
 
 /// True when the mode and this command are written in one frame (LX motor speed): the command then
 /// means nothing in other modes.
-bool travelsWithMode(const catalog::Profile& profile, catalog::Role command);
+bool sharesFrameWithMode(const catalog::Profile& profile, catalog::Role command);
 
 /// Where they do, the frame that switches the mode carries the command 0. NotSupported
 /// ("mode-first") when the items give another one.
-base::Result<void> addQuietCommand(const Servo& servo, RegisterValues& items);
+base::Result<void> addZeroCommand(const Servo& servo, RegisterValues& items);
 
 /// Before the write: keeps the limits and the position speed in the journal.
-base::Result<void> rememberWayBack(const Context& context, const Servo& servo,
-                                   const ModeChange& change, const RegisterValues& items);
+base::Result<void> saveForReturn(const Context& context, const Servo& servo,
+                                 const ModeChange& change, const RegisterValues& items);
 
 /// After the write, torque off: zeroes the new mode's command, puts the position speed and the
 /// current limit back, and makes sure that torque is still off.
-base::Result<void> settleMode(const Context& context, Servo& servo, const ModeChange& change);
+base::Result<void> finishModeSwitch(const Context& context, Servo& servo, const ModeChange& change);
 
 /// The command that a switch leaves at 0, or None.
-catalog::Role zeroedBySwitch(const Servo& servo, const ModeChange& change);
+catalog::Role commandZeroedBySwitch(const Servo& servo, const ModeChange& change);
 
 /// The journal keeps the angle limits for the way back under this name.
-QString keptLimits();
+QString savedLimitsName();
 
 /// Torque off, proven. Notes it when torque was on.
 base::Result<void> torqueOff(const Context& context, Servo& servo);
 
 /// HLS: a current limit of 0 is no torque at all. Says so; for modes that have the limit.
-void noteNoCurrent(const Context& context, const Servo& servo);
+void noteZeroCurrentLimit(const Context& context, const Servo& servo);
 } // namespace device

@@ -14,15 +14,15 @@ using catalog::Role;
 
 namespace {
 /// Where the angle limits of the new mode come from.
-enum class Limits : std::uint8_t { AsTheyAre, Zero, Remembered, Factory };
+enum class Limits : std::uint8_t { Unchanged, Zero, Remembered, Factory };
 
-struct Switch {
+struct SwitchPlan {
     const catalog::Mode* target = nullptr;
     std::vector<WriteItem> items; ///< both limits in one write, then the mode
-    Limits limits = Limits::AsTheyAre;
+    Limits limits = Limits::Unchanged;
 };
 
-base::Result<void> addLimits(const Context& context, const Servo& servo, Switch& change)
+base::Result<void> addLimits(const Context& context, const Servo& servo, SwitchPlan& change)
 {
     const catalog::Mode& target = *change.target;
     const catalog::Register* min = servo.profile->byRole(Role::MinAngle);
@@ -36,7 +36,7 @@ base::Result<void> addLimits(const Context& context, const Servo& servo, Switch&
     }
     if (target.limitsZero || !zeroNow || target.command != Role::GoalPosition)
         return {};
-    const auto kept = context.journal.kept(servo.identity(), keptLimits());
+    const auto kept = context.journal.servoValues(servo.identity(), savedLimitsName());
     if (!kept)
         return tl::unexpected(kept.error());
     const bool known = kept->has_value() && (*kept)->size() == 2;
@@ -50,28 +50,28 @@ base::Result<void> addLimits(const Context& context, const Servo& servo, Switch&
 
 /// The servo is in the mode, but perhaps until power-off only: what makes it the mode is written
 /// once more.
-base::Result<void> addTemporary(const Context& context, const Servo& servo, Switch& change)
+base::Result<void> addTemporary(const Context& context, const Servo& servo, SwitchPlan& change)
 {
     const auto temporary = temporaryValues(context.journal, servo);
     if (!temporary)
         return tl::unexpected(temporary.error());
-    const auto again = [&](const catalog::Register* reg) {
+    const auto mustRewrite = [&](const catalog::Register* reg) {
         return reg != nullptr && mayBeTemporary(*temporary, reg->key, servo.raw(*reg));
     };
     const catalog::Register* min = servo.profile->byRole(Role::MinAngle);
     const catalog::Register* max = servo.profile->byRole(Role::MaxAngle);
-    if (change.target->limitsZero && (again(min) || again(max)) && change.items.empty())
+    if (change.target->limitsZero && (mustRewrite(min) || mustRewrite(max)) && change.items.empty())
         change.items = {{min->key, 0}, {max->key, 0}};
     const catalog::Register* mode = servo.profile->byRole(Role::OperatingMode);
-    if (change.target->operatingMode && again(mode))
+    if (change.target->operatingMode && mustRewrite(mode))
         change.items.push_back({mode->key, *change.target->operatingMode});
     return {};
 }
 
 /// Reads the settings, writes nothing. No items: the servo is in that mode, and keeps it.
-base::Result<Switch> workOut(const Context& context, Servo& servo, const QString& modeKey)
+base::Result<SwitchPlan> planSwitch(const Context& context, Servo& servo, const QString& modeKey)
 {
-    Switch change;
+    SwitchPlan change;
     change.target = servo.profile->mode(modeKey);
     if (change.target == nullptr) {
         QStringList known;
@@ -98,18 +98,18 @@ base::Result<Switch> workOut(const Context& context, Servo& servo, const QString
 
 base::Result<WriteReport> switchMode(const Context& context, Servo& servo, const QString& modeKey)
 {
-    const auto change = workOut(context, servo, modeKey);
+    const auto change = planSwitch(context, servo, modeKey);
     if (!change)
         return tl::unexpected(change.error());
     if (change->items.empty()) {
-        context.note(NoticeCode::AlreadySo, servo.id, modeKey);
+        context.note(NoticeCode::AlreadySet, servo.id, modeKey);
         WriteReport nothing;
         nothing.id = servo.id;
         return nothing;
     }
     if (change->limits == Limits::Remembered || change->limits == Limits::Factory) {
         context.note(change->limits == Limits::Remembered ? NoticeCode::LimitsRestored
-                                                          : NoticeCode::LimitsDefaulted,
+                                                          : NoticeCode::LimitsSetToDefault,
                      servo.id, {}, change->items[0].raw, change->items[1].raw);
     }
     // Asking for the mode is the consent: the manoeuvre takes the danger out of register 33.
@@ -127,21 +127,21 @@ base::Result<WriteReport> switchMode(const Context& context, Servo& servo, const
 
 base::Result<ModePlan> planMode(const Context& context, Servo& servo, const QString& modeKey)
 {
-    const auto change = workOut(context, servo, modeKey);
+    const auto change = planSwitch(context, servo, modeKey);
     if (!change)
         return tl::unexpected(change.error());
     ModePlan plan;
     plan.from = servo.mode() != nullptr ? servo.mode()->key : QString();
     plan.to = modeKey;
     plan.limitsRestored = change->limits == Limits::Remembered;
-    plan.limitsDefaulted = change->limits == Limits::Factory;
-    plan.limitsKept = change->limits == Limits::Zero;
+    plan.limitsSetToDefault = change->limits == Limits::Factory;
+    plan.limitsSaved = change->limits == Limits::Zero;
     for (const WriteItem& item : change->items)
         plan.writes.push_back({item.key, servo.raw(item.key), item.raw});
     if (change->items.empty())
         return plan;
     plan.torqueGoesOff = servo.raw(Role::TorqueSwitch).value_or(0) != 0;
-    const Role command = zeroedBySwitch(servo, {servo.mode(), change->target});
+    const Role command = commandZeroedBySwitch(servo, {servo.mode(), change->target});
     if (const catalog::Register* reg = servo.profile->byRole(command))
         plan.zeroed = reg->key;
     return plan;

@@ -46,27 +46,27 @@ struct ModePlan {
     };
     QString from; ///< mode key; empty: not known
     QString to;
-    bool torqueGoesOff = false;   ///< it is on now
-    std::vector<Write> writes;    ///< limits and mode, in order
-    QString zeroed;               ///< the command that is set to 0; empty: none
-    bool limitsKept = false;      ///< the present limits are remembered for the way back
-    bool limitsRestored = false;  ///< from what was remembered
-    bool limitsDefaulted = false; ///< nothing was remembered: factory values
+    bool torqueGoesOff = false;      ///< it is on now
+    std::vector<Write> writes;       ///< limits and mode, in order
+    QString zeroed;                  ///< the command that is set to 0; empty: none
+    bool limitsSaved = false;        ///< the present limits are remembered for the way back
+    bool limitsRestored = false;     ///< from what was remembered
+    bool limitsSetToDefault = false; ///< nothing was remembered: factory values
 };
 base::Result<ModePlan> planMode(const Context& context, Servo& servo, const QString& mode);
 
 /// What write() sets besides these items where they lead to another mode: the command that comes to
 /// rest, a current limit that means something else. In the order of writing; empty: the mode stays.
 /// From what has been read. A speed remembered for position modes may be put back as well.
-std::vector<WriteItem> settledBySwitch(const Servo& servo, const std::vector<WriteItem>& items);
+std::vector<WriteItem> extraWritesOfSwitch(const Servo& servo, const std::vector<WriteItem>& items);
 
 /// Torque off and the present mode's command at zero: the safe end of a half-done mode switch.
-base::Result<void> quieten(const Context& context, Servo& servo);
+base::Result<void> torqueOffAndZero(const Context& context, Servo& servo);
 
-enum class MoveHow : std::uint8_t { Write, Sync, Async };
+enum class MoveMethod : std::uint8_t { Write, Sync, Async };
 
 /// One servo's move. Values as the user typed them, parsed against the register they go to.
-struct MoveOrder {
+struct MoveCommand {
     Servo* servo = nullptr;
     /// "2048", "90deg". Speed, PWM and current modes: "30rpm", "20%"; a plain number only where the
     /// unit is not documented (LX motor, SMCL speed), signed for the direction.
@@ -77,7 +77,7 @@ struct MoveOrder {
     std::optional<QString> current{}; ///< HLS: the limit for this move; not in current mode
     /// Settings read no longer ago are not read again before the goal; 0: read now. For goals that
     /// follow each other quickly while a slider is dragged.
-    base::Duration settingsMayBe{};
+    base::Duration maxSettingsAge{};
     /// The goal is meant for this mode and refused in another one ("mode-changed"); empty: any.
     QString mode{};
 };
@@ -87,8 +87,8 @@ struct MovePlan {
     Servo* servo = nullptr;
     std::vector<WriteItem> fields; ///< in the order of writing; the goal is last
     bool relative = false;         ///< step mode: never repeated blindly
-    bool energises = false;        ///< torque is off now
-    base::Duration ownTime{};      ///< the travel time written with the goal
+    bool energizes = false;        ///< torque is off now
+    base::Duration travelTime{};   ///< the travel time written with the goal
     std::int64_t goalRaw = 0;
     catalog::Role goalRole = catalog::Role::GoalPosition;
     QString mode{}; ///< key of the mode it was worked out for
@@ -96,31 +96,31 @@ struct MovePlan {
     std::optional<bool> held{};
 };
 
-base::Result<MovePlan> planMove(const Context& context, const MoveOrder& order);
+base::Result<MovePlan> planMove(const Context& context, const MoveCommand& order);
 
 /// Sync and Async start all of them together, in the way each family has for it: one packet, held
 /// writes, stored moves. NotSupported ("no-sync", "no-async") where one of them has none.
-base::Result<void> sendMoves(const Context& context, std::vector<MovePlan>& plans, MoveHow how);
+base::Result<void> sendMoves(const Context& context, std::vector<MovePlan>& plans, MoveMethod how);
 
-/// The two halves of Async. holdMoves leaves each goal in its servo; it does not move for it.
+/// The two halves of Async. sendAsyncMoves leaves each goal in its servo; it does not move for it.
 /// NotSupported ("no-async").
-base::Result<void> holdMoves(const Context& context, std::vector<MovePlan>& plans);
+base::Result<void> sendAsyncMoves(const Context& context, std::vector<MovePlan>& plans);
 /// Starts what was held. Several Feetech servos are started by one ACTION for all, which starts
 /// everything on the bus that holds a goal, whoever gave it; one alone and LX servos are addressed.
 /// Before the first byte: Refused ("mode-changed") where a goal now means something
 /// else.
-base::Result<void> startHeld(const Context& context, std::vector<MovePlan>& plans);
+base::Result<void> startAsyncMoves(const Context& context, std::vector<MovePlan>& plans);
 /// Nothing of ours is held any more and nothing has moved. Feetech: torque must be off, and is off
 /// afterwards.
-base::Result<void> forgetHeld(const Context& context, std::vector<MovePlan>& plans);
+base::Result<void> cancelAsyncMoves(const Context& context, std::vector<MovePlan>& plans);
 
 /// The steps from the goal to the present position, where there are more of them than friction and
 /// a heavy arm explain. Nullopt also where too little has been read. `relative`: step mode, in
 /// which the position shows what remains.
-std::optional<std::int64_t> missesGoal(const Servo& servo, std::int64_t goalRaw, bool relative);
+std::optional<std::int64_t> goalDeviation(const Servo& servo, std::int64_t goalRaw, bool relative);
 
 /// Waits until every servo's moving flag is down (without a flag: until it stands still and its own
-/// travel time is over), or `limit` has passed (NoAnswer/Refused then), or stop. `onSample` sees
+/// travel time is over), or `limit` has passed (NoReply/Refused then), or stop. `onSample` sees
 /// each reading.
 struct MoveProgress {
     int id = 0;

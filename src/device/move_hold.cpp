@@ -11,7 +11,7 @@ using base::ErrorCode;
 using catalog::Role;
 
 namespace {
-base::Result<bool> waits(const Context& context, Servo& servo)
+base::Result<bool> hasPendingGoal(const Context& context, Servo& servo)
 {
     const catalog::Register* flag = servo.profile->byRole(Role::AsyncFlag);
     if (flag == nullptr)
@@ -19,55 +19,55 @@ base::Result<bool> waits(const Context& context, Servo& servo)
     return readRegister(context, servo, *flag).map([](std::int64_t raw) { return raw == 1; });
 }
 
-base::Result<void> holdGoal(const Context& context, MovePlan& plan, const Block& block)
+base::Result<void> sendAsyncGoal(const Context& context, MovePlan& plan, const Block& block)
 {
     Servo& servo = *plan.servo;
-    const auto before = waits(context, servo);
+    const auto before = hasPendingGoal(context, servo);
     if (!before)
         return tl::unexpected(before.error());
     auto request = protocol::Request::regWrite(servo.id, block.patch.writeOffset, block.patch.data,
                                                protocol::Repeat::Safe);
-    request.acknowledged = servo.answersWrites();
+    request.acknowledged = servo.repliesToWrites();
     const bool acknowledged = request.acknowledged;
     plan.held = true;
-    const auto held = transactPlain(context, std::move(request));
-    if (!held && !answerLost(held.error()))
+    const auto held = sendRequest(context, std::move(request));
+    if (!held && !isReplyLost(held.error()))
         return held;
     const catalog::Register* flag = servo.profile->byRole(Role::AsyncFlag);
     if (flag == nullptr)
         return {};
-    const auto pending = waits(context, servo);
+    const auto pending = hasPendingGoal(context, servo);
     if (!pending)
         return tl::unexpected(pending.error());
-    const bool taken = held.has_value() && acknowledged;
+    const bool accepted = held.has_value() && acknowledged;
     plan.held = *pending;
     // The flag tells whether it is held, so a lost answer does not matter; unless another goal has
     // been waiting there, of which it speaks just as well.
-    if (*pending && (taken || !*before))
+    if (*pending && (accepted || !*before))
         return {};
     const ErrorCode code = *pending ? ErrorCode::Uncertain : ErrorCode::Refused;
     return tl::unexpected(base::Error{code, QStringLiteral("reg-write"), {}, servo.id, flag->key});
 }
 
-base::Result<void> releaseHeld(const Context& context, const Plans& plans)
+base::Result<void> startAsync(const Context& context, const Plans& plans)
 {
     if (plans.empty())
         return {};
-    constexpr int sends = 3;
+    constexpr int sendCount = 3;
     // One alone is told alone: others may hold a goal that somebody has forgotten.
     const Servo& first = *plans.front()->servo;
     protocol::Request start =
         plans.size() == 1 ? protocol::Request::action(first.id) : protocol::Request::action();
-    start.acknowledged = plans.size() == 1 && first.answersWrites();
+    start.acknowledged = plans.size() == 1 && first.repliesToWrites();
     int waiting = -1;
-    for (int sent = 0; sent < sends; ++sent) {
+    for (int sent = 0; sent < sendCount; ++sent) {
         // The flag below tells what became of it.
-        const auto acted = transactPlain(context, start);
-        if (!acted && !answerLost(acted.error()))
-            return acted;
+        const auto result = sendRequest(context, start);
+        if (!result && !isReplyLost(result.error()))
+            return result;
         waiting = -1;
         for (MovePlan* plan : plans) {
-            const auto pending = waits(context, *plan->servo);
+            const auto pending = hasPendingGoal(context, *plan->servo);
             if (!pending)
                 return tl::unexpected(pending.error());
             plan->held = *pending;
@@ -82,13 +82,13 @@ base::Result<void> releaseHeld(const Context& context, const Plans& plans)
     return base::fail(ErrorCode::Refused, QStringLiteral("action"), {}, waiting);
 }
 
-base::Result<void> holdAll(const Context& context, const Plans& plans)
+base::Result<void> sendAllAsync(const Context& context, const Plans& plans)
 {
     for (MovePlan* plan : plans) {
         const auto blocks = blocksOf(*plan);
         if (const auto sent = sendSettings(context, *plan, blocks); !sent)
             return sent;
-        if (const auto held = holdGoal(context, *plan, blocks.back()); !held)
+        if (const auto held = sendAsyncGoal(context, *plan, blocks.back()); !held)
             return held;
     }
     return {};
@@ -96,23 +96,23 @@ base::Result<void> holdAll(const Context& context, const Plans& plans)
 
 /// Some models never tell what they store; those that do must show it.
 base::Result<void> storeMove(const Context& context, Servo& servo, std::int64_t goal,
-                             base::Duration ownTime)
+                             base::Duration travelTime)
 {
     RegisterValues stored{{servo.profile->byRole(Role::StoredGoal), goal}};
     if (const catalog::Register* time = servo.profile->byRole(Role::StoredTime))
-        stored.push_back({time, ownTime / std::chrono::milliseconds(1)});
+        stored.push_back({time, travelTime / std::chrono::milliseconds(1)});
     const Patch patch = patchOf(servo, stored);
-    constexpr int tries = 2;
-    for (int attempt = 0; attempt < tries; ++attempt) {
+    constexpr int maxAttempts = 2;
+    for (int attempt = 0; attempt < maxAttempts; ++attempt) {
         if (const auto sent = writeBlock(context, servo, patch, protocol::Repeat::Safe); !sent)
             return sent;
         const auto back = readBlock(context, servo, patch.readOffset, patch.count(), 0);
         if (!back)
-            return back.error().code == ErrorCode::NoAnswer ? base::Result<void>{} : back;
+            return back.error().code == ErrorCode::NoReply ? base::Result<void>{} : back;
         if (servo.image.bytes(patch.readOffset, patch.count()) == patch.data)
             return {};
-        if (attempt + 1 < tries)
-            noteSentAgain(context, servo, false, stored.front().reg->key);
+        if (attempt + 1 < maxAttempts)
+            noteResent(context, servo, false, stored.front().reg->key);
     }
     return tl::unexpected(base::Error{
         ErrorCode::Refused, QStringLiteral("move"), {}, servo.id, stored.front().reg->key});
@@ -122,7 +122,7 @@ base::Result<void> storeAll(const Context& context, const Plans& plans)
 {
     for (MovePlan* plan : plans) {
         plan->held = true;
-        const auto stored = storeMove(context, *plan->servo, plan->goalRaw, plan->ownTime);
+        const auto stored = storeMove(context, *plan->servo, plan->goalRaw, plan->travelTime);
         if (!stored)
             return stored;
     }
@@ -134,14 +134,14 @@ base::Result<void> storeAll(const Context& context, const Plans& plans)
 /// servos in which another program holds a goal.
 base::Result<void> startStored(const Context& context, const Plans& plans)
 {
-    constexpr int sends = 3;
-    for (int sent = 0; sent < sends; ++sent) {
+    constexpr int sendCount = 3;
+    for (int sent = 0; sent < sendCount; ++sent) {
         for (const MovePlan* plan : plans) {
             const Servo& servo = *plan->servo;
-            const auto acted =
-                transactPlain(context, protocol::Request::action(servo.id).in(servo.protocol));
-            if (!acted)
-                return acted;
+            const auto result =
+                sendRequest(context, protocol::Request::action(servo.id).in(servo.protocol));
+            if (!result)
+                return result;
         }
     }
     return {};
@@ -149,26 +149,27 @@ base::Result<void> startStored(const Context& context, const Plans& plans)
 
 /// A start command must not find a move that was given up. As far as the wire allows; what failed
 /// before is what counts.
-void forgetStored(const Context& context, const Plans& plans)
+void clearStored(const Context& context, const Plans& plans)
 {
     for (MovePlan* plan : plans) {
-        const auto waiting = disarm(context, *plan->servo);
+        const auto waiting = cancelHeldGoal(context, *plan->servo);
         if (waiting && plan->held)
             plan->held = *waiting;
     }
 }
 
-base::Result<void> forgetGoal(const Context& context, Servo& servo)
+base::Result<void> cancelGoal(const Context& context, Servo& servo)
 {
-    const auto waits = disarm(context, servo);
-    if (!waits)
-        return tl::unexpected(waits.error());
-    return *waits ? base::fail(ErrorCode::Refused, QStringLiteral("forget-held"), {}, servo.id)
-                  : base::Result<void>{};
+    const auto hasPendingGoal = cancelHeldGoal(context, servo);
+    if (!hasPendingGoal)
+        return tl::unexpected(hasPendingGoal.error());
+    return *hasPendingGoal
+               ? base::fail(ErrorCode::Refused, QStringLiteral("forget-held"), {}, servo.id)
+               : base::Result<void>{};
 }
 
 /// What takes the goal's place is "torque off", so it must be off.
-base::Result<void> forgetHeldGoal(const Context& context, Servo& servo)
+base::Result<void> cancelAsyncGoal(const Context& context, Servo& servo)
 {
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
     const auto now =
@@ -177,11 +178,11 @@ base::Result<void> forgetHeldGoal(const Context& context, Servo& servo)
         return tl::unexpected(now.error());
     if (*now != 0)
         return base::fail(ErrorCode::Refused, QStringLiteral("forget-held"), {}, servo.id);
-    return forgetGoal(context, servo);
+    return cancelGoal(context, servo);
 }
 } // namespace
 
-base::Result<void> transactPlain(const Context& context, protocol::Request request)
+base::Result<void> sendRequest(const Context& context, protocol::Request request)
 {
     bus::Transaction transaction;
     transaction.request = std::move(request);
@@ -194,34 +195,34 @@ base::Result<void> transactPlain(const Context& context, protocol::Request reque
     return {};
 }
 
-base::Result<void> holdGoals(const Context& context, const Ways& ways)
+base::Result<void> sendAsyncGoals(const Context& context, const MoveGroups& groups)
 {
-    auto held = storeAll(context, ways.stored);
+    auto held = storeAll(context, groups.stored);
     if (held)
-        held = holdAll(context, ways.held);
+        held = sendAllAsync(context, groups.held);
     if (!held)
-        forgetStored(context, ways.stored);
+        clearStored(context, groups.stored);
     return held;
 }
 
-base::Result<void> startGoals(const Context& context, const Ways& ways)
+base::Result<void> startGoals(const Context& context, const MoveGroups& groups)
 {
-    if (const auto started = startStored(context, ways.stored); !started) {
-        forgetStored(context, ways.stored);
+    if (const auto started = startStored(context, groups.stored); !started) {
+        clearStored(context, groups.stored);
         return started;
     }
-    for (MovePlan* plan : ways.stored)
+    for (MovePlan* plan : groups.stored)
         plan->held = false;
-    return releaseHeld(context, ways.held);
+    return startAsync(context, groups.held);
 }
 
-base::Result<void> giveUpHeld(const Context& context, const Plans& plans, base::Error error)
+base::Result<void> cancelAfterFailure(const Context& context, const Plans& plans, base::Error error)
 {
     QStringList holding;
     int first = -1;
     for (MovePlan* plan : plans) {
         const bool sent = plan->held.value_or(false);
-        const auto waiting = dropHeld(context, *plan->servo);
+        const auto waiting = discardHeldGoal(context, *plan->servo);
         // An emergency stop takes out itself what waits.
         const bool unknown = !waiting && sent && waiting.error().code != ErrorCode::Preempted;
         if (!unknown && !waiting.value_or(false))
@@ -237,14 +238,14 @@ base::Result<void> giveUpHeld(const Context& context, const Plans& plans, base::
     return tl::unexpected(std::move(error));
 }
 
-base::Result<void> forgetGoals(const Context& context, const Ways& ways)
+base::Result<void> cancelGoals(const Context& context, const MoveGroups& groups)
 {
-    for (MovePlan* plan : ways.stored) {
-        if (const auto forgotten = forgetGoal(context, *plan->servo); !forgotten)
+    for (MovePlan* plan : groups.stored) {
+        if (const auto forgotten = cancelGoal(context, *plan->servo); !forgotten)
             return forgotten;
     }
-    for (MovePlan* plan : ways.held) {
-        if (const auto forgotten = forgetHeldGoal(context, *plan->servo); !forgotten)
+    for (MovePlan* plan : groups.held) {
+        if (const auto forgotten = cancelAsyncGoal(context, *plan->servo); !forgotten)
             return forgotten;
     }
     return {};

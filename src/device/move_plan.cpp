@@ -27,10 +27,10 @@ QString fieldName(Role role)
 /// Builds the list of fields; holds what the helpers share.
 class Planner {
 public:
-    Planner(const Context& context, const MoveOrder& order)
+    Planner(const Context& context, const MoveCommand& command)
         : m_context(context)
-        , m_order(order)
-        , m_servo(*order.servo)
+        , m_command(command)
+        , m_servo(*command.servo)
     {}
 
     base::Result<MovePlan> plan();
@@ -42,11 +42,11 @@ private:
     base::Result<void> addTime();
     base::Result<void> addCurrent();
     base::Result<void> addGoal();
-    base::Result<void> know();
+    base::Result<void> readState();
     bool drivesPosition() const { return m_mode->command == Role::GoalPosition; }
 
     const Context& m_context;
-    const MoveOrder& m_order;
+    const MoveCommand& m_command;
     Servo& m_servo;
     const catalog::Mode* m_mode = nullptr;
     MovePlan m_plan;
@@ -74,19 +74,19 @@ base::Result<void> Planner::addField(Role role, const QString& text)
 
 base::Result<void> Planner::addAcceleration()
 {
-    return m_order.acceleration ? addField(Role::Acceleration, *m_order.acceleration)
-                                : base::Result<void>{};
+    return m_command.acceleration ? addField(Role::Acceleration, *m_command.acceleration)
+                                  : base::Result<void>{};
 }
 
 base::Result<void> Planner::addSpeed()
 {
-    if (!m_order.speed)
+    if (!m_command.speed)
         return {};
     if (!drivesPosition())
         return refuse(ErrorCode::NotSupported, m_servo, QStringLiteral("speed"), m_mode->key);
-    if (travelsWithMode(*m_servo.profile, Role::GoalSpeed))
+    if (sharesFrameWithMode(*m_servo.profile, Role::GoalSpeed))
         return refuse(ErrorCode::NotSupported, m_servo, {}, QStringLiteral("speed-by-time"));
-    const auto added = addField(Role::GoalSpeed, *m_order.speed);
+    const auto added = addField(Role::GoalSpeed, *m_command.speed);
     // The sign means something in speed mode only.
     if (added && m_plan.fields.back().raw < 0)
         return refuse(ErrorCode::OutOfRange, m_servo, QStringLiteral("speed"),
@@ -98,7 +98,7 @@ base::Result<void> Planner::addSpeed()
 base::Result<void> Planner::addTime()
 {
     const catalog::Register* reg = m_servo.profile->byRole(Role::GoalTime);
-    if (!m_order.time) {
+    if (!m_command.time) {
         const catalog::Register* goal = m_servo.profile->byRole(Role::GoalPosition);
         if (reg != nullptr && drivesPosition() && reg->block && reg->block == goal->block)
             m_plan.fields.push_back({reg->key, 0});
@@ -106,18 +106,18 @@ base::Result<void> Planner::addTime()
     }
     if (reg == nullptr || !drivesPosition())
         return refuse(ErrorCode::NotSupported, m_servo, QStringLiteral("time"), m_mode->key);
-    if (m_order.speed) {
+    if (m_command.speed) {
         return refuse(ErrorCode::BadArgument, m_servo, QStringLiteral("time"),
                       QStringLiteral("speed"));
     }
-    if (const auto added = addField(Role::GoalTime, *m_order.time); !added)
+    if (const auto added = addField(Role::GoalTime, *m_command.time); !added)
         return added;
-    m_plan.ownTime = std::chrono::milliseconds(m_plan.fields.back().raw);
+    m_plan.travelTime = std::chrono::milliseconds(m_plan.fields.back().raw);
     const catalog::Register* speed = m_servo.profile->byRole(Role::GoalSpeed);
-    if (speed != nullptr && !travelsWithMode(*m_servo.profile, Role::GoalSpeed) &&
+    if (speed != nullptr && !sharesFrameWithMode(*m_servo.profile, Role::GoalSpeed) &&
         m_servo.raw(*speed).value_or(1) != 0) {
         m_plan.fields.push_back({speed->key, 0});
-        m_context.note(NoticeCode::SpeedZeroForTime, m_servo.id, speed->key);
+        m_context.note(NoticeCode::SpeedZeroedForTime, m_servo.id, speed->key);
     }
     return {};
 }
@@ -126,11 +126,11 @@ base::Result<void> Planner::addTime()
 /// says so.
 base::Result<void> Planner::addCurrent()
 {
-    if (!m_order.current)
+    if (!m_command.current)
         return {};
     if (m_mode->command == Role::GoalCurrent)
         return refuse(ErrorCode::NotSupported, m_servo, QStringLiteral("current"), m_mode->key);
-    const auto added = addField(Role::GoalCurrent, *m_order.current);
+    const auto added = addField(Role::GoalCurrent, *m_command.current);
     if (added && m_plan.fields.back().raw < 0) {
         return refuse(ErrorCode::OutOfRange, m_servo, QStringLiteral("current"),
                       QStringLiteral("< 0"));
@@ -142,22 +142,22 @@ base::Result<void> Planner::addGoal()
 {
     static const QRegularExpression bareNumber(QStringLiteral("^\\s*[-+]?\\d+\\s*$"));
     const QString unit = m_servo.meaning(*m_servo.profile->byRole(m_mode->command)).unit;
-    if (!drivesPosition() && !unit.isEmpty() && bareNumber.match(m_order.goal).hasMatch()) {
+    if (!drivesPosition() && !unit.isEmpty() && bareNumber.match(m_command.goal).hasMatch()) {
         // "2048" is a position to whoever types it; as a speed it would turn for ever.
         return refuse(ErrorCode::BadArgument, m_servo, m_mode->key, QStringLiteral("unit ") + unit);
     }
-    const auto added = addField(m_mode->command, m_order.goal);
+    const auto added = addField(m_mode->command, m_command.goal);
     if (added)
         m_plan.goalRaw = m_plan.fields.back().raw;
     return added;
 }
 
 /// What the fields are checked against.
-base::Result<void> Planner::know()
+base::Result<void> Planner::readState()
 {
     const base::Duration now = m_context.bus.clock().now();
-    const bool known = m_order.settingsMayBe > base::Duration::zero() &&
-                       settingsReadSince(m_servo, now - m_order.settingsMayBe);
+    const bool known = m_command.maxSettingsAge > base::Duration::zero() &&
+                       settingsReadSince(m_servo, now - m_command.maxSettingsAge);
     if (!known) {
         if (const auto fresh = readSettings(m_context, m_servo); !fresh)
             return fresh;
@@ -165,7 +165,7 @@ base::Result<void> Planner::know()
     m_mode = m_servo.mode();
     if (m_mode == nullptr || m_servo.profile->byRole(m_mode->command) == nullptr)
         return refuse(ErrorCode::NotSupported, m_servo, {}, QStringLiteral("mode"));
-    if (!m_order.mode.isEmpty() && m_order.mode != m_mode->key)
+    if (!m_command.mode.isEmpty() && m_command.mode != m_mode->key)
         return refuse(ErrorCode::Refused, m_servo, m_mode->key, QStringLiteral("mode-changed"));
     return {};
 }
@@ -174,13 +174,13 @@ base::Result<MovePlan> Planner::plan()
 {
     if (const auto writable = requireWritable(m_servo, QStringLiteral("move")); !writable)
         return tl::unexpected(writable.error());
-    if (const auto known = know(); !known)
+    if (const auto known = readState(); !known)
         return tl::unexpected(known.error());
     m_plan.servo = &m_servo;
     m_plan.mode = m_mode->key;
     m_plan.goalRole = m_mode->command;
     m_plan.relative = isRelative(*m_mode);
-    m_plan.energises = m_servo.raw(Role::TorqueSwitch).value_or(0) != 1;
+    m_plan.energizes = m_servo.raw(Role::TorqueSwitch).value_or(0) != 1;
     for (const auto add : {&Planner::addAcceleration, &Planner::addSpeed, &Planner::addTime,
                            &Planner::addCurrent, &Planner::addGoal}) {
         if (const auto added = (this->*add)(); !added)
@@ -190,8 +190,8 @@ base::Result<MovePlan> Planner::plan()
 }
 } // namespace
 
-base::Result<MovePlan> planMove(const Context& context, const MoveOrder& order)
+base::Result<MovePlan> planMove(const Context& context, const MoveCommand& command)
 {
-    return Planner(context, order).plan();
+    return Planner(context, command).plan();
 }
 } // namespace device

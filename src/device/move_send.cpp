@@ -14,16 +14,16 @@ base::Result<void> sendGoalBlock(const Context& context, MovePlan& plan, const B
 {
     Servo& servo = *plan.servo;
     if (!plan.relative)
-        return writeProven(context, servo, block.patch);
-    const auto before = prepareStep(context, plan);
+        return writeConfirmed(context, servo, block.patch);
+    const auto before = prepareRelativeMove(context, plan);
     if (!before)
         return tl::unexpected(before.error());
     const auto sent = writeBlock(context, servo, block.patch, protocol::Repeat::Never);
-    if (sent && servo.answersWrites())
+    if (sent && servo.repliesToWrites())
         return {};
-    if (!sent && !answerLost(sent.error()))
+    if (!sent && !isReplyLost(sent.error()))
         return sent;
-    return settleStep(context, plan, block, *before, !sent);
+    return confirmStep(context, plan, block, *before, !sent);
 }
 
 base::Result<void> sendByWrite(const Context& context, const Plans& plans)
@@ -39,7 +39,7 @@ base::Result<void> sendByWrite(const Context& context, const Plans& plans)
 }
 
 /// Holding is a step on the way to a goal here, and not worth a notice of its own.
-void dropHoldingNotices(const Context& context, std::size_t from)
+void removeHoldingNotices(const Context& context, std::size_t from)
 {
     auto& notices = context.notices;
     notices.erase(
@@ -50,29 +50,29 @@ void dropHoldingNotices(const Context& context, std::size_t from)
 
 /// Where a goal is lost on a servo without torque, it is switched on first, holding. One that
 /// stands outside its limits cannot hold there, but the goal that follows leads it back.
-base::Result<void> energiseFirst(const Context& context, MovePlan& plan)
+base::Result<void> energizeFirst(const Context& context, MovePlan& plan)
 {
     Servo& servo = *plan.servo;
-    if (!plan.energises || !servo.movesNeedTorque())
+    if (!plan.energizes || !servo.movesNeedTorque())
         return {};
     if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
         return fresh;
     const std::size_t noted = context.notices.size();
-    auto on = switchOn(context, servo);
+    auto on = enableTorque(context, servo);
     if (!on && on.error().code == ErrorCode::OutOfRange)
         on = writeVerified(context, servo, *servo.profile->byRole(Role::TorqueSwitch), 1);
     if (!on)
         return on;
-    dropHoldingNotices(context, noted);
+    removeHoldingNotices(context, noted);
     context.note(NoticeCode::TorqueSwitchedOn, servo.id);
-    plan.energises = false;
+    plan.energizes = false;
     return {};
 }
 
 /// Most servos switch torque on with the goal; whoever did not is switched on, and both are said.
-base::Result<void> energise(const Context& context, MovePlan& plan)
+base::Result<void> energize(const Context& context, MovePlan& plan)
 {
-    if (!plan.energises)
+    if (!plan.energizes)
         return {};
     const catalog::Register* torque = plan.servo->profile->byRole(Role::TorqueSwitch);
     if (torque == nullptr)
@@ -91,7 +91,7 @@ base::Result<void> energise(const Context& context, MovePlan& plan)
 base::Result<void> prepare(const Context& context, std::vector<MovePlan>& plans)
 {
     for (MovePlan& plan : plans) {
-        if (const auto on = energiseFirst(context, plan); !on)
+        if (const auto on = energizeFirst(context, plan); !on)
             return on;
         if (const auto fresh = refreshBlocks(context, plan); !fresh)
             return fresh;
@@ -108,25 +108,25 @@ base::Result<void> sendEach(const Context& context, std::vector<MovePlan>& plans
 }
 
 /// What there is to say of servos that have begun to move.
-base::Result<void> lookAfter(const Context& context, std::vector<MovePlan>& plans)
+base::Result<void> finishMoves(const Context& context, std::vector<MovePlan>& plans)
 {
     for (MovePlan& plan : plans) {
-        if (const auto on = energise(context, plan); !on)
+        if (const auto on = energize(context, plan); !on)
             return on;
-        noteNoCurrent(context, *plan.servo);
-        noteAlarms(context, *plan.servo);
+        noteZeroCurrentLimit(context, *plan.servo);
+        addAlarmNotices(context, *plan.servo);
     }
     return {};
 }
 
 /// A context that owns the servos of these plans, or why not.
-base::Result<Owned> ownAll(const Context& outer, const std::vector<MovePlan>& plans)
+base::Result<Owned> holdServos(const Context& outer, const std::vector<MovePlan>& plans)
 {
     std::vector<int> ids;
     ids.reserve(plans.size());
     for (const MovePlan& plan : plans)
         ids.push_back(plan.servo->id);
-    if (outer.stop.requested())
+    if (outer.stop.isRequested())
         return base::fail(ErrorCode::Stopped, QStringLiteral("move"));
     Owned owned = own(outer, ids);
     for (const MovePlan& plan : plans) {
@@ -138,14 +138,14 @@ base::Result<Owned> ownAll(const Context& outer, const std::vector<MovePlan>& pl
 }
 
 /// The goal must still mean what it meant when it was held.
-base::Result<void> checkMeaning(const Context& context, MovePlan& plan)
+base::Result<void> checkMode(const Context& context, MovePlan& plan)
 {
     Servo& servo = *plan.servo;
     if (const auto fresh = readSettings(context, servo); !fresh)
         return fresh;
     const catalog::Mode* mode = servo.mode();
     if (mode != nullptr && mode->key == plan.mode) {
-        plan.energises = servo.raw(Role::TorqueSwitch).value_or(0) != 1;
+        plan.energizes = servo.raw(Role::TorqueSwitch).value_or(0) != 1;
         return {};
     }
     return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("move"),
@@ -153,67 +153,67 @@ base::Result<void> checkMeaning(const Context& context, MovePlan& plan)
 }
 } // namespace
 
-base::Result<void> sendMoves(const Context& outer, std::vector<MovePlan>& plans, MoveHow how)
+base::Result<void> sendMoves(const Context& outer, std::vector<MovePlan>& plans, MoveMethod how)
 {
     // What cannot be sent like this is refused before anything is said.
-    const bool each = how == MoveHow::Write;
-    const auto ways = each ? base::Result<Ways>(Ways{}) : sortOut(plans, how);
-    if (!ways)
-        return tl::unexpected(ways.error());
-    const auto owned = ownAll(outer, plans);
+    const bool each = how == MoveMethod::Write;
+    const auto groups = each ? base::Result<MoveGroups>(MoveGroups{}) : groupMoves(plans, how);
+    if (!groups)
+        return tl::unexpected(groups.error());
+    const auto owned = holdServos(outer, plans);
     if (!owned)
         return tl::unexpected(owned.error());
     const Context& context = owned->context;
     if (const auto ready = prepare(context, plans); !ready)
         return ready;
-    const auto sent = each ? sendEach(context, plans) : sendTogether(context, *ways);
+    const auto sent = each ? sendEach(context, plans) : sendSimultaneously(context, *groups);
     if (!sent)
         return sent;
-    return lookAfter(context, plans);
+    return finishMoves(context, plans);
 }
 
-base::Result<void> holdMoves(const Context& outer, std::vector<MovePlan>& plans)
+base::Result<void> sendAsyncMoves(const Context& outer, std::vector<MovePlan>& plans)
 {
-    const auto ways = sortOut(plans, MoveHow::Async);
-    if (!ways)
-        return tl::unexpected(ways.error());
-    const auto owned = ownAll(outer, plans);
+    const auto groups = groupMoves(plans, MoveMethod::Async);
+    if (!groups)
+        return tl::unexpected(groups.error());
+    const auto owned = holdServos(outer, plans);
     if (!owned)
         return tl::unexpected(owned.error());
     if (const auto ready = prepare(owned->context, plans); !ready)
         return ready;
-    return holdGoals(owned->context, *ways);
+    return sendAsyncGoals(owned->context, *groups);
 }
 
-base::Result<void> startHeld(const Context& outer, std::vector<MovePlan>& plans)
+base::Result<void> startAsyncMoves(const Context& outer, std::vector<MovePlan>& plans)
 {
-    const auto ways = sortOut(plans, MoveHow::Async);
-    if (!ways)
-        return tl::unexpected(ways.error());
-    const auto owned = ownAll(outer, plans);
+    const auto groups = groupMoves(plans, MoveMethod::Async);
+    if (!groups)
+        return tl::unexpected(groups.error());
+    const auto owned = holdServos(outer, plans);
     if (!owned)
         return tl::unexpected(owned.error());
     const Context& context = owned->context;
     for (MovePlan& plan : plans) {
-        if (const auto same = checkMeaning(context, plan); !same)
+        if (const auto same = checkMode(context, plan); !same)
             return same;
         // A stored goal is lost on a servo that was unloaded meanwhile.
-        if (const auto on = energiseFirst(context, plan); !on)
+        if (const auto on = energizeFirst(context, plan); !on)
             return on;
     }
-    if (const auto started = startGoals(context, *ways); !started)
+    if (const auto started = startGoals(context, *groups); !started)
         return started;
-    return lookAfter(context, plans);
+    return finishMoves(context, plans);
 }
 
-base::Result<void> forgetHeld(const Context& outer, std::vector<MovePlan>& plans)
+base::Result<void> cancelAsyncMoves(const Context& outer, std::vector<MovePlan>& plans)
 {
-    const auto ways = sortOut(plans, MoveHow::Async);
-    if (!ways)
-        return tl::unexpected(ways.error());
-    const auto owned = ownAll(outer, plans);
+    const auto groups = groupMoves(plans, MoveMethod::Async);
+    if (!groups)
+        return tl::unexpected(groups.error());
+    const auto owned = holdServos(outer, plans);
     if (!owned)
         return tl::unexpected(owned.error());
-    return forgetGoals(owned->context, *ways);
+    return cancelGoals(owned->context, *groups);
 }
 } // namespace device

@@ -8,17 +8,17 @@
 
 namespace device {
 /// What tells, after a lost answer, whether a relative move was taken.
-struct StepEvidence {
+struct StepState {
     std::optional<std::int64_t> goal, remaining, moving, active;
-    bool operator==(const StepEvidence&) const = default;
+    bool operator==(const StepState&) const = default;
 };
 
 /// The goal register must differ from the step to come, or a lost answer could not be judged later.
 /// A relative move of nothing is harmless and may be repeated.
-base::Result<StepEvidence> prepareStep(const Context& context, MovePlan& plan);
+base::Result<StepState> prepareRelativeMove(const Context& context, MovePlan& plan);
 
 /// A relative move whose answer was lost (or never comes, at response level 0): the state is read,
 /// then decided. Never sent twice on suspicion.
-base::Result<void> settleStep(const Context& context, MovePlan& plan, const Block& block,
-                              const StepEvidence& before, bool lost);
+base::Result<void> confirmStep(const Context& context, MovePlan& plan, const Block& block,
+                               const StepState& before, bool lost);
 } // namespace device

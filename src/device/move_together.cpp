@@ -17,7 +17,7 @@ base::Result<void> sendSettings(const Context& context, MovePlan& plan,
     for (const Block& block : blocks) {
         if (block.goal)
             continue;
-        const auto sent = writeProven(context, *plan.servo, block.patch);
+        const auto sent = writeConfirmed(context, *plan.servo, block.patch);
         if (!sent)
             return sent;
     }
@@ -42,7 +42,7 @@ base::Result<void> sendSyncPackets(const Context& context, const Plans& plans, b
         }
     }
     for (auto& [packet, targets] : packets) {
-        const auto sent = transactPlain(
+        const auto sent = sendRequest(
             context, protocol::Request::syncWrite(std::get<2>(packet), std::move(targets)));
         if (!sent)
             return sent;
@@ -51,7 +51,7 @@ base::Result<void> sendSyncPackets(const Context& context, const Plans& plans, b
 }
 
 /// Nobody acknowledges a sync write: reading tells; a servo that missed it gets its own write.
-base::Result<void> proveBlocks(const Context& context, MovePlan& plan)
+base::Result<void> verifyBlocks(const Context& context, MovePlan& plan)
 {
     for (const Block& block : blocksOf(plan)) {
         if (block.goal && plan.relative)
@@ -62,7 +62,7 @@ base::Result<void> proveBlocks(const Context& context, MovePlan& plan)
             return back;
         if (plan.servo->image.bytes(patch.readOffset, patch.count()) == patch.data)
             continue;
-        const auto sent = writeProven(context, *plan.servo, patch);
+        const auto sent = writeConfirmed(context, *plan.servo, patch);
         if (!sent)
             return sent;
     }
@@ -71,11 +71,11 @@ base::Result<void> proveBlocks(const Context& context, MovePlan& plan)
 
 base::Result<void> sendBySync(const Context& context, const Plans& plans)
 {
-    std::vector<StepEvidence> before(plans.size());
+    std::vector<StepState> before(plans.size());
     for (std::size_t i = 0; i < plans.size(); ++i) {
         if (!plans[i]->relative)
             continue;
-        const auto evidence = prepareStep(context, *plans[i]);
+        const auto evidence = prepareRelativeMove(context, *plans[i]);
         if (!evidence)
             return tl::unexpected(evidence.error());
         before[i] = *evidence;
@@ -85,12 +85,12 @@ base::Result<void> sendBySync(const Context& context, const Plans& plans)
             return sent;
     }
     for (std::size_t i = 0; i < plans.size(); ++i) {
-        if (const auto proven = proveBlocks(context, *plans[i]); !proven)
+        if (const auto proven = verifyBlocks(context, *plans[i]); !proven)
             return proven;
         if (!plans[i]->relative)
             continue;
         const Block goal = blocksOf(*plans[i]).back();
-        const auto settled = settleStep(context, *plans[i], goal, before[i], false);
+        const auto settled = confirmStep(context, *plans[i], goal, before[i], false);
         if (!settled)
             return settled;
     }
@@ -105,17 +105,17 @@ bool canStore(const MovePlan& plan)
 
 bool canSync(const MovePlan& plan)
 {
-    return canSay(*plan.servo, protocol::Request::syncWrite(0, {{plan.servo->id, {0}}}));
+    return canEncode(*plan.servo, protocol::Request::syncWrite(0, {{plan.servo->id, {0}}}));
 }
 
-bool canHold(const MovePlan& plan)
+bool canWriteAsync(const MovePlan& plan)
 {
-    return canSay(*plan.servo,
-                  protocol::Request::regWrite(plan.servo->id, 0, {0}, protocol::Repeat::Safe));
+    return canEncode(*plan.servo,
+                     protocol::Request::regWrite(plan.servo->id, 0, {0}, protocol::Repeat::Safe));
 }
 
 /// Goals are held one after the other, up to the servo that failed.
-Plans askedToHold(const Plans& plans, int failedId)
+Plans plansUpTo(const Plans& plans, int failedId)
 {
     const auto failed = std::find_if(plans.begin(), plans.end(), [failedId](const MovePlan* plan) {
         return plan->servo->id == failedId;
@@ -124,29 +124,29 @@ Plans askedToHold(const Plans& plans, int failedId)
 }
 } // namespace
 
-base::Result<Ways> sortOut(std::vector<MovePlan>& plans, MoveHow how)
+base::Result<MoveGroups> groupMoves(std::vector<MovePlan>& plans, MoveMethod how)
 {
-    Ways ways;
-    const bool sync = how == MoveHow::Sync;
+    MoveGroups groups;
+    const bool sync = how == MoveMethod::Sync;
     for (MovePlan& plan : plans) {
-        if (sync ? canSync(plan) : canHold(plan))
-            (sync ? ways.packets : ways.held).push_back(&plan);
+        if (sync ? canSync(plan) : canWriteAsync(plan))
+            (sync ? groups.packets : groups.held).push_back(&plan);
         else if (canStore(plan))
-            ways.stored.push_back(&plan);
+            groups.stored.push_back(&plan);
         else
             return base::fail(ErrorCode::NotSupported, QStringLiteral("move"),
                               sync ? QStringLiteral("no-sync") : QStringLiteral("no-async"),
                               plan.servo->id);
     }
-    return ways;
+    return groups;
 }
 
-base::Result<void> sendTogether(const Context& context, const Ways& ways)
+base::Result<void> sendSimultaneously(const Context& context, const MoveGroups& groups)
 {
-    if (const auto held = holdGoals(context, ways); !held)
-        return giveUpHeld(context, askedToHold(ways.held, held.error().id), held.error());
-    if (const auto started = startGoals(context, ways); !started)
-        return giveUpHeld(context, ways.held, started.error());
-    return sendBySync(context, ways.packets);
+    if (const auto held = sendAsyncGoals(context, groups); !held)
+        return cancelAfterFailure(context, plansUpTo(groups.held, held.error().id), held.error());
+    if (const auto started = startGoals(context, groups); !started)
+        return cancelAfterFailure(context, groups.held, started.error());
+    return sendBySync(context, groups.packets);
 }
 } // namespace device

@@ -6,45 +6,47 @@ using catalog::Area;
 using catalog::Persistence;
 
 namespace {
-constexpr std::int64_t openForEprom = 0;
-constexpr std::int64_t openForFactory = 128;
+constexpr std::int64_t lockOpenForEprom = 0;
+constexpr std::int64_t lockOpenForFactory = 128;
 } // namespace
 
-Keeping keepingOf(const catalog::Register& reg)
+Retention retentionOf(const catalog::Register& reg)
 {
     switch (reg.persistence) {
     case Persistence::Kept:
-        return Keeping::Always;
+        return Retention::Always;
     case Persistence::Lost:
-        return Keeping::Never;
+        return Retention::Never;
     case Persistence::AfterSave:
-        return Keeping::Save;
+        return Retention::Save;
     case Persistence::NotStated:
-        return Keeping::NotStated;
+        return Retention::NotStated;
     case Persistence::ByArea:
         break;
     }
-    return reg.area == Area::Eprom || reg.area == Area::Factory ? Keeping::Lock : Keeping::Never;
+    return reg.area == Area::Eprom || reg.area == Area::Factory ? Retention::Lock
+                                                                : Retention::Never;
 }
 
-bool lasting(const catalog::Register& reg)
+bool isPersistent(const catalog::Register& reg)
 {
-    const Keeping keeping = keepingOf(reg);
-    return keeping == Keeping::Lock || keeping == Keeping::Always || keeping == Keeping::Save;
+    const Retention retention = retentionOf(reg);
+    return retention == Retention::Lock || retention == Retention::Always ||
+           retention == Retention::Save;
 }
 
-bool takesTime(const catalog::Register& reg)
+bool needsWriteTime(const catalog::Register& reg)
 {
-    return keepingOf(reg) != Keeping::Never;
+    return retentionOf(reg) != Retention::Never;
 }
 
-std::int64_t openFor(Area area)
+std::int64_t unlockValue(Area area)
 {
-    return area == Area::Factory ? openForFactory : openForEprom;
+    return area == Area::Factory ? lockOpenForFactory : lockOpenForEprom;
 }
 
-bool isOpen(std::int64_t lock)
+bool isLockOpen(std::int64_t lock)
 {
-    return lock == openForEprom || lock == openForFactory;
+    return lock == lockOpenForEprom || lock == lockOpenForFactory;
 }
 } // namespace device

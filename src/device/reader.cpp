@@ -18,7 +18,7 @@ constexpr int feetechHead = 9;
 constexpr int modbusHead = 8; ///< registers 0–3
 
 /// The stored move of an LX servo: some models never answer the command that reads it.
-bool maySilent(const catalog::Register& reg)
+bool mayNotReply(const catalog::Register& reg)
 {
     return reg.role == Role::StoredGoal || reg.role == Role::StoredTime;
 }
@@ -32,26 +32,27 @@ std::vector<bus::PollSpan> planSpans(const catalog::Profile& profile,
               [](const auto* a, const auto* b) { return a->offset < b->offset; });
     std::vector<bus::PollSpan> spans;
     for (const catalog::Register* reg : sorted) {
-        const bus::PollSpan own = reg->block ? bus::PollSpan{reg->block->offset, reg->block->size}
-                                             : bus::PollSpan{reg->offset, reg->size};
-        const int end = own.address + own.count;
-        if (!spans.empty() && spans.back() == own)
+        const bus::PollSpan span = reg->block ? bus::PollSpan{reg->block->offset, reg->block->size}
+                                              : bus::PollSpan{reg->offset, reg->size};
+        const int end = span.address + span.count;
+        if (!spans.empty() && spans.back() == span)
             continue;
         if (!spans.empty() && profile.readGap >= 0) {
             bus::PollSpan& last = spans.back();
             const int lastEnd = last.address + last.count;
-            if (own.address <= lastEnd + profile.readGap && end - last.address <= profile.maxRead) {
+            if (span.address <= lastEnd + profile.readGap &&
+                end - last.address <= profile.maxRead) {
                 last.count = std::max(lastEnd, end) - last.address;
                 continue;
             }
         }
-        spans.push_back(own);
+        spans.push_back(span);
     }
     return spans;
 }
 
 namespace {
-base::Result<catalog::Identity> askFeetech(const Context& context, Servo& servo, int retries)
+base::Result<catalog::Identity> queryFeetech(const Context& context, Servo& servo, int retries)
 {
     if (const auto done = readBlock(context, servo, 0, feetechHead, retries); !done)
         return tl::unexpected(done.error());
@@ -65,7 +66,7 @@ base::Result<catalog::Identity> askFeetech(const Context& context, Servo& servo,
     return identity;
 }
 
-base::Result<catalog::Identity> askModbus(const Context& context, Servo& servo, int retries)
+base::Result<catalog::Identity> queryModbus(const Context& context, Servo& servo, int retries)
 {
     if (const auto done = readBlock(context, servo, 0, modbusHead, retries); !done)
         return tl::unexpected(done.error());
@@ -78,7 +79,7 @@ base::Result<catalog::Identity> askModbus(const Context& context, Servo& servo, 
 }
 
 /// An LX servo tells its ID and nothing else.
-base::Result<catalog::Identity> askLx(const Context& context, Servo& servo, int retries)
+base::Result<catalog::Identity> queryLx(const Context& context, Servo& servo, int retries)
 {
     catalog::Identity identity;
     identity.protocol = Protocol::Lx;
@@ -91,29 +92,30 @@ base::Result<catalog::Identity> askLx(const Context& context, Servo& servo, int 
     return identity;
 }
 
-base::Result<catalog::Identity> ask(const Context& context, Servo& servo, int retries)
+base::Result<catalog::Identity> query(const Context& context, Servo& servo, int retries)
 {
     switch (servo.protocol) {
     case Protocol::Modbus:
-        return askModbus(context, servo, retries);
+        return queryModbus(context, servo, retries);
     case Protocol::Lx:
-        return askLx(context, servo, retries);
+        return queryLx(context, servo, retries);
     case Protocol::Feetech:
         break;
     }
-    return askFeetech(context, servo, retries);
+    return queryFeetech(context, servo, retries);
 }
 } // namespace
 
 namespace {
-base::Result<Servo> identifyTrying(const Context& context, int id, Protocol protocol, int retries)
+base::Result<Servo> identifyWithRetries(const Context& context, int id, Protocol protocol,
+                                        int retries)
 {
     Servo servo;
     servo.protocol = protocol;
     servo.id = id;
     servo.baud = context.bus.baud();
     servo.port = context.bus.portName();
-    auto identity = ask(context, servo, retries);
+    auto identity = query(context, servo, retries);
     if (!identity) {
         identity.error().operation = QStringLiteral("identify");
         return tl::unexpected(identity.error());
@@ -122,10 +124,10 @@ base::Result<Servo> identifyTrying(const Context& context, int id, Protocol prot
     return servo;
 }
 
-constexpr int usualRetries = -1;
+constexpr int defaultRetries = -1;
 
 /// Says something about the servo; the others end the whole question.
-bool concernsServo(ErrorCode code)
+bool isServoError(ErrorCode code)
 {
     switch (code) {
     case ErrorCode::LinkLost:
@@ -141,47 +143,48 @@ bool concernsServo(ErrorCode code)
 
 base::Result<Servo> identify(const Context& context, int id, Protocol protocol)
 {
-    return identifyTrying(context, id, protocol, usualRetries);
+    return identifyWithRetries(context, id, protocol, defaultRetries);
 }
 
 namespace {
 /// Once, and again only if something came that was no answer: where one language answers, the
 /// silence of the others must not cost every command their retries.
-base::Result<Servo> askBriefly(const Context& context, int id, Protocol protocol)
+base::Result<Servo> identifyQuickly(const Context& context, int id, Protocol protocol)
 {
-    auto servo = identifyTrying(context, id, protocol, 0);
-    const bool heard = !servo && (servo.error().code == ErrorCode::Garbled ||
-                                  servo.error().code == ErrorCode::WrongAnswer ||
-                                  servo.error().code == ErrorCode::LineBusy);
-    return heard ? identify(context, id, protocol) : servo;
+    auto servo = identifyWithRetries(context, id, protocol, 0);
+    const bool garbled = !servo && (servo.error().code == ErrorCode::Garbled ||
+                                    servo.error().code == ErrorCode::UnexpectedReply ||
+                                    servo.error().code == ErrorCode::LineBusy);
+    return garbled ? identify(context, id, protocol) : servo;
 }
 
 /// `asking` puts the question in one language.
-template <typename Asking>
-base::Result<Servo> identifyBy(int id, const std::vector<Protocol>& protocols, Asking&& asking)
+template <typename Identify>
+base::Result<Servo> identifyBy(int id, const std::vector<Protocol>& protocols,
+                               Identify&& identifyWith)
 {
     std::optional<Servo> found;
-    QStringList languages;
-    base::Error failure{ErrorCode::NoAnswer, QStringLiteral("identify"), {}, id};
+    QStringList protocolNames;
+    base::Error failure{ErrorCode::NoReply, QStringLiteral("identify"), {}, id};
     for (const Protocol protocol : protocols) {
-        Servo nobody;
-        nobody.protocol = protocol;
-        if (!canSay(nobody, protocol::Request::ping(id)))
+        Servo probe;
+        probe.protocol = protocol;
+        if (!canEncode(probe, protocol::Request::ping(id)))
             continue; // an ID that this language does not have
-        auto servo = asking(protocol);
+        auto servo = identifyWith(protocol);
         if (servo) {
-            languages << base::protocolName(protocol);
+            protocolNames << base::protocolName(protocol);
             found = std::move(*servo);
-        } else if (!concernsServo(servo.error().code)) {
+        } else if (!isServoError(servo.error().code)) {
             return servo;
-        } else if ((failure.code == ErrorCode::NoAnswer && failure.detail.isEmpty()) ||
+        } else if ((failure.code == ErrorCode::NoReply && failure.detail.isEmpty()) ||
                    servo.error().code == ErrorCode::LineBusy) {
             failure = servo.error();
         }
     }
-    if (languages.size() > 1) {
-        return base::fail(ErrorCode::SeveralProtocols, QStringLiteral("identify"),
-                          languages.join(QStringLiteral(", ")), id);
+    if (protocolNames.size() > 1) {
+        return base::fail(ErrorCode::AmbiguousProtocol, QStringLiteral("identify"),
+                          protocolNames.join(QStringLiteral(", ")), id);
     }
     if (found)
         return std::move(*found);
@@ -193,9 +196,10 @@ base::Result<Servo> identifyAmong(const Context& context, int id,
                                   const std::vector<Protocol>& protocols)
 {
     if (protocols.size() > 1) {
-        auto found = identifyBy(
-            id, protocols, [&](Protocol protocol) { return askBriefly(context, id, protocol); });
-        if (found || !answerLost(found.error()))
+        auto found = identifyBy(id, protocols, [&](Protocol protocol) {
+            return identifyQuickly(context, id, protocol);
+        });
+        if (found || !isReplyLost(found.error()))
             return found;
     }
     return identifyBy(id, protocols,
@@ -207,13 +211,13 @@ namespace {
 base::Result<bool> readSpan(const Context& context, Servo& servo, const bus::PollSpan& span)
 {
     const catalog::Register* reg = servo.profile->at(span.address);
-    const bool silentAllowed = reg != nullptr && maySilent(*reg);
-    const auto done = readBlock(context, servo, span.address, span.count, silentAllowed ? 0 : -1);
+    const bool mayBeSilent = reg != nullptr && mayNotReply(*reg);
+    const auto done = readBlock(context, servo, span.address, span.count, mayBeSilent ? 0 : -1);
     if (done)
         return true;
-    if (!silentAllowed || done.error().code != ErrorCode::NoAnswer)
+    if (!mayBeSilent || done.error().code != ErrorCode::NoReply)
         return tl::unexpected(done.error());
-    servo.image.forget(span.address, span.count);
+    servo.image.invalidate(span.address, span.count);
     return false;
 }
 
@@ -284,7 +288,7 @@ std::vector<const catalog::Register*> settingsOf(const catalog::Profile& profile
     for (const catalog::Register& reg : profile.registers) {
         const bool setting = reg.area == Area::Eprom || reg.area == Area::Sram ||
                              (reg.area == Area::Factory && reg.writable());
-        if (setting && !maySilent(reg))
+        if (setting && !mayNotReply(reg))
             registers.push_back(&reg);
     }
     return registers;

@@ -21,8 +21,8 @@ std::vector<bus::PollSpan> planSpans(const catalog::Profile& profile,
 base::Result<Servo> identify(const Context& context, int id,
                              base::Protocol protocol = base::Protocol::Feetech);
 
-/// The servo that answers to `id` in one of these languages. SeveralProtocols if more than one
-/// does: two servos share the ID, and nobody knows which is meant. NoAnswer when all are silent.
+/// The servo that answers to `id` in one of these languages. AmbiguousProtocol if more than one
+/// does: two servos share the ID, and nobody knows which is meant. NoReply when all are silent.
 base::Result<Servo> identifyAmong(const Context& context, int id,
                                   const std::vector<base::Protocol>& protocols);
 

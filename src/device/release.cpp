@@ -20,13 +20,13 @@ Context unrestricted(const Context& context)
     return stopping;
 }
 
-bool wentOut(const base::Result<void>& sent)
+bool reachedWire(const base::Result<void>& sent)
 {
-    return sent || answerLost(sent.error()) || sent.error().code == ErrorCode::LineBusy ||
+    return sent || isReplyLost(sent.error()) || sent.error().code == ErrorCode::LineBusy ||
            sent.error().code == ErrorCode::Refused;
 }
 
-bool readsOff(const Context& context, Servo& servo)
+bool isTorqueOff(const Context& context, Servo& servo)
 {
     const auto off = torqueOffOf(servo);
     const catalog::Register* reg =
@@ -40,7 +40,7 @@ bool readsOff(const Context& context, Servo& servo)
 }
 } // namespace
 
-TorqueOffWrite torqueOffIn(Protocol protocol)
+TorqueOffWrite torqueOffFor(Protocol protocol)
 {
     constexpr int lxUnload = 8 * 31;
     constexpr int modbusTorqueSwitch = 2 * 129;
@@ -65,45 +65,45 @@ std::optional<TorqueOffWrite> torqueOffOf(const Servo& servo)
                               base::Bytes(static_cast<std::size_t>(torque->size), 0)};
     if (servo.profile && servo.profile->writable)
         return std::nullopt;
-    return torqueOffIn(servo.protocol);
+    return torqueOffFor(servo.protocol);
 }
 
 bool sendTorqueOff(const Context& context, Servo& servo)
 {
     const auto off = torqueOffOf(servo);
-    if (!off || !canSay(servo, protocol::Request::write(servo.id, off->offset, off->data,
-                                                        protocol::Repeat::Safe)))
+    if (!off || !canEncode(servo, protocol::Request::write(servo.id, off->offset, off->data,
+                                                           protocol::Repeat::Safe)))
         return false;
-    return wentOut(writeBlock(unrestricted(context), servo, {off->offset, off->offset, off->data},
-                              protocol::Repeat::Safe));
+    return reachedWire(writeBlock(unrestricted(context), servo,
+                                  {off->offset, off->offset, off->data}, protocol::Repeat::Safe));
 }
 
-base::Result<void> releaseAnyway(const Context& context, Servo& servo, base::Error why)
+base::Result<void> forceTorqueOff(const Context& context, Servo& servo, base::Error why)
 {
     if (!sendTorqueOff(context, servo))
         return tl::unexpected(std::move(why));
-    const bool unclear =
-        why.code == ErrorCode::SeveralServos || why.code == ErrorCode::IdentityDiffers;
-    if (!unclear && readsOff(context, servo)) {
+    const bool isOtherServo =
+        why.code == ErrorCode::DuplicateId || why.code == ErrorCode::IdentityMismatch;
+    if (!isOtherServo && isTorqueOff(context, servo)) {
         context.note(NoticeCode::TorqueSwitchedOff, servo.id);
         return {};
     }
-    return tl::unexpected(sentUnproven(std::move(why)));
+    return tl::unexpected(markUnverified(std::move(why)));
 }
 
-base::Error sentUnproven(base::Error why)
+base::Error markUnverified(base::Error why)
 {
     why.operation = sentOperation;
     return why;
 }
 
-bool isSentUnproven(const base::Error& error)
+bool isMarkedUnverified(const base::Error& error)
 {
     return error.operation == sentOperation;
 }
 
-base::Error releaseUnidentified(const Context& context, int id,
-                                const std::vector<Protocol>& protocols, base::Error why)
+base::Error forceTorqueOffUnidentified(const Context& context, int id,
+                                       const std::vector<Protocol>& protocols, base::Error why)
 {
     bool sent = false;
     for (const Protocol protocol : protocols) {
@@ -112,6 +112,6 @@ base::Error releaseUnidentified(const Context& context, int id,
         unknown.id = id;
         sent = sendTorqueOff(context, unknown) || sent;
     }
-    return sent ? sentUnproven(std::move(why)) : why;
+    return sent ? markUnverified(std::move(why)) : why;
 }
 } // namespace device

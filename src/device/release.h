@@ -14,7 +14,7 @@ struct TorqueOffWrite {
     base::Bytes data{};
 };
 /// Where every servo of this protocol has its torque switch.
-TorqueOffWrite torqueOffIn(base::Protocol protocol);
+TorqueOffWrite torqueOffFor(base::Protocol protocol);
 /// By the servo's own table, or its protocol where no table is known; null: it has no switch.
 std::optional<TorqueOffWrite> torqueOffOf(const Servo& servo);
 
@@ -23,13 +23,14 @@ bool sendTorqueOff(const Context& context, Servo& servo);
 
 /// For what failed with `why`: torque off is sent all the same. Success where reading then shows
 /// it and a single servo answers; otherwise `why`, whose operation tells that it was sent.
-base::Result<void> releaseAnyway(const Context& context, Servo& servo, base::Error why);
+base::Result<void> forceTorqueOff(const Context& context, Servo& servo, base::Error why);
 
 /// The same error, telling that torque off was sent although nothing proves it.
-base::Error sentUnproven(base::Error why);
-bool isSentUnproven(const base::Error& error);
+base::Error markUnverified(base::Error why);
+bool isMarkedUnverified(const base::Error& error);
 
 /// The same for an ID that could not be identified, in each of these protocols. Proves nothing.
-base::Error releaseUnidentified(const Context& context, int id,
-                                const std::vector<base::Protocol>& protocols, base::Error why);
+base::Error forceTorqueOffUnidentified(const Context& context, int id,
+                                       const std::vector<base::Protocol>& protocols,
+                                       base::Error why);
 } // namespace device

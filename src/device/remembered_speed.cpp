@@ -6,19 +6,19 @@
 namespace device {
 using catalog::Role;
 
-QString keptSpeed()
+QString savedSpeedName()
 {
     return QStringLiteral("position-speed");
 }
 
-base::Result<std::optional<std::int64_t>> rememberedSpeed(const base::Journal& journal,
-                                                          const Servo& servo)
+base::Result<std::optional<std::int64_t>> savedSpeed(const base::Journal& journal,
+                                                     const Servo& servo)
 {
-    const auto kept = journal.kept(servo.identity(), keptSpeed());
+    const auto kept = journal.servoValues(servo.identity(), savedSpeedName());
     if (!kept)
         return tl::unexpected(kept.error());
     if (servo.profile->byRole(Role::GoalSpeed) == nullptr || !kept->has_value() ||
-        (*kept)->size() != 1 || travelsWithMode(*servo.profile, Role::GoalSpeed))
+        (*kept)->size() != 1 || sharesFrameWithMode(*servo.profile, Role::GoalSpeed))
         return std::nullopt;
     return (*kept)->front();
 }
@@ -31,8 +31,8 @@ bool isOfAnotherMode(std::optional<std::int64_t> present, std::int64_t remembere
 }
 } // namespace
 
-std::optional<WriteItem> speedPutBack(const Servo& servo, const std::vector<WriteItem>& items,
-                                      std::optional<std::int64_t> remembered)
+std::optional<WriteItem> restoredSpeed(const Servo& servo, const std::vector<WriteItem>& items,
+                                       std::optional<std::int64_t> remembered)
 {
     RegisterValues values;
     for (const WriteItem& item : items) {
@@ -51,7 +51,7 @@ std::optional<WriteItem> speedPutBack(const Servo& servo, const std::vector<Writ
 
 base::Result<void> restoreSpeed(const Context& context, Servo& servo, Role before)
 {
-    const auto remembered = rememberedSpeed(context.journal, servo);
+    const auto remembered = savedSpeed(context.journal, servo);
     if (!remembered)
         return tl::unexpected(remembered.error());
     if (!*remembered)

@@ -8,16 +8,16 @@
 
 namespace device {
 /// Under this name the journal keeps it.
-QString keptSpeed();
+QString savedSpeedName();
 
 /// Nullopt: none is kept, or the speed is no register of its own here.
-base::Result<std::optional<std::int64_t>> rememberedSpeed(const base::Journal& journal,
-                                                          const Servo& servo);
+base::Result<std::optional<std::int64_t>> savedSpeed(const base::Journal& journal,
+                                                     const Servo& servo);
 
 /// What write() puts back besides these items where they lead to a position mode. From what has
 /// been read.
-std::optional<WriteItem> speedPutBack(const Servo& servo, const std::vector<WriteItem>& items,
-                                      std::optional<std::int64_t> remembered);
+std::optional<WriteItem> restoredSpeed(const Servo& servo, const std::vector<WriteItem>& items,
+                                       std::optional<std::int64_t> remembered);
 
 /// In a position mode, after one that had the command `before`.
 base::Result<void> restoreSpeed(const Context& context, Servo& servo, catalog::Role before);

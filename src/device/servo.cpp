@@ -15,14 +15,14 @@ catalog::Lookup Servo::lookup() const
         const auto wire = image.bytes(reg->offset, reg->size);
         if (!wire)
             return std::nullopt;
-        const auto plain = catalog::meaningOf(*reg, *profile, catalog::knowNothing);
+        const auto plain = catalog::valueFormat(*reg, *profile, catalog::noLookup);
         return catalog::decodeRaw(*wire, *reg, plain, profile->byteOrder);
     };
 }
 
-catalog::Meaning Servo::meaning(const catalog::Register& reg) const
+catalog::ValueFormat Servo::meaning(const catalog::Register& reg) const
 {
-    return catalog::meaningOf(reg, *profile, lookup());
+    return catalog::valueFormat(reg, *profile, lookup());
 }
 
 std::optional<std::int64_t> Servo::raw(const catalog::Register& reg) const
@@ -83,20 +83,20 @@ const catalog::Mode* modeFor(const catalog::Profile& profile,
 
 base::ServoIdentity Servo::identity() const
 {
-    base::ServoIdentity who;
-    who.id = id;
-    who.port = port;
-    who.baud = baud;
-    who.protocol = protocol;
+    base::ServoIdentity identity;
+    identity.id = id;
+    identity.port = port;
+    identity.baud = baud;
+    identity.protocol = protocol;
     if (profile) {
-        who.modelMajor = profile->identity.modelMajor;
-        who.modelMinor = profile->identity.modelMinor;
-        who.firmwareMajor = profile->identity.firmwareMajor;
-        who.firmwareMinor = profile->identity.firmwareMinor;
-        who.map = profile->mapKey;
-        who.model = profile->modelName;
+        identity.modelMajor = profile->identity.modelMajor;
+        identity.modelMinor = profile->identity.modelMinor;
+        identity.firmwareMajor = profile->identity.firmwareMajor;
+        identity.firmwareMinor = profile->identity.firmwareMinor;
+        identity.map = profile->mapKey;
+        identity.model = profile->modelName;
     }
-    return who;
+    return identity;
 }
 
 bool Servo::measures(const catalog::Register& reg) const
@@ -110,14 +110,14 @@ bool Servo::measures(const catalog::Register& reg) const
     return profile->currentSensing != CurrentSensing::No;
 }
 
-bool Servo::acknowledges() const
+bool Servo::acknowledgesWrites() const
 {
     return protocol != base::Protocol::Lx;
 }
 
-bool Servo::answersWrites() const
+bool Servo::repliesToWrites() const
 {
-    return acknowledges() && raw(Role::ResponseLevel).value_or(1) != 0;
+    return acknowledgesWrites() && raw(Role::ResponseLevel).value_or(1) != 0;
 }
 
 bool Servo::repliesCarryStatus() const

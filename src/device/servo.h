@@ -30,14 +30,14 @@ struct Servo {
     std::optional<std::int64_t> raw(catalog::Role role) const;
     /// Physical value with all variants resolved by what has been read.
     std::optional<double> physical(catalog::Role role) const;
-    catalog::Meaning meaning(const catalog::Register& reg) const;
+    catalog::ValueFormat meaning(const catalog::Register& reg) const;
     catalog::Lookup lookup() const;
 
     /// The mode its registers say (STS: 33, 9, 11), or null while they are not known.
     const catalog::Mode* mode() const;
     base::ServoIdentity identity() const;
-    bool acknowledges() const;       ///< its language acknowledges writes
-    bool answersWrites() const;      ///< and its response level is not 0
+    bool acknowledgesWrites() const; ///< its language acknowledges writes
+    bool repliesToWrites() const;    ///< and its response level is not 0
     bool repliesCarryStatus() const; ///< every reply has an error byte
     bool movesNeedTorque() const;    ///< a goal does not switch torque on, and is lost without it
     /// False for a register this servo has, but cannot fill: current without a sensor.

@@ -45,10 +45,10 @@ std::vector<bus::StopFrame> stopFrames(const std::vector<Protocol>& protocols,
 {
     std::vector<bus::StopFrame> frames;
     for (const Protocol protocol : protocols)
-        append(frames, protocol, protocol::broadcastId, torqueOffIn(protocol));
+        append(frames, protocol, protocol::broadcastId, torqueOffFor(protocol));
     for (const Servo& servo : known) {
         append(frames, servo.protocol, servo.id,
-               torqueOffOf(servo).value_or(torqueOffIn(servo.protocol)));
+               torqueOffOf(servo).value_or(torqueOffFor(servo.protocol)));
     }
     return frames;
 }
@@ -58,16 +58,16 @@ std::vector<bus::StopFrame> stopFramesFor(const std::vector<int>& ids,
 {
     std::vector<bus::StopFrame> frames;
     for (const Protocol protocol : protocols)
-        appendPackets(frames, protocol, ids, torqueOffIn(protocol));
+        appendPackets(frames, protocol, ids, torqueOffFor(protocol));
     for (const Protocol protocol : protocols) {
         for (const int id : ids)
-            append(frames, protocol, id, torqueOffIn(protocol));
+            append(frames, protocol, id, torqueOffFor(protocol));
     }
     return frames;
 }
 
-void releaseAtOnce(bus::Bus& bus, const std::vector<int>& ids,
-                   const std::vector<Protocol>& protocols)
+void torqueOffImmediately(bus::Bus& bus, const std::vector<int>& ids,
+                          const std::vector<Protocol>& protocols)
 {
     bus.setStopFrames(stopFramesFor(ids, protocols));
     bus.emergency();

@@ -19,6 +19,6 @@ std::vector<bus::StopFrame> stopFramesFor(const std::vector<int>& ids,
 
 /// Sends those frames by the emergency lane, without reading anything before or between them, and
 /// returns when they are out. They stay the stop frames of this bus. Proves nothing.
-void releaseAtOnce(bus::Bus& bus, const std::vector<int>& ids,
-                   const std::vector<base::Protocol>& protocols);
+void torqueOffImmediately(bus::Bus& bus, const std::vector<int>& ids,
+                          const std::vector<base::Protocol>& protocols);
 } // namespace device

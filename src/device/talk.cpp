@@ -12,16 +12,16 @@ namespace device {
 using base::ErrorCode;
 
 namespace {
-bool changes(const protocol::Request& request)
+bool isChange(const protocol::Request& request)
 {
     return request.op != protocol::Op::Ping && request.op != protocol::Op::Read &&
            request.op != protocol::Op::SyncRead;
 }
 
-base::Result<bus::Outcome> say(const Context& context, Servo& servo, protocol::Request request,
-                               int retries = -1)
+base::Result<bus::Outcome> send(const Context& context, Servo& servo, protocol::Request request,
+                                int retries = -1)
 {
-    if (changes(request)) {
+    if (isChange(request)) {
         if (const auto may = requireVerified(context, servo, QStringLiteral("write")); !may)
             return tl::unexpected(may.error());
     }
@@ -33,25 +33,25 @@ base::Result<bus::Outcome> say(const Context& context, Servo& servo, protocol::R
     transaction.hold = context.hold;
     transaction.epoch = context.epoch;
     auto outcome = context.bus.transact(transaction);
-    if (outcome && !outcome->parts.empty() && servo.repliesCarryStatus())
+    if (outcome && !outcome->replies.empty() && servo.repliesCarryStatus())
         servo.status = outcome->status();
     return outcome;
 }
 } // namespace
 
-bool canSay(const Servo& servo, const protocol::Request& request)
+bool canEncode(const Servo& servo, const protocol::Request& request)
 {
     return protocol::codecFor(servo.protocol).encode(request.in(servo.protocol)).has_value();
 }
 
 base::Result<bus::Outcome> pingOnce(const Context& context, base::Protocol protocol, int id,
-                                    base::Duration patience)
+                                    base::Duration timeout)
 {
     bus::Transaction ping;
     ping.request = protocol::Request::ping(id).in(protocol);
     ping.priority = context.priority;
     ping.retries = 0;
-    ping.patience = patience;
+    ping.timeout = timeout;
     ping.hold = context.hold;
     ping.epoch = context.epoch;
     ping.stop = &context.stop;
@@ -62,11 +62,11 @@ base::Result<void> readBlock(const Context& context, Servo& servo, int offset, i
                              int retries)
 {
     const auto outcome =
-        say(context, servo, protocol::Request::read(servo.id, offset, count), retries);
+        send(context, servo, protocol::Request::read(servo.id, offset, count), retries);
     if (!outcome)
         return tl::unexpected(outcome.error());
     servo.image.store(offset, outcome->data(), outcome->sentAt + outcome->roundTrip);
-    takeStatus(servo, offset, count);
+    updateStatus(servo, offset, count);
     return {};
 }
 
@@ -118,10 +118,10 @@ Patch patchOf(const Servo& servo, const RegisterValues& values)
 base::Result<Patch> freshPatch(const Context& context, Servo& servo, const RegisterValues& values)
 {
     const auto& block = values.front().reg->block;
-    int given = 0;
+    int givenBytes = 0;
     for (const RegisterValue& value : values)
-        given += value.reg->size;
-    if (block && given < block->size) {
+        givenBytes += value.reg->size;
+    if (block && givenBytes < block->size) {
         if (const auto fresh = readBlock(context, servo, block->offset, block->size); !fresh)
             return tl::unexpected(fresh.error());
     }
@@ -132,72 +132,73 @@ base::Result<void> writeBlock(const Context& context, Servo& servo, const Patch&
                               protocol::Repeat repeat)
 {
     auto request = protocol::Request::write(servo.id, patch.writeOffset, patch.data, repeat);
-    request.acknowledged = servo.answersWrites();
-    const auto outcome = say(context, servo, std::move(request));
+    request.acknowledged = servo.repliesToWrites();
+    const auto outcome = send(context, servo, std::move(request));
     if (!outcome)
         return tl::unexpected(outcome.error());
     return {};
 }
 
-void writeUnproven(const Context& context, Servo& servo, const catalog::Register& reg,
-                   std::int64_t raw, const base::Error& readFailed)
+void writeUnverified(const Context& context, Servo& servo, const catalog::Register& reg,
+                     std::int64_t raw, const base::Error& readFailed)
 {
     if (readFailed.code != ErrorCode::LineBusy || reg.block)
         return;
     (void)writeBlock(context, servo, patchOf(servo, {{&reg, raw}}), protocol::Repeat::Safe);
 }
 
-bool answerLost(const base::Error& error)
+bool isReplyLost(const base::Error& error)
 {
     switch (error.code) {
     case ErrorCode::Uncertain:
-    case ErrorCode::NoAnswer:
+    case ErrorCode::NoReply:
     case ErrorCode::Garbled:
-    case ErrorCode::WrongAnswer:
+    case ErrorCode::UnexpectedReply:
         return true;
     default:
         return false;
     }
 }
 
-void noteSentAgain(const Context& context, const Servo& servo, bool ackLost, const QString& key)
+void noteResent(const Context& context, const Servo& servo, bool replyLost, const QString& key)
 {
-    const bool lost = ackLost && servo.answersWrites();
-    context.note(lost ? NoticeCode::AnswerLostSentAgain : NoticeCode::SentAgain, servo.id, key);
+    const bool lost = replyLost && servo.repliesToWrites();
+    context.note(lost ? NoticeCode::ReplyLostResent : NoticeCode::Resent, servo.id, key);
 }
 
-base::Result<void> writeProven(const Context& context, Servo& servo, const Patch& patch)
+base::Result<void> writeConfirmed(const Context& context, Servo& servo, const Patch& patch)
 {
-    constexpr int tries = 2;
-    for (int attempt = 0; attempt < tries; ++attempt) {
+    constexpr int maxAttempts = 2;
+    for (int attempt = 0; attempt < maxAttempts; ++attempt) {
         const auto sent = writeBlock(context, servo, patch, protocol::Repeat::Safe);
-        if (sent ? servo.answersWrites() : !answerLost(sent.error()))
+        if (sent ? servo.repliesToWrites() : !isReplyLost(sent.error()))
             return sent;
         if (const auto back = readBlock(context, servo, patch.readOffset, patch.count()); !back)
             return back;
         if (servo.image.bytes(patch.readOffset, patch.count()) == patch.data)
             return {};
-        if (attempt + 1 < tries)
-            noteSentAgain(context, servo, !sent);
+        if (attempt + 1 < maxAttempts)
+            noteResent(context, servo, !sent);
     }
     return base::fail(ErrorCode::Refused, QStringLiteral("write"), {}, servo.id);
 }
 
 base::Result<void> writeVerified(const Context& context, Servo& servo, const RegisterValues& values)
 {
-    constexpr int tries = 2;
-    const bool slow = std::any_of(values.begin(), values.end(),
-                                  [](const RegisterValue& value) { return takesTime(*value.reg); });
+    constexpr int maxAttempts = 2;
+    const bool needsTime =
+        std::any_of(values.begin(), values.end(),
+                    [](const RegisterValue& value) { return needsWriteTime(*value.reg); });
     base::Error last;
-    for (int attempt = 0; attempt < tries; ++attempt) {
+    for (int attempt = 0; attempt < maxAttempts; ++attempt) {
         const auto patch = freshPatch(context, servo, values);
         if (!patch)
             return tl::unexpected(patch.error());
         const auto sent = writeBlock(context, servo, *patch, protocol::Repeat::Safe);
         // Whatever else ended it (an emergency stop) must not be undone by saying it again.
-        if (!sent && !answerLost(sent.error()))
+        if (!sent && !isReplyLost(sent.error()))
             return sent;
-        if (slow)
+        if (needsTime)
             context.bus.clock().sleepFor(epromWriteTime);
         if (auto back = readBlock(context, servo, patch->readOffset, patch->count()); !back) {
             back.error().registerKey = values.front().reg->key;
@@ -215,9 +216,9 @@ base::Result<void> writeVerified(const Context& context, Servo& servo, const Reg
                 servo.id,
                 differs->reg->key,
                 attempt + 1};
-        if (attempt + 1 == tries)
+        if (attempt + 1 == maxAttempts)
             break;
-        noteSentAgain(context, servo, !sent, differs->reg->key);
+        noteResent(context, servo, !sent, differs->reg->key);
     }
     return tl::unexpected(last);
 }
@@ -231,8 +232,8 @@ base::Result<void> writeVerified(const Context& context, Servo& servo, const cat
 base::Result<void> save(const Context& context, Servo& servo, const catalog::Register& reg)
 {
     // Nobody answers and nothing shows it, so one lost frame must not be the end of it.
-    constexpr int sends = 2;
-    for (int sent = 0; sent < sends; ++sent) {
+    constexpr int sendCount = 2;
+    for (int sent = 0; sent < sendCount; ++sent) {
         const auto saved =
             writeBlock(context, servo, {reg.saveOffset, reg.offset, {}}, protocol::Repeat::Safe);
         if (!saved)

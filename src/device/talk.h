@@ -12,11 +12,11 @@ namespace device {
 constexpr base::Duration epromWriteTime = std::chrono::milliseconds(20);
 
 /// False when this servo's language has no words for the request. Says nothing on the wire.
-bool canSay(const Servo& servo, const protocol::Request& request);
+bool canEncode(const Servo& servo, const protocol::Request& request);
 
 /// One PING, not repeated.
 base::Result<bus::Outcome> pingOnce(const Context& context, base::Protocol protocol, int id,
-                                    base::Duration patience);
+                                    base::Duration timeout);
 
 /// `retries` −1: the bus' default.
 base::Result<void> readBlock(const Context& context, Servo& servo, int offset, int count,
@@ -59,20 +59,20 @@ base::Result<void> writeBlock(const Context& context, Servo& servo, const Patch&
 
 /// For what makes a servo safe (torque off, a closed lock) where reading has just failed because
 /// the line never falls silent: the write goes out all the same, and nothing proves it.
-void writeUnproven(const Context& context, Servo& servo, const catalog::Register& reg,
-                   std::int64_t raw, const base::Error& readFailed);
+void writeUnverified(const Context& context, Servo& servo, const catalog::Register& reg,
+                     std::int64_t raw, const base::Error& readFailed);
 
 /// True when a request went out and only its answer is missing: reading tells what happened.
-bool answerLost(const base::Error& error);
+bool isReplyLost(const base::Error& error);
 
-/// Reading proved that a write had no effect, and it is sent again. `ackLost`: an acknowledgement
+/// Reading proved that a write had no effect, and it is sent again. `replyLost`: an acknowledgement
 /// was due and did not come.
-void noteSentAgain(const Context& context, const Servo& servo, bool ackLost,
-                   const QString& key = {});
+void noteResent(const Context& context, const Servo& servo, bool replyLost,
+                const QString& key = {});
 
 /// A WRITE that may be repeated; where its answer is lost, or never comes (response level 0, LX),
 /// the block is read back and decides. Refused when it does not show what was written.
-base::Result<void> writeProven(const Context& context, Servo& servo, const Patch& patch);
+base::Result<void> writeConfirmed(const Context& context, Servo& servo, const Patch& patch);
 
 /// Writes registers that share a frame and reads them back, once more if the servo still shows the
 /// old values. Ends in Mismatch when it shows anything else. For registers that may be repeated.

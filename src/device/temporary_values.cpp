@@ -7,10 +7,10 @@
 
 namespace device {
 namespace {
-constexpr int entriesLookedAt = 1000;
+constexpr int maxJournalEntries = 1000;
 
 /// The servo took what it had stored itself (0x06), so no value was known beforehand.
-bool tookOwnDefaults(const base::Intent& intent)
+bool restoredUnchanged(const base::Intent& intent)
 {
     return intent.kind == base::IntentKind::Restore &&
            std::none_of(intent.items.begin(), intent.items.end(),
@@ -18,30 +18,30 @@ bool tookOwnDefaults(const base::Intent& intent)
 }
 
 /// Follows one register through the entries.
-class Follow {
+class JournalReplay {
 public:
-    Follow(TemporaryValues& values, const base::JournalEntry& entry)
+    JournalReplay(TemporaryValues& values, const base::JournalEntry& entry)
         : m_values(values)
         , m_entry(entry)
     {}
 
-    void take(const base::JournalItem& item)
+    void apply(const base::JournalItem& item)
     {
-        const base::ItemEnd* end = endOf(item.key);
+        const base::ItemResult* end = endOf(item.key);
         const QString outcome = end != nullptr ? end->outcome
                                 : m_entry.end  ? m_entry.end->outcome
                                                : QString();
-        if (is(outcome, "refused") || is(outcome, "not-sent"))
+        if (equals(outcome, "refused") || equals(outcome, "not-sent"))
             return;
         const std::int64_t shown = end != nullptr && end->readBack ? *end->readBack : item.newRaw;
         const bool temporary = m_entry.intent.temporary;
-        if (is(outcome, "undone")) {
+        if (equals(outcome, "undone")) {
             if (!temporary) // what is put back to stay has been written with the lock open
                 m_values.erase(item.key);
             return;
         }
-        if (!temporary && (is(outcome, "kept") || is(outcome, "done"))) {
-            if (!tookOwnDefaults(m_entry.intent) || shown != item.oldRaw)
+        if (!temporary && (equals(outcome, "kept") || equals(outcome, "done"))) {
+            if (!restoredUnchanged(m_entry.intent) || shown != item.oldRaw)
                 m_values.erase(item.key);
             return;
         }
@@ -49,11 +49,11 @@ public:
     }
 
 private:
-    static bool is(const QString& outcome, const char* word)
+    static bool equals(const QString& outcome, const char* word)
     {
         return outcome == QLatin1String(word);
     }
-    const base::ItemEnd* endOf(const QString& key) const
+    const base::ItemResult* endOf(const QString& key) const
     {
         if (!m_entry.end)
             return nullptr;
@@ -70,7 +70,7 @@ private:
 
 base::Result<TemporaryValues> temporaryValues(const base::Journal& journal, const Servo& servo)
 {
-    const auto entries = journal.entriesOf(servo.identity(), entriesLookedAt);
+    const auto entries = journal.entriesFor(servo.identity(), maxJournalEntries);
     if (!entries)
         return tl::unexpected(entries.error());
     return temporaryValues(*entries, servo);
@@ -80,11 +80,11 @@ TemporaryValues temporaryValues(const std::vector<base::JournalEntry>& entries, 
 {
     TemporaryValues values;
     for (const base::JournalEntry& entry : entries) {
-        Follow follow(values, entry);
+        JournalReplay replay(values, entry);
         for (const base::JournalItem& item : entry.intent.items) {
             const catalog::Register* reg = servo.profile->find(item.key);
-            if (reg != nullptr && lasting(*reg) && keepingOf(*reg) != Keeping::Always)
-                follow.take(item);
+            if (reg != nullptr && isPersistent(*reg) && retentionOf(*reg) != Retention::Always)
+                replay.apply(item);
         }
     }
     return values;

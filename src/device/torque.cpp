@@ -63,7 +63,7 @@ RegisterValues goalValues(const Servo& servo, const catalog::Register& goal, std
     return values;
 }
 
-base::Result<RegisterValues> holdingValues(const Servo& servo)
+base::Result<RegisterValues> holdValues(const Servo& servo)
 {
     const catalog::Mode* mode = servo.mode();
     if (mode == nullptr)
@@ -81,10 +81,10 @@ base::Result<RegisterValues> holdingValues(const Servo& servo)
     return goalValues(servo, *command, goal);
 }
 
-base::Result<void> switchOn(const Context& context, Servo& servo)
+base::Result<void> enableTorque(const Context& context, Servo& servo)
 {
     const catalog::Register& torque = *servo.profile->byRole(Role::TorqueSwitch);
-    const auto holding = holdingValues(servo);
+    const auto holding = holdValues(servo);
     if (!holding)
         return tl::unexpected(holding.error());
     if (const auto commanded = writeVerified(context, servo, *holding); !commanded)
@@ -106,7 +106,7 @@ base::Result<void> switchOn(const Context& context, Servo& servo)
 namespace {
 /// Sent first of all where it is not known yet that one servo answers: finding out takes its time,
 /// and may end in a refusal. Who it is does not matter: every table has this register at one place.
-base::Result<void> release(const Context& context, Servo& servo)
+base::Result<void> switchOff(const Context& context, Servo& servo)
 {
     if (!torqueOffOf(servo))
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
@@ -115,22 +115,22 @@ base::Result<void> release(const Context& context, Servo& servo)
     auto off = requireVerified(context, servo, QStringLiteral("torque"));
     if (off)
         off = torqueOff(context, servo);
-    return off ? off : releaseAnyway(context, servo, std::move(off.error()));
+    return off ? off : forceTorqueOff(context, servo, std::move(off.error()));
 }
 } // namespace
 
-base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
+base::Result<void> setTorque(const Context& outer, Servo& servo, Torque requested)
 {
     const Owned owned = own(outer, {servo.id});
     const Context& context = owned.context;
-    if (wanted == Torque::Off)
-        return release(context, servo);
+    if (requested == Torque::Off)
+        return switchOff(context, servo);
     if (const auto writable = requireWritable(servo, QStringLiteral("torque")); !writable)
         return writable;
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
     if (torque == nullptr)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("torque"));
-    if (wanted == Torque::Damp && !servo.profile->damping)
+    if (requested == Torque::Damp && !servo.profile->damping)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("damp"));
     if (const auto may = beginWriting(owned, servo, QStringLiteral("torque")); !may)
         return may;
@@ -138,19 +138,19 @@ base::Result<void> setTorque(const Context& outer, Servo& servo, Torque wanted)
         return fresh;
     if (const auto fresh = readRoles(context, servo, {Role::PresentPosition}); !fresh)
         return fresh;
-    const std::int64_t target = wanted == Torque::On ? torqueIsOn : torqueDamps;
+    const std::int64_t target = requested == Torque::On ? torqueIsOn : torqueDamps;
     if (servo.raw(*torque).value_or(torqueIsOff) == target) {
-        context.note(NoticeCode::AlreadySo, servo.id, torque->key);
+        context.note(NoticeCode::AlreadySet, servo.id, torque->key);
         return {};
     }
-    auto done = wanted == Torque::On ? switchOn(context, servo)
-                                     : writeVerified(context, servo, *torque, target);
+    auto done = requested == Torque::On ? enableTorque(context, servo)
+                                        : writeVerified(context, servo, *torque, target);
     if (!done && done.error().code == ErrorCode::Mismatch)
         done.error().code = ErrorCode::Refused;
     if (!done)
         return done;
-    noteNoCurrent(context, servo);
-    noteAlarms(context, servo);
+    noteZeroCurrentLimit(context, servo);
+    addAlarmNotices(context, servo);
     return {};
 }
 } // namespace device

@@ -12,16 +12,16 @@ struct Turns {
     int turns = 0;         ///< whole ones, rounded down
     double degrees = 0;    ///< in sum
     bool absolute = false; ///< as the servo counts; else since the first reading
-    bool sure = true;      ///< false: readings were once too far apart to tell turns for certain
+    bool isCertain = true; ///< false: readings were once too far apart to tell turns for certain
     bool operator==(const Turns&) const = default;
 };
 
 /// What a position reading means; counting begins anew when it changes.
 struct TurnBasis {
     int steps = 0; ///< of one turn; 0: the feedback cannot tell turns (step mode, potentiometers)
-    bool countsItself = false;
+    bool countsTurns = false;
     QString mode{};
-    std::int64_t offset = 0; ///< of the zero, which centring moves
+    std::int64_t offset = 0; ///< of the zero, which centering moves
     bool operator==(const TurnBasis&) const = default;
 };
 TurnBasis turnBasis(const Servo& servo);
@@ -37,7 +37,7 @@ public:
     std::optional<Turns> value() const { return m_value; }
 
 private:
-    bool tellable(std::int64_t moved, std::optional<double> speed, base::Duration gap) const;
+    bool isUnambiguous(std::int64_t moved, std::optional<double> speed, base::Duration gap) const;
 
     TurnBasis m_basis;
     std::optional<Turns> m_value;

@@ -10,24 +10,24 @@
 #include "device/servo.h"
 
 namespace device {
-enum class TwinSign : std::uint8_t {
+enum class DuplicateIdSign : std::uint8_t {
     None,            ///< one servo answers
     SecondReply,     ///< repeatedly two replies came to one request
     DifferentValues, ///< repeatedly readings that one servo could not give
     BrokenReplies,   ///< too many replies were unreadable to tell noise from a collision
 };
 
-struct TwinFinding {
-    TwinSign sign = TwinSign::None;
+struct DuplicateIdResult {
+    DuplicateIdSign sign = DuplicateIdSign::None;
     int reads = 0;
     int broken = 0;
     /// What stands in the lock register; null: the map has none.
     std::optional<std::int64_t> lock;
 };
 
-/// NoAnswer when too little was answered to tell; Stopped, LinkLost, Preempted, Held.
-base::Result<TwinFinding> lookForTwins(const Context& context, const Servo& servo);
+/// NoReply when too little was answered to tell; Stopped, LinkLost, Preempted, Held.
+base::Result<DuplicateIdResult> checkDuplicateId(const Context& context, const Servo& servo);
 
 /// Could one servo have said both, `apart` from one another?
-bool couldBeOneServo(const Servo& before, const Servo& after, base::Duration apart);
+bool canBeOneServo(const Servo& before, const Servo& after, base::Duration apart);
 } // namespace device

@@ -10,24 +10,24 @@ using catalog::Role;
 base::Result<UnlockedEprom> UnlockedEprom::open(const Context& context, Servo& servo,
                                                 const catalog::Register& reg)
 {
-    if (keepingOf(reg) != Keeping::Lock)
+    if (retentionOf(reg) != Retention::Lock)
         return UnlockedEprom();
     const catalog::Register* lock = servo.profile->byRole(Role::Lock);
     if (lock == nullptr) {
         return tl::unexpected(
             base::Error{ErrorCode::NotSupported, QStringLiteral("unlock"), {}, servo.id});
     }
-    const std::int64_t needed = openFor(reg.area);
+    const std::int64_t needed = unlockValue(reg.area);
     const auto present = readRegister(context, servo, *lock);
     if (!present)
         return tl::unexpected(present.error());
-    if (isOpen(*present))
+    if (isLockOpen(*present))
         context.note(NoticeCode::LockFoundOpen, servo.id, lock->key);
     // From here on the destructor closes it, also when the unlock itself lost its answer.
     UnlockedEprom unlocked(context, servo, needed);
     if (*present == needed)
         return unlocked;
-    servo.image.forget(lock->offset, lock->size, context.bus.clock().now());
+    servo.image.invalidate(lock->offset, lock->size, context.bus.clock().now());
     auto opened = writeVerified(context, servo, *lock, needed);
     if (!opened) {
         if (opened.error().code == ErrorCode::Mismatch)
@@ -78,10 +78,10 @@ LockState closeLock(const Context& context, Servo& servo)
             if (flag.error().code != ErrorCode::LineBusy)
                 continue;
             // The bus says it as often as any write; a second round would prove no more.
-            writeUnproven(context, servo, *lock, lockClosed, flag.error());
+            writeUnverified(context, servo, *lock, lockClosed, flag.error());
             break;
         }
-        if (!isOpen(*flag))
+        if (!isLockOpen(*flag))
             return LockState::Closed;
         const auto closed = writeVerified(context, servo, *lock, lockClosed);
         if (closed)

@@ -19,8 +19,8 @@ bool isLockValue(const catalog::Register& lock, std::int64_t raw)
                        [raw](const catalog::NamedValue& value) { return value.value == raw; });
 }
 
-std::optional<base::Error> lockBar(const Servo& servo, std::optional<std::int64_t> raw,
-                                   const QString& operation)
+std::optional<base::Error> lockConflict(const Servo& servo, std::optional<std::int64_t> raw,
+                                        const QString& operation)
 {
     const catalog::Register* lock = servo.profile->byRole(Role::Lock);
     if (lock == nullptr || !raw || isLockValue(*lock, *raw))
@@ -37,19 +37,19 @@ std::optional<base::Error> lockBar(const Servo& servo, std::optional<std::int64_
     }
     facts.lockAddress = lock->address;
     facts.lock = *raw;
-    return base::Error{ErrorCode::FamilyUnclear, operation, facts.detail(), servo.id};
+    return base::Error{ErrorCode::FamilyConflict, operation, facts.detail(), servo.id};
 }
 
-QString wordOf(const TwinFinding& finding)
+QString detailOf(const DuplicateIdResult& finding)
 {
     switch (finding.sign) {
-    case TwinSign::SecondReply:
+    case DuplicateIdSign::SecondReply:
         return QStringLiteral("two-replies");
-    case TwinSign::DifferentValues:
+    case DuplicateIdSign::DifferentValues:
         return QStringLiteral("different-values");
-    case TwinSign::BrokenReplies:
+    case DuplicateIdSign::BrokenReplies:
         return QStringLiteral("broken %1/%2").arg(finding.broken).arg(finding.reads);
-    case TwinSign::None:
+    case DuplicateIdSign::None:
         break;
     }
     return {};
@@ -61,7 +61,7 @@ base::Result<void> requireWritable(const Servo& servo, const QString& operation)
     if (!servo.profile)
         return base::fail(ErrorCode::UnknownModel, operation, {}, servo.id);
     if (servo.profile->conflict) {
-        return base::fail(ErrorCode::FamilyUnclear, operation, servo.profile->conflict->detail(),
+        return base::fail(ErrorCode::FamilyConflict, operation, servo.profile->conflict->detail(),
                           servo.id);
     }
     if (!servo.profile->writable) {
@@ -72,27 +72,29 @@ base::Result<void> requireWritable(const Servo& servo, const QString& operation)
     return {};
 }
 
-std::optional<base::Error> writeBar(const Servo& servo)
+std::optional<base::Error> writeObstacle(const Servo& servo)
 {
     if (const auto writable = requireWritable(servo, {}); !writable)
         return writable.error();
-    return lockBar(servo, servo.raw(Role::Lock), {});
+    return lockConflict(servo, servo.raw(Role::Lock), {});
 }
 
-base::Result<void> requireAlone(const Context& outer, const Servo& servo, const QString& operation)
+base::Result<void> requireUniqueId(const Context& outer, const Servo& servo,
+                                   const QString& operation)
 {
     if (outer.bus.verifiedIds().contains(servo.protocol, servo.id, outer.bus.baud()))
         return {};
     const Owned owned = own(outer, {servo.id});
-    const auto found = lookForTwins(owned.context, servo);
+    const auto found = checkDuplicateId(owned.context, servo);
     if (!found)
         return tl::unexpected(found.error());
-    if (found->sign == TwinSign::None)
+    if (found->sign == DuplicateIdSign::None)
         return {};
-    return base::fail(ErrorCode::SeveralServos, operation, wordOf(*found), servo.id);
+    return base::fail(ErrorCode::DuplicateId, operation, detailOf(*found), servo.id);
 }
 
-base::Result<void> requireSame(const Context& context, const Servo& servo, const QString& operation)
+base::Result<void> requireSameServo(const Context& context, const Servo& servo,
+                                    const QString& operation)
 {
     if (servo.protocol == base::Protocol::Lx)
         return {};
@@ -103,7 +105,7 @@ base::Result<void> requireSame(const Context& context, const Servo& servo, const
         return {};
     context.bus.verifiedIds().remove(servo.protocol, servo.id, context.bus.baud());
     const QString model = now->profile->modelName;
-    return base::fail(ErrorCode::IdentityDiffers, operation, model, servo.id);
+    return base::fail(ErrorCode::IdentityMismatch, operation, model, servo.id);
 }
 
 base::Result<void> beginWriting(const Context& context, const Servo& servo,
@@ -115,7 +117,7 @@ base::Result<void> beginWriting(const Context& context, const Servo& servo,
         return writable;
     const auto& verified = context.bus.verifiedIds();
     return verified.contains(servo.protocol, servo.id, context.bus.baud())
-               ? requireSame(context, servo, operation)
+               ? requireSameServo(context, servo, operation)
                : requireVerified(context, servo, operation);
 }
 
@@ -138,20 +140,20 @@ base::Result<void> requireVerified(const Context& outer, const Servo& servo,
     if (verified.contains(servo.protocol, servo.id, baud))
         return {};
     const Owned owned = own(outer, {servo.id});
-    const auto found = lookForTwins(owned.context, servo);
+    const auto found = checkDuplicateId(owned.context, servo);
     if (!found)
         return tl::unexpected(found.error());
-    if (found->sign != TwinSign::None)
-        return base::fail(ErrorCode::SeveralServos, operation, wordOf(*found), servo.id);
-    if (const auto same = requireSame(owned.context, servo, operation); !same)
+    if (found->sign != DuplicateIdSign::None)
+        return base::fail(ErrorCode::DuplicateId, operation, detailOf(*found), servo.id);
+    if (const auto same = requireSameServo(owned.context, servo, operation); !same)
         return same;
-    if (auto bar = lockBar(servo, found->lock, operation))
-        return tl::unexpected(std::move(*bar));
+    if (auto conflict = lockConflict(servo, found->lock, operation))
+        return tl::unexpected(std::move(*conflict));
     verified.add(servo.protocol, servo.id, baud);
     return {};
 }
 
-void moveAccess(bus::Bus& bus, const Servo& servo, int oldId, int oldBaud)
+void transferVerification(bus::Bus& bus, const Servo& servo, int oldId, int oldBaud)
 {
     bus.verifiedIds().remove(servo.protocol, oldId, oldBaud);
     bus.verifiedIds().add(servo.protocol, servo.id, bus.baud());

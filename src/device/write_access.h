@@ -8,27 +8,27 @@
 #include "device/servo.h"
 
 namespace device {
-/// By what it says of itself: UnknownModel, or FamilyUnclear with the facts in its detail.
+/// By what it says of itself: UnknownModel, or FamilyConflict with the facts in its detail.
 base::Result<void> requireWritable(const Servo& servo, const QString& operation);
 
 /// The same and the byte at the lock's place, as far as it has been read: for whoever shows the
 /// servo. Null: nothing speaks against writing.
-std::optional<base::Error> writeBar(const Servo& servo);
+std::optional<base::Error> writeObstacle(const Servo& servo);
 
-/// For whoever keeps what is read: SeveralServos where a second one seems to answer under its ID.
+/// For whoever keeps what is read: DuplicateId where a second one seems to answer under its ID.
 /// Errors of reading besides.
-base::Result<void> requireAlone(const Context& context, const Servo& servo,
-                                const QString& operation);
+base::Result<void> requireUniqueId(const Context& context, const Servo& servo,
+                                   const QString& operation);
 
 /// Asks the servo who it is, by one short read: a servo can be exchanged on the open line, and no
-/// byte of the next write would show it. IdentityDiffers as below; errors of reading besides.
-base::Result<void> requireSame(const Context& context, const Servo& servo,
-                               const QString& operation);
+/// byte of the next write would show it. IdentityMismatch as below; errors of reading besides.
+base::Result<void> requireSameServo(const Context& context, const Servo& servo,
+                                    const QString& operation);
 
 /// The above, and asks the servo who it is: one that was exchanged since it was identified is
-/// IdentityDiffers, with the model found as detail (an LX servo tells nothing to compare). Where
+/// IdentityMismatch, with the model found as detail (an LX servo tells nothing to compare). Where
 /// this connection has not written to the servo before: looks whether a second one answers under
-/// its ID (SeveralServos) and what stands at the lock's place. Remembered on the bus once it is
+/// its ID (DuplicateId) and what stands at the lock's place. Remembered on the bus once it is
 /// well. Neither delays nor refuses what belongs to an emergency stop. Errors of reading besides.
 base::Result<void> beginWriting(const Context& context, const Servo& servo,
                                 const QString& operation);
@@ -44,5 +44,5 @@ base::Result<void> requireVerified(const Context& context, const Servo& servo,
 
 /// After a change of ID or rate: where the servo answers now it needs no second look, and whoever
 /// is plugged in where it was needs one.
-void moveAccess(bus::Bus& bus, const Servo& servo, int oldId, int oldBaud);
+void transferVerification(bus::Bus& bus, const Servo& servo, int oldId, int oldBaud);
 } // namespace device

@@ -22,8 +22,8 @@ tl::unexpected<base::Error> refuse(ErrorCode code, const Servo& servo, const QSt
 constexpr std::int64_t centerBit = 4;
 
 /// Registers whose writing is more than a write name their command instead.
-base::Result<void> checkManoeuvre(const Servo& servo, const catalog::Register& reg,
-                                  std::int64_t raw)
+base::Result<void> checkDedicatedOperation(const Servo& servo, const catalog::Register& reg,
+                                           std::int64_t raw)
 {
     switch (reg.role) {
     case Role::Id:
@@ -37,7 +37,7 @@ base::Result<void> checkManoeuvre(const Servo& servo, const catalog::Register& r
             return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("torque"));
         return {};
     case Role::Lock:
-        if (isOpen(raw))
+        if (isLockOpen(raw))
             return refuse(ErrorCode::NotSupported, servo, reg.key, QStringLiteral("unlock"));
         return {};
     case Role::FaultReset:
@@ -56,11 +56,11 @@ base::Result<void> checkTime(const Servo& servo, const RegisterValues& items)
     const catalog::Register* goal = servo.profile->byRole(Role::GoalPosition);
     if (time == nullptr || goal == nullptr || !time->block || time->block != goal->block)
         return {};
-    const auto holds = [&](const catalog::Register* reg) {
+    const auto contains = [&](const catalog::Register* reg) {
         return std::any_of(items.begin(), items.end(),
                            [reg](const RegisterValue& item) { return item.reg == reg; });
     };
-    if (!holds(time) || holds(goal))
+    if (!contains(time) || contains(goal))
         return {};
     return refuse(ErrorCode::NotSupported, servo, time->key, QStringLiteral("with-goal"));
 }
@@ -83,18 +83,18 @@ base::Result<RegisterValues> checkItems(const Servo& servo, const std::vector<Wr
                         [reg](const RegisterValue& other) { return other.reg == reg; });
         if (twice)
             return refuse(ErrorCode::BadArgument, servo, item.key, QStringLiteral("given twice"));
-        if (const auto own = checkManoeuvre(servo, *reg, item.raw); !own)
-            return tl::unexpected(own.error());
+        if (const auto allowed = checkDedicatedOperation(servo, *reg, item.raw); !allowed)
+            return tl::unexpected(allowed.error());
         if (reg->dangerous && !options.dangerous)
             return refuse(ErrorCode::NeedsConsent, servo, item.key,
                           reg->motion ? QStringLiteral("turns") : QString());
-        if (options.temporary && keepingOf(*reg) == Keeping::Always)
+        if (options.temporary && retentionOf(*reg) == Retention::Always)
             return refuse(ErrorCode::NotSupported, servo, item.key, QStringLiteral("always-kept"));
         checked.push_back({reg, item.raw});
     }
     if (const auto timed = checkTime(servo, checked); !timed)
         return tl::unexpected(timed.error());
-    if (!options.inOrder) {
+    if (!options.keepOrder) {
         std::sort(checked.begin(), checked.end(),
                   [](const RegisterValue& a, const RegisterValue& b) {
                       return a.reg->writeOffset < b.reg->writeOffset;
@@ -141,7 +141,7 @@ constexpr std::array pairs{Pair{Role::MinAngle, Role::MaxAngle},
                            Pair{Role::MinVoltage, Role::MaxVoltage}};
 
 /// Both 0 switches a limit off; as angles only where that is a mode.
-bool zeroMeansNone(const Servo& servo, const Pair& pair)
+bool isUnlimitedByZero(const Servo& servo, const Pair& pair)
 {
     const auto& modes = servo.profile->modes;
     return pair.min != Role::MinAngle ||
@@ -158,7 +158,7 @@ base::Result<void> checkPair(const Servo& servo, const RegisterValues& items, co
     const auto max = valueAfter(servo, items, pair.max);
     if (!concerned || !min || !max || *min < *max)
         return {};
-    if (*min == 0 && *max == 0 && zeroMeansNone(servo, pair))
+    if (*min == 0 && *max == 0 && isUnlimitedByZero(servo, pair))
         return {};
     return refuse(ErrorCode::OutOfRange, servo, servo.profile->byRole(pair.min)->key,
                   QStringLiteral("%1 >= %2").arg(*min).arg(*max));
@@ -177,12 +177,12 @@ base::Result<void> checkGoal(const Servo& servo, const RegisterValue& item)
 } // namespace
 
 base::Result<void> checkValues(const Context& context, const Servo& servo,
-                               const RegisterValues& items, bool asBefore)
+                               const RegisterValues& items, bool allowPreviousValues)
 {
     for (const RegisterValue& item : items) {
         const auto value = catalog::checkNewValue(item.raw, *item.reg, servo.meaning(*item.reg),
                                                   servo.raw(*item.reg));
-        if (!value && !(asBefore && value.error().code == ErrorCode::OutOfRange)) {
+        if (!value && !(allowPreviousValues && value.error().code == ErrorCode::OutOfRange)) {
             base::Error error = value.error();
             error.id = servo.id;
             error.registerKey = item.reg->key;
@@ -191,12 +191,13 @@ base::Result<void> checkValues(const Context& context, const Servo& servo,
         if (const auto goal = checkGoal(servo, item); !goal)
             return goal;
         if (item.reg->warnAbove && item.raw > *item.reg->warnAbove)
-            context.note(NoticeCode::AboveUsual, servo.id, item.reg->key, *item.reg->warnAbove);
+            context.note(NoticeCode::AboveRecommended, servo.id, item.reg->key,
+                         *item.reg->warnAbove);
     }
     for (const Pair& pair : pairs) {
-        const auto good = checkPair(servo, items, pair);
-        if (!good && !asBefore)
-            return good;
+        const auto valid = checkPair(servo, items, pair);
+        if (!valid && !allowPreviousValues)
+            return valid;
     }
     return {};
 }

@@ -12,10 +12,10 @@ namespace device {
 base::Result<RegisterValues> checkItems(const Servo& servo, const std::vector<WriteItem>& items,
                                         const WriteOptions& options);
 
-/// Ranges and the pairs that belong together, against what has just been read. `asBefore`: see
-/// WriteOptions.
+/// Ranges and the pairs that belong together, against what has just been read.
+/// `allowPreviousValues`: see WriteOptions.
 base::Result<void> checkValues(const Context& context, const Servo& servo,
-                               const RegisterValues& items, bool asBefore = false);
+                               const RegisterValues& items, bool allowPreviousValues = false);
 
 /// The value a role will have after the write.
 std::optional<std::int64_t> valueAfter(const Servo& servo, const RegisterValues& items,

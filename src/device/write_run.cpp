@@ -14,13 +14,13 @@ using catalog::TorqueOff;
 namespace {
 /// Neither a lost answer nor the servo's own refusal: the link is gone, or the emergency lane took
 /// the wire, and what comes next would undo its stop.
-bool endsTheRun(const base::Error& error)
+bool isFatal(const base::Error& error)
 {
-    return !answerLost(error) && error.code != ErrorCode::Refused;
+    return !isReplyLost(error) && error.code != ErrorCode::Refused;
 }
 } // namespace
 
-bool WriteRun::needsTorqueOff() const
+bool WriteExecutor::needsTorqueOff() const
 {
     if (m_change)
         return true;
@@ -30,15 +30,15 @@ bool WriteRun::needsTorqueOff() const
 }
 
 /// The first item from here on that is kept by means of the lock.
-std::size_t WriteRun::nextLocked(std::size_t from) const
+std::size_t WriteExecutor::nextLocked(std::size_t from) const
 {
-    while (from < m_items.size() && keepingOf(*m_items[from].reg) != Keeping::Lock)
+    while (from < m_items.size() && retentionOf(*m_items[from].reg) != Retention::Lock)
         ++from;
     return from;
 }
 
 /// A stretch ends where the lock must be opened for another area.
-std::size_t WriteRun::endOfStretch(std::size_t first) const
+std::size_t WriteExecutor::endOfSection(std::size_t first) const
 {
     const std::size_t locked = nextLocked(first);
     std::size_t end = std::min(locked, m_items.size());
@@ -52,7 +52,7 @@ std::size_t WriteRun::endOfStretch(std::size_t first) const
 }
 
 /// Torque and, for a temporary write, a lock that somebody left open.
-base::Result<void> WriteRun::prepare()
+base::Result<void> WriteExecutor::prepare()
 {
     if (m_options.torqueOff || needsTorqueOff()) {
         if (const auto off = torqueOff(m_context, m_servo); !off)
@@ -64,7 +64,7 @@ base::Result<void> WriteRun::prepare()
     const auto flag = readRegister(m_context, m_servo, *lock);
     if (!flag)
         return tl::unexpected(flag.error());
-    if (!isOpen(*flag))
+    if (!isLockOpen(*flag))
         return {};
     m_context.note(NoticeCode::LockFoundOpen, m_servo.id, lock->key);
     if (closeLock(m_context, m_servo) != LockState::Closed) {
@@ -75,7 +75,7 @@ base::Result<void> WriteRun::prepare()
     return {};
 }
 
-void WriteRun::refuseRest(std::size_t first, const base::Error& why)
+void WriteExecutor::skipRest(std::size_t first, const base::Error& why)
 {
     for (std::size_t i = first; i < m_report.writes.size(); ++i) {
         WriteResult& result = m_report.writes[i];
@@ -85,10 +85,10 @@ void WriteRun::refuseRest(std::size_t first, const base::Error& why)
     }
 }
 
-WriteReport WriteRun::go()
+WriteReport WriteExecutor::run()
 {
     if (const auto ready = prepare(); !ready) {
-        refuseRest(0, ready.error());
+        skipRest(0, ready.error());
         return m_report;
     }
     if (m_options.temporary) {
@@ -98,8 +98,8 @@ WriteReport WriteRun::go()
         return m_report;
     }
     for (std::size_t first = 0; first < m_items.size();) {
-        const std::size_t last = endOfStretch(first);
-        if (!writeStretch(first, last))
+        const std::size_t last = endOfSection(first);
+        if (!writeSection(first, last))
             return m_report;
         first = last;
     }
@@ -107,7 +107,7 @@ WriteReport WriteRun::go()
 }
 
 /// However the run ended: whoever is in another mode now must stand still in it.
-void WriteRun::settle()
+void WriteExecutor::finishModeChange()
 {
     if (!m_change)
         return;
@@ -117,50 +117,50 @@ void WriteRun::settle()
         const WriteOutcome outcome = m_report.writes[i].outcome;
         unclear |=
             (role == Role::OperatingMode || role == Role::MinAngle || role == Role::MaxAngle) &&
-            (outcome == WriteOutcome::Unknown || outcome == WriteOutcome::NoAnswer);
+            (outcome == WriteOutcome::Unknown || outcome == WriteOutcome::NoReply);
     }
     const catalog::Mode* now = m_servo.mode();
     if (!unclear && now == m_change->from)
         return;
     const catalog::Mode* to = unclear || now == nullptr ? m_change->to : now;
-    const auto settled = m_ended ? base::Result<void>(tl::unexpected(*m_ended))
-                                 : settleMode(m_context, m_servo, {m_change->from, to});
-    m_unsettled = !settled;
-    if (!settled)
-        m_report.writes.back().error = settled.error();
+    const auto switched = m_fatalError ? base::Result<void>(tl::unexpected(*m_fatalError))
+                                       : finishModeSwitch(m_context, m_servo, {m_change->from, to});
+    m_modeChangeFailed = !switched;
+    if (!switched)
+        m_report.writes.back().error = switched.error();
 }
 
 /// False when the rest was not sent.
-bool WriteRun::writeStretch(std::size_t first, std::size_t last)
+bool WriteExecutor::writeSection(std::size_t first, std::size_t last)
 {
     const std::size_t locked = nextLocked(first);
     if (locked >= last)
         return writeRange(first, last);
     auto unlocked = UnlockedEprom::open(m_context, m_servo, *m_items[locked].reg);
     if (!unlocked) {
-        if (endsTheRun(unlocked.error()))
-            m_ended = unlocked.error();
-        refuseRest(first, unlocked.error());
-        settle();
-        takeLock(closeLock(m_context, m_servo));
+        if (isFatal(unlocked.error()))
+            m_fatalError = unlocked.error();
+        skipRest(first, unlocked.error());
+        finishModeChange();
+        setLockState(closeLock(m_context, m_servo));
         return false;
     }
     m_open = true;
     const bool whole = writeRange(first, last);
     m_open = false;
     const LockState lock = unlocked->close();
-    takeLock(lock);
+    setLockState(lock);
     if (lock == LockState::Closed && !unlocked->stayedOpen())
-        doubt(first, last);
+        markUncertain(first, last);
     if (lock == LockState::Closed || !whole)
         return whole;
-    refuseRest(last, {ErrorCode::LockOpen, QStringLiteral("write"), {}, m_servo.id});
-    settle();
+    skipRest(last, {ErrorCode::LockOpen, QStringLiteral("write"), {}, m_servo.id});
+    finishModeChange();
     return false;
 }
 
 /// The worse of the stretches' ends counts.
-void WriteRun::takeLock(LockState lock)
+void WriteExecutor::setLockState(LockState lock)
 {
     const bool proven = m_report.lock == LockState::None || m_report.lock == LockState::Closed;
     if (proven)
@@ -169,11 +169,11 @@ void WriteRun::takeLock(LockState lock)
 
 /// The lock had closed by itself before the end: the servo restarted, or another one is here. Then
 /// nothing tells what the EPROM took, and a value that was read may be another servo's.
-void WriteRun::doubt(std::size_t first, std::size_t last)
+void WriteExecutor::markUncertain(std::size_t first, std::size_t last)
 {
     for (std::size_t i = first; i < last; ++i) {
         WriteResult& result = m_report.writes[i];
-        if (!result.readBack || keepingOf(*m_items[i].reg) != Keeping::Lock)
+        if (!result.readBack || retentionOf(*m_items[i].reg) != Retention::Lock)
             continue;
         result.outcome = WriteOutcome::Unknown;
         result.error = base::Error{ErrorCode::Uncertain, QStringLiteral("keep"),
@@ -182,35 +182,35 @@ void WriteRun::doubt(std::size_t first, std::size_t last)
 }
 
 /// False when the rest was not sent.
-bool WriteRun::writeRange(std::size_t first, std::size_t last)
+bool WriteExecutor::writeRange(std::size_t first, std::size_t last)
 {
     const bool whole = writeGroups(first, last);
     if (!whole || last == m_items.size())
-        settle();
+        finishModeChange();
     return whole;
 }
 
 /// False when the user stopped it, or the wire did; the rest is not sent then.
-bool WriteRun::writeGroups(std::size_t first, std::size_t last)
+bool WriteExecutor::writeGroups(std::size_t first, std::size_t last)
 {
     while (first < last) {
         // Neighbours go in one frame: both angle limits change at once, never one alone.
         std::size_t end = first + 1;
         while (end < last && sharesFrame(*m_items[end - 1].reg, *m_items[end].reg))
             ++end;
-        if (m_context.stop.requested()) {
-            m_context.note(NoticeCode::BelowStop, m_servo.id, m_items[first].reg->key);
-            refuseRest(first, {ErrorCode::Stopped, QStringLiteral("write"), {}, m_servo.id});
+        if (m_context.stop.isRequested()) {
+            m_context.note(NoticeCode::StoppedByUser, m_servo.id, m_items[first].reg->key);
+            skipRest(first, {ErrorCode::Stopped, QStringLiteral("write"), {}, m_servo.id});
             return false;
         }
         writeGroup(first, end);
-        if (m_ended) {
-            refuseRest(end, *m_ended);
+        if (m_fatalError) {
+            skipRest(end, *m_fatalError);
             return false;
         }
-        if (const WriteResult* bad = m_options.stopAtFailure ? failed(first, end) : nullptr) {
-            refuseRest(end, {ErrorCode::Stopped, QStringLiteral("write"),
-                             QStringLiteral("after-failure"), m_servo.id, bad->key});
+        if (const WriteResult* bad = m_options.stopOnFailure ? failed(first, end) : nullptr) {
+            skipRest(end, {ErrorCode::Stopped, QStringLiteral("write"),
+                           QStringLiteral("after-failure"), m_servo.id, bad->key});
             return false;
         }
         first = end;
@@ -219,7 +219,7 @@ bool WriteRun::writeGroups(std::size_t first, std::size_t last)
 }
 
 /// The first of these that did not take its value; null: all did.
-const WriteResult* WriteRun::failed(std::size_t first, std::size_t last) const
+const WriteResult* WriteExecutor::failed(std::size_t first, std::size_t last) const
 {
     for (std::size_t i = first; i < last; ++i) {
         const WriteOutcome outcome = m_report.writes[i].outcome;
@@ -231,7 +231,7 @@ const WriteResult* WriteRun::failed(std::size_t first, std::size_t last) const
 
 /// Reads all of them back at once where one read can: with many rows that is most of the time.
 /// False when it cannot or did not come; each is then asked for by itself.
-bool WriteRun::readTogether(std::size_t first, std::size_t last)
+bool WriteExecutor::readTogether(std::size_t first, std::size_t last)
 {
     const catalog::Register& front = *m_items[first].reg;
     const catalog::Register& back = *m_items[last - 1].reg;
@@ -243,7 +243,7 @@ bool WriteRun::readTogether(std::size_t first, std::size_t last)
            readBlock(m_context, m_servo, front.offset, count).has_value();
 }
 
-base::Result<void> WriteRun::sendGroup(std::size_t first, std::size_t last)
+base::Result<void> WriteExecutor::sendGroup(std::size_t first, std::size_t last)
 {
     const RegisterValues group(m_items.begin() + static_cast<std::ptrdiff_t>(first),
                                m_items.begin() + static_cast<std::ptrdiff_t>(last));
@@ -256,7 +256,7 @@ base::Result<void> WriteRun::sendGroup(std::size_t first, std::size_t last)
                       motion ? protocol::Repeat::Never : protocol::Repeat::Safe);
 }
 
-void WriteRun::writeGroup(std::size_t first, std::size_t last)
+void WriteExecutor::writeGroup(std::size_t first, std::size_t last)
 {
     constexpr int tries = 2;
     const auto showsOld = [this](std::size_t i) {
@@ -266,36 +266,36 @@ void WriteRun::writeGroup(std::size_t first, std::size_t last)
     };
     // What moves is not sent twice, unless no write is ever acknowledged: such goals are places,
     // never steps.
-    const bool once = m_items[first].reg->motion && m_servo.acknowledges();
+    const bool once = m_items[first].reg->motion && m_servo.acknowledgesWrites();
     for (int attempt = 0; attempt < tries; ++attempt) {
         const auto sent = sendGroup(first, last);
-        if (takesTime(*m_items[first].reg))
+        if (needsWriteTime(*m_items[first].reg))
             m_context.bus.clock().sleepFor(epromWriteTime);
-        if (!sent && endsTheRun(sent.error()))
-            return endAt(first, last, sent.error());
+        if (!sent && isFatal(sent.error()))
+            return abortAt(first, last, sent.error());
         const bool together = readTogether(first, last);
-        for (std::size_t i = first; i < last && !m_ended; ++i)
-            judge(i, sent, together);
-        if (m_ended)
+        for (std::size_t i = first; i < last && !m_fatalError; ++i)
+            evaluate(i, sent, together);
+        if (m_fatalError)
             return;
         // Reading proved that nothing happened, so sending again repeats nothing. A servo that
         // acknowledged and kept the old value has refused: asking twice changes nothing.
-        const bool untouched = sent ? !m_servo.answersWrites() : answerLost(sent.error());
+        const bool untouched = sent ? !m_servo.repliesToWrites() : isReplyLost(sent.error());
         const bool unclear = m_report.writes[first].outcome == WriteOutcome::Unknown;
         if (!untouched || unclear || !showsOld(first) || once)
             break;
         if (attempt + 1 < tries)
-            noteSentAgain(m_context, m_servo, !sent, m_items[first].reg->key);
+            noteResent(m_context, m_servo, !sent, m_items[first].reg->key);
     }
     for (std::size_t i = first; i < last; ++i)
-        keep(i);
+        makePersistent(i);
 }
 
 /// Perhaps after the frame went out, so reading must tell another day. Nothing more is said but
 /// what closes the lock.
-void WriteRun::endAt(std::size_t first, std::size_t last, const base::Error& why)
+void WriteExecutor::abortAt(std::size_t first, std::size_t last, const base::Error& why)
 {
-    m_ended = why;
+    m_fatalError = why;
     for (std::size_t i = first; i < last; ++i) {
         m_report.writes[i].outcome = WriteOutcome::Unknown;
         m_report.writes[i].error = why;
@@ -303,16 +303,16 @@ void WriteRun::endAt(std::size_t first, std::size_t last, const base::Error& why
 }
 
 /// `alreadyRead`: the servo's image has just been filled.
-void WriteRun::judge(std::size_t index, const base::Result<void>& sent, bool alreadyRead)
+void WriteExecutor::evaluate(std::size_t index, const base::Result<void>& sent, bool alreadyRead)
 {
     const RegisterValue& item = m_items[index];
     WriteResult& result = m_report.writes[index];
     const auto back = alreadyRead ? base::Result<std::int64_t>(*m_servo.raw(*item.reg))
                                   : readRegister(m_context, m_servo, *item.reg);
     if (!back) {
-        if (endsTheRun(back.error()))
-            return endAt(index, index + 1, back.error());
-        result.outcome = WriteOutcome::NoAnswer;
+        if (isFatal(back.error()))
+            return abortAt(index, index + 1, back.error());
+        result.outcome = WriteOutcome::NoReply;
         result.error = back.error();
         return;
     }
@@ -329,7 +329,7 @@ void WriteRun::judge(std::size_t index, const base::Result<void>& sent, bool alr
     if (shown && !refused) {
         result.outcome = WriteOutcome::Temporary;
         if (!sent)
-            m_context.note(NoticeCode::AnswerLostButDone, m_servo.id, item.reg->key);
+            m_context.note(NoticeCode::ReplyLostButWritten, m_servo.id, item.reg->key);
         return;
     }
     const bool unchanged = refused || result.oldRaw == *back;
@@ -340,20 +340,20 @@ void WriteRun::judge(std::size_t index, const base::Result<void>& sent, bool alr
 }
 
 /// What was written and read back may survive power-off as well.
-void WriteRun::keep(std::size_t index)
+void WriteExecutor::makePersistent(std::size_t index)
 {
     const catalog::Register& reg = *m_items[index].reg;
     WriteResult& result = m_report.writes[index];
     if (result.outcome != WriteOutcome::Temporary)
         return;
-    switch (keepingOf(reg)) {
-    case Keeping::Lock:
+    switch (retentionOf(reg)) {
+    case Retention::Lock:
         result.outcome = m_open ? WriteOutcome::Kept : WriteOutcome::Temporary;
         break;
-    case Keeping::Always:
+    case Retention::Always:
         result.outcome = WriteOutcome::Kept;
         break;
-    case Keeping::Save:
+    case Retention::Save:
         if (m_options.temporary)
             break;
         if (const auto saved = save(m_context, m_servo, reg); !saved) {
@@ -362,25 +362,25 @@ void WriteRun::keep(std::size_t index)
             break;
         }
         result.outcome = WriteOutcome::Kept;
-        m_context.note(NoticeCode::SavedPerSheet, m_servo.id, reg.key);
+        m_context.note(NoticeCode::SaveUnverified, m_servo.id, reg.key);
         break;
-    case Keeping::NotStated:
-        m_context.note(NoticeCode::PersistenceNotStated, m_servo.id, reg.key);
+    case Retention::NotStated:
+        m_context.note(NoticeCode::PersistenceUndocumented, m_servo.id, reg.key);
         break;
-    case Keeping::Never:
+    case Retention::Never:
         break;
     }
 }
 
 /// False while the wire still owes an answer: the intent then stays open in the journal.
-bool WriteRun::finished() const
+bool WriteExecutor::finished() const
 {
     const bool certain =
         std::none_of(m_report.writes.begin(), m_report.writes.end(), [](const WriteResult& result) {
             return result.outcome == WriteOutcome::Unknown ||
-                   result.outcome == WriteOutcome::NoAnswer;
+                   result.outcome == WriteOutcome::NoReply;
         });
-    return certain && !m_unsettled && m_report.lock != LockState::Open &&
+    return certain && !m_modeChangeFailed && m_report.lock != LockState::Open &&
            m_report.lock != LockState::Unknown;
 }
 } // namespace device

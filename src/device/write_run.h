@@ -7,10 +7,10 @@
 #include "device/mode.h"
 
 namespace device {
-class WriteRun {
+class WriteExecutor {
 public:
-    WriteRun(const Context& context, Servo& servo, RegisterValues items,
-             const WriteOptions& options)
+    WriteExecutor(const Context& context, Servo& servo, RegisterValues items,
+                  const WriteOptions& options)
         : m_context(context)
         , m_servo(servo)
         , m_items(std::move(items))
@@ -33,28 +33,28 @@ public:
     /// The change of mode these items mean, if any; known after the settings have been read.
     void setModeChange(std::optional<ModeChange> change) { m_change = change; }
 
-    WriteReport go();
+    WriteReport run();
     bool finished() const;
 
 private:
     bool needsTorqueOff() const;
     std::size_t nextLocked(std::size_t from) const;
-    std::size_t endOfStretch(std::size_t first) const;
+    std::size_t endOfSection(std::size_t first) const;
     base::Result<void> prepare();
-    bool writeStretch(std::size_t first, std::size_t last);
+    bool writeSection(std::size_t first, std::size_t last);
     bool writeRange(std::size_t first, std::size_t last);
     bool writeGroups(std::size_t first, std::size_t last);
     void writeGroup(std::size_t first, std::size_t last);
     base::Result<void> sendGroup(std::size_t first, std::size_t last);
-    void endAt(std::size_t first, std::size_t last, const base::Error& why);
+    void abortAt(std::size_t first, std::size_t last, const base::Error& why);
     const WriteResult* failed(std::size_t first, std::size_t last) const;
     bool readTogether(std::size_t first, std::size_t last);
-    void judge(std::size_t index, const base::Result<void>& sent, bool alreadyRead);
-    void settle();
-    void takeLock(LockState lock);
-    void keep(std::size_t index);
-    void doubt(std::size_t first, std::size_t last);
-    void refuseRest(std::size_t first, const base::Error& why);
+    void evaluate(std::size_t index, const base::Result<void>& sent, bool alreadyRead);
+    void finishModeChange();
+    void setLockState(LockState lock);
+    void makePersistent(std::size_t index);
+    void markUncertain(std::size_t first, std::size_t last);
+    void skipRest(std::size_t first, const base::Error& why);
 
     const Context& m_context;
     Servo& m_servo;
@@ -62,8 +62,8 @@ private:
     const WriteOptions& m_options;
     std::optional<ModeChange> m_change;
     bool m_open = false; ///< the lock is open for what is being written
-    bool m_unsettled = false;
-    std::optional<base::Error> m_ended; ///< what forbids to say any more
+    bool m_modeChangeFailed = false;
+    std::optional<base::Error> m_fatalError; ///< what forbids to say any more
     WriteReport m_report;
 };
 } // namespace device

@@ -22,7 +22,7 @@ QString outcomeName(WriteOutcome outcome)
         return QStringLiteral("refused");
     case WriteOutcome::NotSent:
         return QStringLiteral("not-sent");
-    case WriteOutcome::NoAnswer:
+    case WriteOutcome::NoReply:
         return QStringLiteral("no-answer");
     case WriteOutcome::Unknown:
         return QStringLiteral("unknown");
@@ -50,7 +50,7 @@ QString lockName(LockState lock)
     return {};
 }
 
-bool WriteReport::allGood() const
+bool WriteReport::isSuccessful() const
 {
     const bool written = std::all_of(writes.begin(), writes.end(), [](const WriteResult& result) {
         return !result.error &&
@@ -59,9 +59,9 @@ bool WriteReport::allGood() const
     return written && lock != LockState::Open && lock != LockState::Unknown;
 }
 
-std::vector<base::ItemEnd> WriteReport::itemEnds() const
+std::vector<base::ItemResult> WriteReport::itemResults() const
 {
-    std::vector<base::ItemEnd> ends;
+    std::vector<base::ItemResult> ends;
     for (const WriteResult& result : writes)
         ends.push_back({result.key, result.readBack, outcomeName(result.outcome)});
     return ends;
@@ -105,17 +105,18 @@ base::Result<void> readBefore(const Context& context, Servo& servo, const Regist
     return read(context, servo, unread);
 }
 
-void noteNoCurrentAfter(const Context& context, const Servo& servo, const RegisterValues& items)
+void noteZeroCurrentLimitAfter(const Context& context, const Servo& servo,
+                               const RegisterValues& items)
 {
     const bool concerned = std::any_of(items.begin(), items.end(), [](const RegisterValue& item) {
         return item.reg->role == catalog::Role::GoalCurrent;
     });
     if (concerned)
-        noteNoCurrent(context, servo);
+        noteZeroCurrentLimit(context, servo);
 }
 
 /// Many servos switch torque on with a goal; nobody who writes one by hand may be left in the dark.
-void noteEnergised(const Context& context, Servo& servo, const RegisterValues& items,
+void noteEnergized(const Context& context, Servo& servo, const RegisterValues& items,
                    bool torqueWasOff)
 {
     const catalog::Register* torque = servo.profile->byRole(catalog::Role::TorqueSwitch);
@@ -141,34 +142,36 @@ base::Result<WriteReport> write(const Context& outer, Servo& servo,
         return tl::unexpected(may.error());
     if (const auto fresh = readBefore(context, servo, *checked); !fresh)
         return tl::unexpected(fresh.error());
-    if (const auto valid = checkValues(context, servo, *checked, options.asBefore); !valid)
+    if (const auto valid = checkValues(context, servo, *checked, options.allowPreviousValues);
+        !valid)
         return tl::unexpected(valid.error());
     const auto change = modeChange(servo, *checked);
     if (change) {
-        if (const auto quiet = addQuietCommand(servo, *checked); !quiet)
+        if (const auto quiet = addZeroCommand(servo, *checked); !quiet)
             return tl::unexpected(quiet.error());
-        if (const auto kept = rememberWayBack(context, servo, *change, *checked); !kept)
+        if (const auto kept = saveForReturn(context, servo, *change, *checked); !kept)
             return tl::unexpected(kept.error());
     }
-    if (context.stop.requested())
+    if (context.stop.isRequested())
         return base::fail(ErrorCode::Stopped, QStringLiteral("write"), {}, servo.id);
 
-    WriteRun run(context, servo, *checked, options);
+    WriteExecutor run(context, servo, *checked, options);
     run.setModeChange(change);
     const bool unlocks = run.concernsLock() && !options.temporary;
     const auto uuid = context.journal.begin(intentFor(servo, *checked, options, unlocks));
     if (!uuid)
         return tl::unexpected(uuid.error());
     const bool torqueWasOff = servo.raw(catalog::Role::TorqueSwitch) == 0;
-    WriteReport report = run.go();
-    noteEnergised(context, servo, *checked, torqueWasOff);
-    noteNoCurrentAfter(context, servo, *checked);
+    WriteReport report = run.run();
+    noteEnergized(context, servo, *checked, torqueWasOff);
+    noteZeroCurrentLimitAfter(context, servo, *checked);
     if (!run.finished()) {
         report.openIntent = *uuid;
         return report;
     }
-    const QString outcome = report.allGood() ? QStringLiteral("done") : QStringLiteral("failed");
-    if (!context.record(*uuid, servo.id, {outcome, {}, report.itemEnds()}))
+    const QString outcome =
+        report.isSuccessful() ? QStringLiteral("done") : QStringLiteral("failed");
+    if (!context.record(*uuid, servo.id, {outcome, {}, report.itemResults()}))
         report.openIntent = *uuid;
     return report;
 }

@@ -17,7 +17,7 @@ enum class WriteOutcome : std::uint8_t {
     Mismatch,
     Refused,
     NotSent,
-    NoAnswer,
+    NoReply,
     Unknown
 };
 QString outcomeName(WriteOutcome outcome); ///< "kept", "temporary", … "no-answer", "unknown"
@@ -52,9 +52,9 @@ struct WriteReport {
     int id = -1;
     std::vector<WriteResult> writes;
     LockState lock = LockState::None;
-    QString openIntent;   ///< uuid of the intent that stays open; empty: its end is recorded
-    bool allGood() const; ///< every outcome is kept or temporary, and the lock is not open
-    std::vector<base::ItemEnd> itemEnds() const; ///< as the journal keeps it
+    QString openIntent;        ///< uuid of the intent that stays open; empty: its end is recorded
+    bool isSuccessful() const; ///< every outcome is kept or temporary, and the lock is not open
+    std::vector<base::ItemResult> itemResults() const; ///< as the journal keeps it
 };
 
 struct WriteOptions {
@@ -64,18 +64,18 @@ struct WriteOptions {
     bool dangerous = false; ///< the user's consent to dangerous registers
     base::IntentKind kind = base::IntentKind::Write;
     /// Values that this servo had before: outside the documented range, or a pair upside down.
-    bool asBefore = false;
+    bool allowPreviousValues = false;
     /// Torque goes off before anything is written, whatever the registers ask for; it stays off.
     bool torqueOff = false;
-    /// The items go out as given, not by address; neighbours in the list share a frame all the
+    /// The items go out as given, not by address; neighbors in the list share a frame all the
     /// same, and the lock is opened once for each run of items of one area.
-    bool inOrder = false;
+    bool keepOrder = false;
     /// At the first register that does not take its value; the rest is not sent ("after-failure").
-    bool stopAtFailure = false;
+    bool stopOnFailure = false;
 };
 
 /// Errors (nothing was written): UnknownRegister, ReadOnly, OutOfRange, NeedsConsent, NotSupported,
-/// FileUnwritable/DiskFull (journal), NoAnswer … of the reads before. Otherwise a report, whatever
+/// FileUnwritable/DiskFull (journal), NoReply … of the reads before. Otherwise a report, whatever
 /// happened. ID and baud rate are not written here: see jobs/change_id.h and change_baud.h.
 base::Result<WriteReport> write(const Context& context, Servo& servo,
                                 const std::vector<WriteItem>& items, const WriteOptions& options);

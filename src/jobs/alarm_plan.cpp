@@ -17,29 +17,29 @@ const QString operation = QStringLiteral("clear-alarm");
 /// Phase bit 4: the position feedback counts whole turns.
 constexpr std::int64_t fullAngleBit = 1 << 4;
 /// The way back from a stall, as a share of a turn: 5°.
-constexpr std::int64_t backOffShare = 72;
+constexpr std::int64_t backOffDivisor = 72;
 
 /// Protocol sheet §7: what shows an alarm and how it lets go.
 struct Rule {
     QLatin1StringView key;
-    Release release;
+    ClearMethod release;
     Role measured;
     Role min;
     Role max;
 };
 constexpr std::array rules{
-    Rule{QLatin1StringView("overload"), Release::TurnBack, Role::PresentLoad, Role::None,
+    Rule{QLatin1StringView("overload"), ClearMethod::BackOff, Role::PresentLoad, Role::None,
          Role::None},
-    Rule{QLatin1StringView("current"), Release::NewGoal, Role::PresentCurrent, Role::None,
+    Rule{QLatin1StringView("current"), ClearMethod::NewGoal, Role::PresentCurrent, Role::None,
          Role::ProtectionCurrent},
-    Rule{QLatin1StringView("voltage"), Release::Wait, Role::PresentVoltage, Role::MinVoltage,
+    Rule{QLatin1StringView("voltage"), ClearMethod::Wait, Role::PresentVoltage, Role::MinVoltage,
          Role::MaxVoltage},
-    Rule{QLatin1StringView("temperature"), Release::Wait, Role::PresentTemperature, Role::None,
+    Rule{QLatin1StringView("temperature"), ClearMethod::Wait, Role::PresentTemperature, Role::None,
          Role::MaxTemperature},
-    Rule{QLatin1StringView("sensor"), Release::PowerCycle, Role::None, Role::None, Role::None},
+    Rule{QLatin1StringView("sensor"), ClearMethod::PowerCycle, Role::None, Role::None, Role::None},
 };
 
-Alarm alarmOf(const device::Servo& servo, const QString& key)
+Alarm makeAlarm(const device::Servo& servo, const QString& key)
 {
     Alarm alarm{key};
     for (const Rule& rule : rules) {
@@ -71,7 +71,7 @@ std::vector<Alarm> reportedAlarms(const device::Servo& servo)
                                             [bit](const auto& one) { return one.value == bit; });
             key = named != status->values.end() ? named->key : key;
         }
-        alarms.push_back(alarmOf(servo, key));
+        alarms.push_back(makeAlarm(servo, key));
     }
     return alarms;
 }
@@ -82,14 +82,14 @@ std::vector<Alarm> allAlarms(const device::Servo& servo)
     for (const device::Notice& notice : device::derivedAlarms(servo)) {
         const bool heat = notice.code == NoticeCode::DerivedTemperature;
         alarms.push_back(
-            alarmOf(servo, heat ? QStringLiteral("temperature") : QStringLiteral("voltage")));
+            makeAlarm(servo, heat ? QStringLiteral("temperature") : QStringLiteral("voltage")));
         alarms.back().derived = true;
     }
     return alarms;
 }
 
 /// A register with a bit for each fault.
-std::int64_t resetBits(const device::Servo& servo, const std::vector<Alarm>& alarms)
+std::int64_t faultResetBits(const device::Servo& servo, const std::vector<Alarm>& alarms)
 {
     const catalog::Register* reset = servo.profile->byRole(Role::FaultReset);
     std::int64_t bits = 0;
@@ -106,17 +106,18 @@ std::int64_t resetBits(const device::Servo& servo, const std::vector<Alarm>& ala
 
 /// What unloads the motor comes before what a goal would release; a goal away from the stall
 /// releases an overcurrent as well.
-Release nextOf(const std::vector<Alarm>& alarms)
+ClearMethod nextMethod(const std::vector<Alarm>& alarms)
 {
-    for (const Release release : {Release::PowerCycle, Release::Wait, Release::TurnBack,
-                                  Release::NewGoal, Release::Unknown}) {
-        const bool wanted = std::any_of(alarms.begin(), alarms.end(), [&](const Alarm& alarm) {
+    for (const ClearMethod release :
+         {ClearMethod::PowerCycle, ClearMethod::Wait, ClearMethod::BackOff, ClearMethod::NewGoal,
+          ClearMethod::Unknown}) {
+        const bool isPresent = std::any_of(alarms.begin(), alarms.end(), [&](const Alarm& alarm) {
             return alarm.release == release;
         });
-        if (wanted)
+        if (isPresent)
             return release;
     }
-    return Release::Nothing;
+    return ClearMethod::None;
 }
 
 std::int64_t sign(std::int64_t value)
@@ -142,7 +143,7 @@ tl::unexpected<base::Error> refuse(const device::Servo& servo, const char* why)
 }
 
 /// The goal a little away from the stall, in steps as the goal register counts them.
-base::Result<void> planTurnBack(const device::Servo& servo, AlarmPlan& plan)
+base::Result<void> planBackOff(const device::Servo& servo, AlarmPlan& plan)
 {
     const catalog::Mode* mode = servo.mode();
     const auto present = servo.raw(Role::PresentPosition);
@@ -156,7 +157,7 @@ base::Result<void> planTurnBack(const device::Servo& servo, AlarmPlan& plan)
     const std::int64_t factor =
         std::max<std::int64_t>(1, servo.raw(Role::AngleResolution).value_or(1));
     const std::int64_t backOff =
-        std::max<std::int64_t>(servo.profile->stepsPerTurn / backOffShare, 4);
+        std::max<std::int64_t>(servo.profile->stepsPerTurn / backOffDivisor, 4);
     const std::int64_t stall = stallDirection(servo, *goal * factor, *present, backOff);
     if (stall == 0)
         return refuse(servo, "release-direction");
@@ -172,7 +173,7 @@ base::Result<void> planTurnBack(const device::Servo& servo, AlarmPlan& plan)
     return {};
 }
 
-base::Result<void> readEvidence(const device::Context& context, device::Servo& servo)
+base::Result<void> readAlarmState(const device::Context& context, device::Servo& servo)
 {
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return fresh;
@@ -183,45 +184,45 @@ base::Result<void> readEvidence(const device::Context& context, device::Servo& s
 }
 } // namespace
 
-QString releaseName(Release release)
+QString clearMethodName(ClearMethod release)
 {
     switch (release) {
-    case Release::Nothing:
+    case ClearMethod::None:
         return QStringLiteral("nothing");
-    case Release::TurnBack:
+    case ClearMethod::BackOff:
         return QStringLiteral("turn-back");
-    case Release::NewGoal:
+    case ClearMethod::NewGoal:
         return QStringLiteral("new-goal");
-    case Release::FaultReset:
+    case ClearMethod::FaultReset:
         return QStringLiteral("fault-reset");
-    case Release::Wait:
+    case ClearMethod::Wait:
         return QStringLiteral("wait");
-    case Release::PowerCycle:
+    case ClearMethod::PowerCycle:
         return QStringLiteral("power-cycle");
-    case Release::Unknown:
+    case ClearMethod::Unknown:
         return QStringLiteral("unknown");
     }
     return {};
 }
 
-base::Result<AlarmPlan> planAlarm(const device::Context& outer, device::Servo& servo)
+base::Result<AlarmPlan> planClearAlarm(const device::Context& outer, device::Servo& servo)
 {
     if (!servo.profile)
         return base::fail(ErrorCode::UnknownModel, operation, {}, servo.id);
     const device::Owned owned = device::own(outer, {servo.id});
-    if (const auto read = readEvidence(owned.context, servo); !read)
+    if (const auto read = readAlarmState(owned.context, servo); !read)
         return tl::unexpected(read.error());
     AlarmPlan plan;
     plan.alarms = allAlarms(servo);
-    plan.next = nextOf(plan.alarms);
+    plan.next = nextMethod(plan.alarms);
     plan.torqueOff = servo.raw(Role::TorqueSwitch).value_or(0) != 1;
-    plan.resetBits = resetBits(servo, plan.alarms);
-    if (plan.resetBits != 0) {
-        plan.next = Release::FaultReset;
-    } else if (plan.next == Release::TurnBack) {
-        if (const auto back = planTurnBack(servo, plan); !back)
+    plan.faultResetBits = faultResetBits(servo, plan.alarms);
+    if (plan.faultResetBits != 0) {
+        plan.next = ClearMethod::FaultReset;
+    } else if (plan.next == ClearMethod::BackOff) {
+        if (const auto back = planBackOff(servo, plan); !back)
             plan.refused = back.error();
-    } else if (plan.next == Release::NewGoal) {
+    } else if (plan.next == ClearMethod::NewGoal) {
         plan.from = plan.to = servo.raw(Role::PresentPosition);
     }
     return plan;

@@ -26,12 +26,12 @@ struct Led {
     base::Duration half{}; ///< of a blink
 };
 
-bool kept(const catalog::Register& reg)
+bool isPersistent(const catalog::Register& reg)
 {
-    return device::keepingOf(reg) == device::Keeping::Always;
+    return device::retentionOf(reg) == device::Retention::Always;
 }
 
-base::Result<const catalog::Register*> ledOf(const device::Servo& servo)
+base::Result<const catalog::Register*> ledRegister(const device::Servo& servo)
 {
     const catalog::Register* reg = servo.profile->byRole(Role::Led);
     if (reg == nullptr)
@@ -45,7 +45,7 @@ base::Result<const catalog::Register*> ledOf(const device::Servo& servo)
 }
 
 /// A condition shines unless it is 0 (register sheet, row 20); any named fault will do for that.
-std::int64_t otherState(const catalog::Register& reg, std::int64_t before)
+std::int64_t toggledValue(const catalog::Register& reg, std::int64_t before)
 {
     if (reg.role == Role::Led || before == 0)
         return before == 0 ? 1 : 0;
@@ -53,7 +53,7 @@ std::int64_t otherState(const catalog::Register& reg, std::int64_t before)
 }
 
 /// What was left open would keep each blink.
-base::Result<void> shutLock(const device::Context& context, device::Servo& servo)
+base::Result<void> ensureLockClosed(const device::Context& context, device::Servo& servo)
 {
     const catalog::Register* lock = servo.profile->byRole(Role::Lock);
     if (lock == nullptr)
@@ -61,7 +61,7 @@ base::Result<void> shutLock(const device::Context& context, device::Servo& servo
     const auto flag = device::readRegister(context, servo, *lock);
     if (!flag)
         return tl::unexpected(flag.error());
-    if (!device::isOpen(*flag))
+    if (!device::isLockOpen(*flag))
         return {};
     context.note(device::NoticeCode::LockFoundOpen, servo.id, lock->key);
     if (device::closeLock(context, servo) != device::LockState::Closed)
@@ -74,14 +74,14 @@ base::Result<void> shutLock(const device::Context& context, device::Servo& servo
 bool waitUntil(const device::Context& context, base::Duration until)
 {
     base::Clock& clock = context.bus.clock();
-    while (!context.stop.requested() && clock.now() < until)
+    while (!context.stop.isRequested() && clock.now() < until)
         clock.sleepFor(std::min(slice, until - clock.now()));
-    return !context.stop.requested();
+    return !context.stop.isRequested();
 }
 
 /// The servo belongs to this only while it is spoken to, so that its live values go on.
-base::Result<void> show(const device::Context& outer, device::Servo& servo, const Led& led,
-                        std::int64_t raw)
+base::Result<void> writeLed(const device::Context& outer, device::Servo& servo, const Led& led,
+                            std::int64_t raw)
 {
     const device::Owned owned = device::own(outer, {servo.id});
     return device::writeVerified(owned.context, servo, *led.reg, raw);
@@ -96,7 +96,8 @@ base::Result<void> blinkUntil(const device::Context& context, device::Servo& ser
     bool changed = false;
     while (clock.now() < end) {
         changed = !changed;
-        if (const auto shown = show(context, servo, led, changed ? led.other : led.before); !shown)
+        if (const auto shown = writeLed(context, servo, led, changed ? led.other : led.before);
+            !shown)
             return shown;
         report.blinks += changed ? 1 : 0;
         const base::Duration now = clock.now();
@@ -113,18 +114,18 @@ base::Result<void> blinkUntil(const device::Context& context, device::Servo& ser
 }
 
 /// Also after a lost answer or an emergency stop: whatever the LED shows, it must not stay.
-base::Result<void> putBack(const device::Context& context, device::Servo& servo, const Led& led)
+base::Result<void> restoreLed(const device::Context& context, device::Servo& servo, const Led& led)
 {
     constexpr int rounds = 3;
     base::Result<void> back;
     for (int round = 0; round < rounds; ++round) {
-        back = show(context, servo, led, led.before);
+        back = writeLed(context, servo, led, led.before);
         if (back || back.error().code == ErrorCode::LinkLost)
             break;
         context.bus.clock().sleepFor(slice);
     }
     if (!back)
-        context.note(device::NoticeCode::LedNotPutBack, servo.id, led.reg->key);
+        context.note(device::NoticeCode::LedNotRestored, servo.id, led.reg->key);
     return back;
 }
 
@@ -133,7 +134,7 @@ base::Result<QString> journal(const device::Context& context, const device::Serv
 {
     base::Intent intent;
     intent.kind = base::IntentKind::Identify;
-    intent.temporary = !kept(*led.reg);
+    intent.temporary = !isPersistent(*led.reg);
     intent.servo = servo.identity();
     intent.items = {{led.reg->key, led.reg->address, led.before, led.other}};
     return context.journal.begin(intent);
@@ -149,11 +150,11 @@ base::Result<Led> prepare(const device::Context& outer, device::Servo& servo,
     const auto before = device::readRegister(context, servo, reg);
     if (!before)
         return tl::unexpected(before.error());
-    if (!kept(reg)) {
-        if (const auto shut = shutLock(context, servo); !shut)
+    if (!isPersistent(reg)) {
+        if (const auto shut = ensureLockClosed(context, servo); !shut)
             return tl::unexpected(shut.error());
     }
-    return Led{&reg, *before, otherState(reg, *before), kept(reg) ? 1000ms : 400ms};
+    return Led{&reg, *before, toggledValue(reg, *before), isPersistent(reg) ? 1000ms : 400ms};
 }
 } // namespace
 
@@ -162,7 +163,7 @@ base::Result<BlinkReport> blink(const device::Context& context, device::Servo& s
 {
     if (const auto writable = device::requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
-    const auto reg = ledOf(servo);
+    const auto reg = ledRegister(servo);
     if (!reg)
         return tl::unexpected(reg.error());
     if (const auto may = device::beginWriting(context, servo, operation); !may)
@@ -170,14 +171,14 @@ base::Result<BlinkReport> blink(const device::Context& context, device::Servo& s
     const auto led = prepare(context, servo, **reg);
     if (!led)
         return tl::unexpected(led.error());
-    if (context.stop.requested())
+    if (context.stop.isRequested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
     const auto uuid = journal(context, servo, *led);
     if (!uuid)
         return tl::unexpected(uuid.error());
     BlinkReport report{led->reg->key, led->before};
     const auto blinked = blinkUntil(context, servo, *led, time, progress, report);
-    const auto back = putBack(context, servo, *led);
+    const auto back = restoreLed(context, servo, *led);
     endIntent(context, *uuid, servo.id, back.has_value(), blinked.has_value());
     if (!blinked)
         return tl::unexpected(blinked.error());

@@ -18,52 +18,53 @@ const QString operation = QStringLiteral("center");
 constexpr std::int64_t centerCommand = 128;
 /// Fault reset register, SMSMB: the same.
 constexpr std::int64_t centerBit = 4;
-/// The free shaft may still settle by this much while it is centred.
+/// The free shaft may still settle by this much while it is centered.
 constexpr std::int64_t tolerance = 12;
 
-struct Place {
+struct CalibrationState {
     std::int64_t offset = 0;
     std::int64_t position = 0;
 };
 
-base::Result<Place> readPlace(const device::Context& context, device::Servo& servo)
+base::Result<CalibrationState> readCalibrationState(const device::Context& context,
+                                                    device::Servo& servo)
 {
     const auto done =
         device::readRoles(context, servo, {Role::PositionOffset, Role::PresentPosition});
     if (!done)
         return tl::unexpected(done.error());
-    return Place{servo.raw(Role::PositionOffset).value_or(0),
-                 servo.raw(Role::PresentPosition).value_or(0)};
+    return CalibrationState{servo.raw(Role::PositionOffset).value_or(0),
+                            servo.raw(Role::PresentPosition).value_or(0)};
 }
 
-bool centred(const device::Servo& servo, const Place& place)
+bool isCentered(const device::Servo& servo, const CalibrationState& place)
 {
     const std::int64_t turn = servo.profile->stepsPerTurn;
     const std::int64_t inTurn = ((place.position % turn) + turn) % turn;
     return std::abs(inTurn - turn / 2) <= tolerance;
 }
 
-protocol::Request writing(const device::Servo& servo, Role role, std::int64_t raw)
+protocol::Request writeRequest(const device::Servo& servo, Role role, std::int64_t raw)
 {
     const catalog::Register& reg = *servo.profile->byRole(role);
     return protocol::Request::write(servo.id, reg.writeOffset, device::wireBytes(servo, reg, raw),
                                     protocol::Repeat::Never);
 }
 
-protocol::Request calibration(const device::Servo& servo)
+protocol::Request calibrationRequest(const device::Servo& servo)
 {
-    const Centering way = servo.profile->centering;
+    const Centering method = servo.profile->centering;
     auto request =
-        way == Centering::Instruction0B
+        method == Centering::Instruction0B
             ? protocol::Request::calibrate(servo.id, std::nullopt, servo.profile->byteOrder)
-        : way == Centering::FaultReset4 ? writing(servo, Role::FaultReset, centerBit)
-                                        : writing(servo, Role::TorqueSwitch, centerCommand);
-    request.acknowledged = servo.answersWrites();
+        : method == Centering::FaultReset4 ? writeRequest(servo, Role::FaultReset, centerBit)
+                                           : writeRequest(servo, Role::TorqueSwitch, centerCommand);
+    request.acknowledged = servo.repliesToWrites();
     return request.in(servo.protocol);
 }
 
 /// A servo without the command may still have the register that the command would fill.
-base::Result<void> checkPossible(const device::Servo& servo)
+base::Result<void> checkSupported(const device::Servo& servo)
 {
     const catalog::Register* offset = servo.profile->byRole(Role::PositionOffset);
     if (servo.profile->centering != Centering::None && offset != nullptr)
@@ -76,43 +77,43 @@ base::Result<void> checkPossible(const device::Servo& servo)
 
 /// Sends the calibration; after a lost answer offset and position are read and tell whether it
 /// happened.
-base::Result<Place> calibrate(const device::Context& context, device::Servo& servo,
-                              const Place& before)
+base::Result<CalibrationState> calibrate(const device::Context& context, device::Servo& servo,
+                                         const CalibrationState& before)
 {
     constexpr int sends = 2;
-    Place now = before;
+    CalibrationState now = before;
     for (int attempt = 0; attempt < sends; ++attempt) {
-        const auto sent = sendOnce(context, calibration(servo));
+        const auto sent = sendOnce(context, calibrationRequest(servo));
         if (!sent)
             return tl::unexpected(sent.error());
         context.bus.clock().sleepFor(device::epromWriteTime);
-        const auto place = readPlace(context, servo);
+        const auto place = readCalibrationState(context, servo);
         if (!place)
             return tl::unexpected(place.error());
         now = *place;
-        if (centred(servo, now)) {
+        if (isCentered(servo, now)) {
             if (sent->lost)
-                context.note(NoticeCode::AnswerLostButDone, servo.id);
+                context.note(NoticeCode::ReplyLostButWritten, servo.id);
             return now;
         }
-        const bool proof = sent->lost || !servo.answersWrites();
-        if (!proof || now.offset != before.offset)
+        const bool mayResend = sent->lost || !servo.repliesToWrites();
+        if (!mayResend || now.offset != before.offset)
             break;
         if (attempt + 1 < sends)
-            device::noteSentAgain(context, servo, sent->lost);
+            device::noteResent(context, servo, sent->lost);
     }
     return base::fail(ErrorCode::Refused, operation, QString::number(now.position), servo.id);
 }
 
 /// How the journal's row ends. Certain: nothing is open any more.
-struct CenterEnd {
+struct CenterOutcome {
     bool certain = false;
     device::WriteOutcome outcome = device::WriteOutcome::NotSent;
     std::optional<std::int64_t> readBack{};
 };
 
 base::Result<CenterReport> centerUnlocked(const device::Context& context, device::Servo& servo,
-                                          const Place& before, CenterEnd& end)
+                                          const CalibrationState& before, CenterOutcome& end)
 {
     CenterReport report;
     report.offsetBefore = before.offset;
@@ -146,7 +147,7 @@ base::Result<CenterReport> center(const device::Context& outer, device::Servo& s
 {
     if (const auto writable = device::requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
-    if (const auto possible = checkPossible(servo); !possible)
+    if (const auto possible = checkSupported(servo); !possible)
         return tl::unexpected(possible.error());
     const catalog::Register& offset = *servo.profile->byRole(Role::PositionOffset);
     const device::Owned owned = device::own(outer, {servo.id});
@@ -155,19 +156,19 @@ base::Result<CenterReport> center(const device::Context& outer, device::Servo& s
         return tl::unexpected(may.error());
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
-    const auto before = readPlace(context, servo);
+    const auto before = readCalibrationState(context, servo);
     if (!before)
         return tl::unexpected(before.error());
-    if (context.stop.requested())
+    if (context.stop.isRequested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
     // With torque on, the moved origin would send the servo to its old goal at full speed.
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
         return tl::unexpected(off.error());
-    const auto uuid = journalIntent(context, servo, base::IntentKind::Calibrate,
-                                    {{offset.key, offset.address, before->offset, before->offset}});
+    const auto uuid = beginIntent(context, servo, base::IntentKind::Calibrate,
+                                  {{offset.key, offset.address, before->offset, before->offset}});
     if (!uuid)
         return tl::unexpected(uuid.error());
-    CenterEnd end;
+    CenterOutcome end;
     auto report = centerUnlocked(context, servo, *before, end);
     if (end.certain) {
         context.record(*uuid, servo.id,

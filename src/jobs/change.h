@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Manoeuvres after which a servo may answer elsewhere or sit elsewhere: new ID, new rate, centring,
-// restore, reboot. Each holds the servos it concerns, journals first, and leaves the lock closed at
-// wherever the servo answers in the end; `servo` is updated to that place.
+// Manoeuvres after which a servo may answer elsewhere or sit elsewhere: new ID, new rate,
+// centering, restore, reboot. Each holds the servos it concerns, journals first, and leaves the
+// lock closed at wherever the servo answers in the end; `servo` is updated to that place.
 #pragma once
 
 #include "device/writer.h"
@@ -25,15 +25,16 @@ struct CenterReport {
 /// The present position becomes the middle. Needs torque off afterwards; NotSupported on SCS.
 base::Result<CenterReport> center(const device::Context& context, device::Servo& servo);
 
-struct RestoreReport {
+struct RestoreDefaultsReport {
     int oldId = -1, newId = -1;
     int oldBaud = 0, newBaud = 0;
     std::vector<QString> changed; ///< keys whose values differ now
     device::LockState lock = device::LockState::None;
 };
 /// 0x06. Looks for the servo afterwards at its old and at all other rates and IDs.
-base::Result<RestoreReport> restoreDefaults(const device::Context& context, device::Servo& servo,
-                                            const ProgressFn& progress = {});
+base::Result<RestoreDefaultsReport> restoreDefaults(const device::Context& context,
+                                                    device::Servo& servo,
+                                                    const ProgressFn& progress = {});
 
 /// 0x08: torque off first; polls PING from 0.7 s on, at most 2 s. Returns milliseconds. A restart
 /// is proven or not claimed: the torque limit, which every start loads from the EPROM, or the

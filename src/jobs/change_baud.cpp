@@ -14,8 +14,8 @@ using device::WriteOutcome;
 namespace {
 const QString operation = QStringLiteral("set-baud");
 
-base::Result<std::int64_t> codeOf(const device::Servo& servo, const catalog::Register& reg,
-                                  int baud)
+base::Result<std::int64_t> baudCode(const device::Servo& servo, const catalog::Register& reg,
+                                    int baud)
 {
     QStringList known;
     for (const catalog::NamedValue& value : reg.values) {
@@ -27,7 +27,7 @@ base::Result<std::int64_t> codeOf(const device::Servo& servo, const catalog::Reg
 }
 
 /// Opens the new rate and goes back: an adapter that cannot run it must never get the servo there.
-base::Result<void> proveRate(bus::Bus& bus, int newBaud)
+base::Result<void> checkRateSupported(bus::Bus& bus, int newBaud)
 {
     const int oldBaud = bus.baud();
     const auto can = bus.setBaud(newBaud);
@@ -43,16 +43,16 @@ base::Result<bool> locate(const device::Context& context, const device::Servo& s
     for (const int baud : {newBaud, oldBaud}) {
         if (const auto set = context.bus.setBaud(baud); !set)
             return tl::unexpected(set.error());
-        const auto here = answers(context, servo.protocol, servo.id);
-        if (!here && here.error().code == ErrorCode::LinkLost)
-            return tl::unexpected(here.error());
-        if (here && *here)
+        const auto answering = isAnswering(context, servo.protocol, servo.id);
+        if (!answering && answering.error().code == ErrorCode::LinkLost)
+            return tl::unexpected(answering.error());
+        if (answering && *answering)
             return true;
     }
     return false;
 }
 
-base::Result<void> writeAndFollow(const device::Context& context, device::Servo& servo,
+base::Result<void> writeAndVerify(const device::Context& context, device::Servo& servo,
                                   std::int64_t code, int newBaud, device::WriteResult& result)
 {
     const catalog::Register& reg = *servo.profile->byRole(Role::BaudRate);
@@ -62,7 +62,7 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
         auto request =
             protocol::Request::write(servo.id, reg.writeOffset, device::wireBytes(servo, reg, code),
                                      protocol::Repeat::Never);
-        request.acknowledged = servo.answersWrites();
+        request.acknowledged = servo.repliesToWrites();
         const auto sent = sendOnce(context, request.in(servo.protocol));
         if (!sent)
             return tl::unexpected(sent.error());
@@ -71,20 +71,20 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
         if (!found)
             return tl::unexpected(found.error());
         if (!*found)
-            return base::fail(ErrorCode::NoAnswer, operation, {}, servo.id);
+            return base::fail(ErrorCode::NoReply, operation, {}, servo.id);
         servo.baud = context.bus.baud();
-        device::moveAccess(context.bus, servo, servo.id, oldBaud);
+        device::transferVerification(context.bus, servo, servo.id, oldBaud);
         const auto back = device::readRegister(context, servo, reg);
         if (!back)
             return tl::unexpected(back.error());
         result.readBack = *back;
         if (*back == code) {
             if (servo.baud != newBaud)
-                context.note(NoticeCode::ActsAfterRestart, servo.id, reg.key, newBaud);
+                context.note(NoticeCode::EffectiveAfterRestart, servo.id, reg.key, newBaud);
             return {};
         }
         if (attempt + 1 < sends)
-            device::noteSentAgain(context, servo, sent->lost, reg.key);
+            device::noteResent(context, servo, sent->lost, reg.key);
     }
     return base::fail(ErrorCode::Refused, operation, {}, servo.id);
 }
@@ -104,14 +104,14 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
         result.error = eprom.error();
         report.lock = device::closeLock(context, servo);
     } else {
-        const auto followed = writeAndFollow(context, servo, code, newBaud, result);
+        const auto followed = writeAndVerify(context, servo, code, newBaud, result);
         if (followed)
             result.outcome = WriteOutcome::Kept;
         else
             result = failedResult(result, followed.error());
         report.lock = eprom->close();
         if (report.lock == device::LockState::Closed && !eprom->stayedOpen())
-            doubt(result);
+            markUncertain(result);
         if (context.bus.baud() != oldBaud)
             context.note(NoticeCode::RateChanged, servo.id, reg.key, context.bus.baud());
     }
@@ -119,7 +119,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
     return report;
 }
 
-base::Result<void> checkBeforehand(const device::Context& context, const device::Servo& servo)
+base::Result<void> checkPreconditions(const device::Context& context, const device::Servo& servo)
 {
     if (const auto writable = device::requireWritable(servo, operation); !writable)
         return writable;
@@ -127,7 +127,7 @@ base::Result<void> checkBeforehand(const device::Context& context, const device:
         return base::fail(ErrorCode::NotSupported, operation, QStringLiteral("fixed-rate"),
                           servo.id);
     // Behind a TCP bridge nobody here could follow the servo to its new rate.
-    if (!context.bus.hasBaud())
+    if (!context.bus.canSetBaud())
         return base::fail(ErrorCode::NotSupported, operation, QStringLiteral("bridge"), servo.id);
     return {};
 }
@@ -136,10 +136,10 @@ base::Result<void> checkBeforehand(const device::Context& context, const device:
 base::Result<device::WriteReport> changeBaud(const device::Context& outer, device::Servo& servo,
                                              int newBaud)
 {
-    if (const auto possible = checkBeforehand(outer, servo); !possible)
+    if (const auto possible = checkPreconditions(outer, servo); !possible)
         return tl::unexpected(possible.error());
     const catalog::Register& reg = *servo.profile->byRole(Role::BaudRate);
-    const auto code = codeOf(servo, reg, newBaud);
+    const auto code = baudCode(servo, reg, newBaud);
     if (!code)
         return tl::unexpected(code.error());
     const device::Owned owned = device::own(outer, {});
@@ -149,17 +149,17 @@ base::Result<device::WriteReport> changeBaud(const device::Context& outer, devic
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
     if (servo.raw(reg) == *code && context.bus.baud() == newBaud) {
-        context.note(NoticeCode::AlreadySo, servo.id, reg.key);
-        device::WriteReport nothing;
-        nothing.id = servo.id;
-        return nothing;
+        context.note(NoticeCode::AlreadySet, servo.id, reg.key);
+        device::WriteReport emptyReport;
+        emptyReport.id = servo.id;
+        return emptyReport;
     }
-    if (const auto can = proveRate(context.bus, newBaud); !can)
+    if (const auto can = checkRateSupported(context.bus, newBaud); !can)
         return tl::unexpected(can.error());
-    if (context.stop.requested())
+    if (context.stop.isRequested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
-    const auto uuid = journalIntent(context, servo, base::IntentKind::SetBaud,
-                                    {{reg.key, reg.address, servo.raw(reg).value_or(0), *code}});
+    const auto uuid = beginIntent(context, servo, base::IntentKind::SetBaud,
+                                  {{reg.key, reg.address, servo.raw(reg).value_or(0), *code}});
     if (!uuid)
         return tl::unexpected(uuid.error());
     const device::WriteReport report = changeUnlocked(context, servo, *code, newBaud);

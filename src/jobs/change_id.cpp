@@ -30,13 +30,13 @@ base::Result<void> checkId(const device::Servo& servo, int newId)
 
 /// Silence under the new ID: anything else, a collision included, means that it is taken. What
 /// ends the question concerns the servo that still has its old one.
-base::Result<void> proveFree(const device::Context& context, base::Protocol protocol, int oldId,
-                             int newId)
+base::Result<void> ensureIdFree(const device::Context& context, base::Protocol protocol, int oldId,
+                                int newId)
 {
-    const auto free = isFree(context, protocol, newId);
+    const auto free = isIdFree(context, protocol, newId);
     if (!free) {
         const ErrorCode code = free.error().code;
-        if (code == ErrorCode::Garbled || code == ErrorCode::WrongAnswer)
+        if (code == ErrorCode::Garbled || code == ErrorCode::UnexpectedReply)
             return base::fail(ErrorCode::IdInUse, operation, QStringLiteral("garbled"), newId);
         base::Error error = free.error();
         error.id = oldId;
@@ -58,10 +58,10 @@ base::Result<int> locate(const device::Context& context, base::Protocol protocol
         if (round > 0)
             context.bus.clock().sleepFor(pause);
         for (const int id : {newId, oldId}) {
-            const auto here = answers(context, protocol, id);
-            if (!here && here.error().code == ErrorCode::LinkLost)
-                return tl::unexpected(here.error());
-            if (here && *here)
+            const auto answering = isAnswering(context, protocol, id);
+            if (!answering && answering.error().code == ErrorCode::LinkLost)
+                return tl::unexpected(answering.error());
+            if (answering && *answering)
                 return id;
         }
     }
@@ -70,17 +70,18 @@ base::Result<int> locate(const device::Context& context, base::Protocol protocol
 
 /// A second write goes to the servo of the first one only: it has not confirmed the new ID, and its
 /// lock is open still. One that was put in its place comes with a closed lock.
-bool mayRepeat(const device::Context& context, device::Servo& servo, const Sent& sent, int newId)
+bool canRetryWrite(const device::Context& context, device::Servo& servo, const SendResult& sent,
+                   int newId)
 {
     const catalog::Register* lock = servo.profile->byRole(Role::Lock);
     if (sent.answeredBy == newId || lock == nullptr)
         return sent.answeredBy != newId;
     const auto flag = device::readRegister(context, servo, *lock);
-    return flag && device::isOpen(*flag);
+    return flag && device::isLockOpen(*flag);
 }
 
 /// Writes the ID and follows the servo to wherever it answers then.
-base::Result<void> writeAndFollow(const device::Context& context, device::Servo& servo, int newId,
+base::Result<void> writeAndVerify(const device::Context& context, device::Servo& servo, int newId,
                                   device::WriteResult& result)
 {
     const catalog::Register& reg = *servo.profile->byRole(Role::Id);
@@ -89,8 +90,8 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
     for (int attempt = 0; attempt < sends; ++attempt) {
         auto request = protocol::Request::write(
             oldId, reg.writeOffset, device::wireBytes(servo, reg, newId), protocol::Repeat::Never);
-        request.acknowledged = servo.answersWrites();
-        request.answersAs = newId;
+        request.acknowledged = servo.repliesToWrites();
+        request.alternateReplyId = newId;
         const auto sent = sendOnce(context, request.in(servo.protocol));
         if (!sent)
             return tl::unexpected(sent.error());
@@ -103,11 +104,11 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
         if (*place < 0) {
             // Whoever has acknowledged under the new ID has its lock there.
             servo.id = sent->answeredBy == newId ? newId : oldId;
-            device::moveAccess(context.bus, servo, oldId, context.bus.baud());
-            return base::fail(ErrorCode::NoAnswer, operation, {}, newId);
+            device::transferVerification(context.bus, servo, oldId, context.bus.baud());
+            return base::fail(ErrorCode::NoReply, operation, {}, newId);
         }
         servo.id = *place;
-        device::moveAccess(context.bus, servo, oldId, context.bus.baud());
+        device::transferVerification(context.bus, servo, oldId, context.bus.baud());
         const auto back = device::readRegister(context, servo, reg);
         if (!back)
             return tl::unexpected(back.error());
@@ -115,10 +116,10 @@ base::Result<void> writeAndFollow(const device::Context& context, device::Servo&
         if (*place == newId || *back == newId)
             return {};
         // It still answers, and reads, as before: nothing has happened, so writing again is safe.
-        if (!mayRepeat(context, servo, *sent, newId))
+        if (!canRetryWrite(context, servo, *sent, newId))
             return base::fail(ErrorCode::Uncertain, operation, QStringLiteral("exchanged"), oldId);
         if (attempt + 1 < sends)
-            device::noteSentAgain(context, servo, sent->lost, reg.key);
+            device::noteResent(context, servo, sent->lost, reg.key);
     }
     return base::fail(ErrorCode::Refused, operation, {}, oldId);
 }
@@ -136,7 +137,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
         result.error = eprom.error();
         report.lock = device::closeLock(context, servo);
     } else {
-        const auto followed = writeAndFollow(context, servo, newId, result);
+        const auto followed = writeAndVerify(context, servo, newId, result);
         if (followed) {
             result.outcome = result.readBack == newId ? WriteOutcome::Kept : WriteOutcome::Mismatch;
         } else {
@@ -144,7 +145,7 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
         }
         report.lock = eprom->close();
         if (report.lock == device::LockState::Closed && !eprom->stayedOpen())
-            doubt(result);
+            markUncertain(result);
         if (servo.id != oldId)
             context.note(NoticeCode::IdChanged, oldId, reg.key, servo.id);
     }
@@ -154,16 +155,17 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
 }
 
 /// An ID that answers in two languages would leave every later command in doubt.
-std::vector<base::Protocol> neighbours(const device::Context& context, const device::Servo& servo)
+std::vector<base::Protocol> protocolsOnBus(const device::Context& context,
+                                           const device::Servo& servo)
 {
-    std::vector<base::Protocol> languages{servo.protocol};
-    if (!context.bus.hasBaud())
-        return languages;
+    std::vector<base::Protocol> protocols{servo.protocol};
+    if (!context.bus.canSetBaud())
+        return protocols;
     for (const base::Protocol other : context.catalog.protocolsAt(context.bus.baud())) {
         if (other != servo.protocol)
-            languages.push_back(other);
+            protocols.push_back(other);
     }
-    return languages;
+    return protocols;
 }
 } // namespace
 
@@ -175,10 +177,10 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
     if (const auto possible = checkId(servo, newId); !possible)
         return tl::unexpected(possible.error());
     if (newId == servo.id) {
-        outer.note(NoticeCode::AlreadySo, servo.id);
-        device::WriteReport nothing;
-        nothing.id = servo.id;
-        return nothing;
+        outer.note(NoticeCode::AlreadySet, servo.id);
+        device::WriteReport emptyReport;
+        emptyReport.id = servo.id;
+        return emptyReport;
     }
     const device::Owned owned = device::own(outer, {servo.id, newId});
     const device::Context& context = owned.context;
@@ -186,15 +188,15 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
         return tl::unexpected(may.error());
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
-    for (const base::Protocol protocol : neighbours(context, servo)) {
-        if (const auto free = proveFree(context, protocol, servo.id, newId); !free)
+    for (const base::Protocol protocol : protocolsOnBus(context, servo)) {
+        if (const auto free = ensureIdFree(context, protocol, servo.id, newId); !free)
             return tl::unexpected(free.error());
     }
-    if (context.stop.requested())
+    if (context.stop.isRequested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
     const catalog::Register& reg = *servo.profile->byRole(Role::Id);
-    const auto uuid = journalIntent(context, servo, base::IntentKind::SetId,
-                                    {{reg.key, reg.address, servo.id, newId}});
+    const auto uuid = beginIntent(context, servo, base::IntentKind::SetId,
+                                  {{reg.key, reg.address, servo.id, newId}});
     if (!uuid)
         return tl::unexpected(uuid.error());
     const device::WriteReport report = changeUnlocked(context, servo, newId);

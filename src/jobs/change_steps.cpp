@@ -9,55 +9,55 @@ namespace jobs {
 using base::ErrorCode;
 
 namespace {
-bus::Transaction pingOf(const device::Context& context, base::Protocol protocol, int id)
+bus::Transaction makePing(const device::Context& context, base::Protocol protocol, int id)
 {
     bus::Transaction ping;
     ping.request = protocol::Request::ping(id).in(protocol);
     ping.priority = context.priority;
-    ping.patience = context.bus.replyTimeout();
+    ping.timeout = context.bus.maxReplyLateness();
     ping.hold = context.hold;
     return ping;
 }
 
-base::Result<bool> heard(const base::Result<bus::Outcome>& outcome)
+base::Result<bool> isReply(const base::Result<bus::Outcome>& outcome)
 {
     // Who refuses to say more is there all the same.
     if (outcome || outcome.error().code == ErrorCode::Refused)
         return true;
-    if (outcome.error().code == ErrorCode::NoAnswer)
+    if (outcome.error().code == ErrorCode::NoReply)
         return false;
     return tl::unexpected(outcome.error());
 }
 } // namespace
 
-base::Result<bool> answers(const device::Context& context, base::Protocol protocol, int id,
-                           int retries)
+base::Result<bool> isAnswering(const device::Context& context, base::Protocol protocol, int id,
+                               int retries)
 {
-    bus::Transaction ping = pingOf(context, protocol, id);
+    bus::Transaction ping = makePing(context, protocol, id);
     ping.retries = retries;
-    return heard(context.bus.transact(ping));
+    return isReply(context.bus.transact(ping));
 }
 
-base::Result<bool> isFree(const device::Context& context, base::Protocol protocol, int id,
-                          int questions)
+base::Result<bool> isIdFree(const device::Context& context, base::Protocol protocol, int id,
+                            int attempts)
 {
-    context.bus.takeStrays();
-    for (int i = 0; i < questions; ++i) {
-        bus::Transaction ping = pingOf(context, protocol, id);
+    context.bus.takeUnexpectedFrames();
+    for (int i = 0; i < attempts; ++i) {
+        bus::Transaction ping = makePing(context, protocol, id);
         ping.retries = 0;
         ping.stop = &context.stop; // nothing has been written yet
-        const auto taken = heard(context.bus.transact(ping));
-        if (!taken || *taken)
-            return taken.map([](bool answered) { return !answered; });
+        const auto isTaken = isReply(context.bus.transact(ping));
+        if (!isTaken || *isTaken)
+            return isTaken.map([](bool answered) { return !answered; });
     }
-    if (const auto listened = context.bus.listen(context.bus.replyTimeout()); !listened)
+    if (const auto listened = context.bus.listen(context.bus.maxReplyLateness()); !listened)
         return tl::unexpected(listened.error());
-    const auto strays = context.bus.takeStrays();
+    const auto strays = context.bus.takeUnexpectedFrames();
     return std::none_of(strays.begin(), strays.end(),
-                        [id](const bus::Stray& stray) { return stray.id == id; });
+                        [id](const bus::UnexpectedFrame& stray) { return stray.id == id; });
 }
 
-base::Result<Sent> sendOnce(const device::Context& context, protocol::Request request)
+base::Result<SendResult> sendOnce(const device::Context& context, protocol::Request request)
 {
     bus::Transaction transaction;
     transaction.request = std::move(request);
@@ -65,14 +65,14 @@ base::Result<Sent> sendOnce(const device::Context& context, protocol::Request re
     transaction.hold = context.hold;
     const auto outcome = context.bus.transact(transaction);
     if (outcome)
-        return Sent{false, outcome->parts.empty() ? -1 : outcome->parts.front().id};
-    if (device::answerLost(outcome.error()))
-        return Sent{true, -1};
+        return SendResult{false, outcome->replies.empty() ? -1 : outcome->replies.front().id};
+    if (device::isReplyLost(outcome.error()))
+        return SendResult{true, -1};
     return tl::unexpected(outcome.error());
 }
 
-base::Result<QString> journalIntent(const device::Context& context, const device::Servo& servo,
-                                    base::IntentKind kind, std::vector<base::JournalItem> items)
+base::Result<QString> beginIntent(const device::Context& context, const device::Servo& servo,
+                                  base::IntentKind kind, std::vector<base::JournalItem> items)
 {
     base::Intent intent;
     intent.kind = kind;
@@ -92,17 +92,17 @@ void endIntent(const device::Context& context, const QString& uuid, int id, bool
 void endIntent(const device::Context& context, const QString& uuid,
                const device::WriteReport& report)
 {
-    if (!certainEnd(report))
+    if (!hasCertainOutcome(report))
         return;
     context.record(uuid, report.id,
-                   {report.allGood() ? QStringLiteral("done") : QStringLiteral("failed"), QString(),
-                    report.itemEnds()});
+                   {report.isSuccessful() ? QStringLiteral("done") : QStringLiteral("failed"),
+                    QString(), report.itemResults()});
 }
 
-base::Result<void> requireSayable(const device::Servo& servo, const protocol::Request& request,
-                                  const QString& operation, const QString& detail)
+base::Result<void> requireEncodable(const device::Servo& servo, const protocol::Request& request,
+                                    const QString& operation, const QString& detail)
 {
-    if (device::canSay(servo, request))
+    if (device::canEncode(servo, request))
         return {};
     return base::fail(ErrorCode::NotSupported, operation, detail, servo.id);
 }
@@ -114,8 +114,8 @@ device::WriteResult failedResult(device::WriteResult result, const base::Error& 
     case ErrorCode::Refused:
         result.outcome = device::WriteOutcome::Refused;
         break;
-    case ErrorCode::NoAnswer:
-        result.outcome = device::WriteOutcome::NoAnswer;
+    case ErrorCode::NoReply:
+        result.outcome = device::WriteOutcome::NoReply;
         break;
     default:
         result.outcome = device::WriteOutcome::Unknown;
@@ -124,7 +124,7 @@ device::WriteResult failedResult(device::WriteResult result, const base::Error& 
     return result;
 }
 
-void doubt(device::WriteResult& result)
+void markUncertain(device::WriteResult& result)
 {
     if (!result.readBack)
         return;
@@ -133,11 +133,11 @@ void doubt(device::WriteResult& result)
                                QStringLiteral("restarted"), -1, result.key};
 }
 
-bool certainEnd(const device::WriteReport& report)
+bool hasCertainOutcome(const device::WriteReport& report)
 {
     for (const device::WriteResult& result : report.writes) {
         if (result.outcome == device::WriteOutcome::Unknown ||
-            result.outcome == device::WriteOutcome::NoAnswer)
+            result.outcome == device::WriteOutcome::NoReply)
             return false;
     }
     return report.lock == device::LockState::Closed || report.lock == device::LockState::None;

@@ -14,46 +14,47 @@ using namespace std::chrono_literals;
 
 namespace {
 const QString operation = QStringLiteral("clear-alarm");
-constexpr base::Duration longestMove = 2s;
-constexpr base::Duration longestRelease = 1s;
-constexpr base::Duration lookEvery = 50ms;
+constexpr base::Duration moveTimeout = 2s;
+constexpr base::Duration clearTimeout = 1s;
+constexpr base::Duration pollInterval = 50ms;
 
-bool towards(const AlarmPlan& plan)
+bool movesForward(const AlarmPlan& plan)
 {
     return plan.to.value_or(0) > plan.from.value_or(0);
 }
 
 base::Result<void> checkConsent(const device::Servo& servo, const AlarmPlan& now,
-                                const std::optional<AlarmPlan>& agreed)
+                                const std::optional<AlarmPlan>& approved)
 {
     const auto refuse = [&](const QString& detail) {
         return base::fail(ErrorCode::NeedsConsent, operation, detail, servo.id);
     };
     if (!now.needsConsent())
         return {};
-    if (!agreed || !agreed->needsConsent())
-        return refuse(now.next == Release::TurnBack ? QStringLiteral("release-moves")
-                                                    : QStringLiteral("release-energises"));
-    const bool otherWay = now.next == Release::TurnBack && towards(now) != towards(*agreed);
-    if (agreed->next != now.next || otherWay)
+    if (!approved || !approved->needsConsent())
+        return refuse(now.next == ClearMethod::BackOff ? QStringLiteral("release-moves")
+                                                       : QStringLiteral("release-energises"));
+    const bool otherWay =
+        now.next == ClearMethod::BackOff && movesForward(now) != movesForward(*approved);
+    if (approved->next != now.next || otherWay)
         return refuse(QStringLiteral("alarm-changed"));
     return {};
 }
 
-base::Result<void> turnBack(const device::Context& context, device::Servo& servo,
-                            const AlarmPlan& plan)
+base::Result<void> backOffFromStall(const device::Context& context, device::Servo& servo,
+                                    const AlarmPlan& plan)
 {
-    device::MoveOrder order;
+    device::MoveCommand order;
     order.servo = &servo;
     order.goal = QString::number(*plan.to);
     auto move = device::planMove(context, order);
     if (!move)
         return tl::unexpected(move.error());
     std::vector<device::MovePlan> moves{*move};
-    if (const auto sent = device::sendMoves(context, moves, device::MoveHow::Write); !sent)
+    if (const auto sent = device::sendMoves(context, moves, device::MoveMethod::Write); !sent)
         return sent;
     // Whether it arrives does not matter: the alarm is judged afterwards by its own bit.
-    const auto arrived = device::waitForArrival(context, moves, longestMove, {});
+    const auto arrived = device::waitForArrival(context, moves, moveTimeout, {});
     if (!arrived && (arrived.error().code == ErrorCode::LinkLost ||
                      arrived.error().code == ErrorCode::Preempted))
         return arrived;
@@ -61,8 +62,8 @@ base::Result<void> turnBack(const device::Context& context, device::Servo& servo
 }
 
 /// Its present place, or standstill, as a new command. A tripped servo has let its shaft go.
-base::Result<void> newGoal(const device::Context& context, device::Servo& servo,
-                           const AlarmPlan& plan)
+base::Result<void> setNewGoal(const device::Context& context, device::Servo& servo,
+                              const AlarmPlan& plan)
 {
     return plan.torqueOff ? device::setTorque(context, servo, device::Torque::On)
                           : device::halt(context, servo);
@@ -79,7 +80,7 @@ base::Result<void> resetFaults(const device::Context& context, device::Servo& se
     device::WriteOptions options;
     options.dangerous = true; // clearing is what was asked for
     const catalog::Register& reset = *servo.profile->byRole(Role::FaultReset);
-    const auto report = device::write(context, servo, {{reset.key, plan.resetBits}}, options);
+    const auto report = device::write(context, servo, {{reset.key, plan.faultResetBits}}, options);
     if (!report)
         return tl::unexpected(report.error());
     for (const device::WriteResult& result : report->writes) {
@@ -89,14 +90,15 @@ base::Result<void> resetFaults(const device::Context& context, device::Servo& se
     return {};
 }
 
-base::Result<void> act(const device::Context& context, device::Servo& servo, const AlarmPlan& plan)
+base::Result<void> execute(const device::Context& context, device::Servo& servo,
+                           const AlarmPlan& plan)
 {
     switch (plan.next) {
-    case Release::TurnBack:
-        return turnBack(context, servo, plan);
-    case Release::NewGoal:
-        return newGoal(context, servo, plan);
-    case Release::FaultReset:
+    case ClearMethod::BackOff:
+        return backOffFromStall(context, servo, plan);
+    case ClearMethod::NewGoal:
+        return setNewGoal(context, servo, plan);
+    case ClearMethod::FaultReset:
         return resetFaults(context, servo, plan);
     default:
         return {};
@@ -104,71 +106,71 @@ base::Result<void> act(const device::Context& context, device::Servo& servo, con
 }
 
 /// Moves say what keeps an alarm alive, as it was before this one let go.
-void forgetStaleAlarms(device::Notices& notices, std::size_t since)
+void dropStaleNotices(device::Notices& notices, std::size_t since)
 {
     const auto stale = [](const device::Notice& notice) {
         using device::NoticeCode;
-        return notice.code == NoticeCode::OverloadHolds ||
-               notice.code == NoticeCode::OvercurrentHolds ||
-               notice.code == NoticeCode::VoltageHolds ||
-               notice.code == NoticeCode::TemperatureHolds ||
-               notice.code == NoticeCode::SensorHolds;
+        return notice.code == NoticeCode::OverloadActive ||
+               notice.code == NoticeCode::OvercurrentActive ||
+               notice.code == NoticeCode::VoltageAlarmActive ||
+               notice.code == NoticeCode::TemperatureAlarmActive ||
+               notice.code == NoticeCode::SensorAlarmActive;
     };
     notices.erase(
         std::remove_if(notices.begin() + static_cast<std::ptrdiff_t>(since), notices.end(), stale),
         notices.end());
 }
 
-bool acts(const AlarmPlan& plan)
+bool needsAction(const AlarmPlan& plan)
 {
-    return plan.next == Release::TurnBack || plan.next == Release::NewGoal ||
-           plan.next == Release::FaultReset;
+    return plan.next == ClearMethod::BackOff || plan.next == ClearMethod::NewGoal ||
+           plan.next == ClearMethod::FaultReset;
 }
 
 /// The bit may fall a moment after its cause.
-base::Result<AlarmPlan> judge(const device::Context& context, device::Servo& servo,
-                              const AlarmPlan& before)
+base::Result<AlarmPlan> waitUntilCleared(const device::Context& context, device::Servo& servo,
+                                         const AlarmPlan& before)
 {
     base::Clock& clock = context.bus.clock();
-    const base::Duration end = clock.now() + longestRelease;
+    const base::Duration end = clock.now() + clearTimeout;
     for (;;) {
-        auto after = planAlarm(context, servo);
+        auto after = planClearAlarm(context, servo);
         const bool same = after && after->next == before.next;
-        if (!same || clock.now() >= end || context.stop.requested())
+        if (!same || clock.now() >= end || context.stop.isRequested())
             return after;
-        clock.sleepFor(lookEvery);
+        clock.sleepFor(pollInterval);
     }
 }
 } // namespace
 
 base::Result<AlarmReport> clearAlarm(const device::Context& outer, device::Servo& servo,
-                                     const std::optional<AlarmPlan>& agreed)
+                                     const std::optional<AlarmPlan>& approved)
 {
     if (const auto writable = device::requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
     const device::Owned owned = device::own(outer, {servo.id});
     const device::Context& context = owned.context;
-    const auto now = planAlarm(context, servo);
+    const auto now = planClearAlarm(context, servo);
     if (!now)
         return tl::unexpected(now.error());
     if (now->refused)
         return tl::unexpected(*now->refused);
     AlarmReport report{*now, *now, false};
-    if (!acts(*now))
+    if (!needsAction(*now))
         return report;
-    if (const auto allowed = checkConsent(servo, *now, agreed); !allowed)
+    if (const auto allowed = checkConsent(servo, *now, approved); !allowed)
         return tl::unexpected(allowed.error());
-    if (context.stop.requested())
+    if (context.stop.isRequested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
     if (const auto may = device::beginWriting(context, servo, operation); !may)
         return tl::unexpected(may.error());
-    const std::size_t said = context.notices.size();
-    if (const auto done = act(context, servo, *now); !done)
+    const std::size_t noticesBefore = context.notices.size();
+    if (const auto done = execute(context, servo, *now); !done)
         return tl::unexpected(done.error());
     // What is left is in the report.
-    forgetStaleAlarms(context.notices, said);
-    report.acted = true;
-    const auto after = judge(context, servo, *now);
+    dropStaleNotices(context.notices, noticesBefore);
+    report.isExecuted = true;
+    const auto after = waitUntilCleared(context, servo, *now);
     if (!after)
         return tl::unexpected(after.error());
     report.after = *after;

@@ -10,21 +10,21 @@
 #include "jobs/job.h"
 
 namespace jobs {
-enum class Release : std::uint8_t {
-    Nothing,    ///< there is no alarm
-    TurnBack,   ///< a small goal away from the stall: moves
-    NewGoal,    ///< its present place as the new goal: energises
+enum class ClearMethod : std::uint8_t {
+    None,       ///< there is no alarm
+    BackOff,    ///< a small goal away from the stall: moves
+    NewGoal,    ///< its present place as the new goal: energizes
     FaultReset, ///< by register, holding where it is
     Wait,       ///< passes by itself when the value is back within its limits
     PowerCycle,
     Unknown, ///< a status bit without a name
 };
-QString releaseName(Release release); ///< "turn-back", for JSON
+QString clearMethodName(ClearMethod release); ///< "turn-back", for JSON
 
 /// One alarm with what it is judged by. Values are raw, of the register `measured` and its kind.
 struct Alarm {
     QString key; ///< "overload"; "bit4" where the family has no name for it
-    Release release = Release::Unknown;
+    ClearMethod release = ClearMethod::Unknown;
     bool derived = false; ///< worked out here from the limits; the servo reports none (LX)
     QString measured{};   ///< register key; empty: nothing shows it
     std::optional<std::int64_t> value{};
@@ -33,34 +33,34 @@ struct Alarm {
 
 struct AlarmPlan {
     std::vector<Alarm> alarms;
-    Release next = Release::Nothing;      ///< what can be done now
-    bool torqueOff = false;               ///< torque is off now, so the goal will energise it
+    ClearMethod next = ClearMethod::None; ///< what can be done now
+    bool torqueOff = false;               ///< torque is off now, so the goal will energize it
     std::optional<std::int64_t> from, to; ///< TurnBack, NewGoal: steps as in the goal register
-    std::int64_t resetBits = 0;           ///< FaultReset
+    std::int64_t faultResetBits = 0;      ///< FaultReset
     /// TurnBack that this servo's mode or limits do not allow: why.
     std::optional<base::Error> refused;
 
-    /// Moves or energises, so somebody must have agreed.
+    /// Moves or energizes, so somebody must have agreed.
     bool needsConsent() const
     {
-        return !refused && (next == Release::TurnBack || next == Release::NewGoal);
+        return !refused && (next == ClearMethod::BackOff || next == ClearMethod::NewGoal);
     }
 };
 
 /// Reads, writes nothing. Errors are those of reading.
-base::Result<AlarmPlan> planAlarm(const device::Context& context, device::Servo& servo);
+base::Result<AlarmPlan> planClearAlarm(const device::Context& context, device::Servo& servo);
 
 struct AlarmReport {
     AlarmPlan before;
     AlarmPlan after; ///< what is left, as read afterwards
-    bool acted = false;
-    bool cleared() const { return after.next == Release::Nothing; }
+    bool isExecuted = false;
+    bool isCleared() const { return after.next == ClearMethod::None; }
 };
 
-/// Looks again and does what `agreed` says. NeedsConsent when it would move or energise without
-/// ("release-moves", "release-energises"), or otherwise than agreed ("alarm-changed");
+/// Looks again and does what `agreed` says. NeedsConsent when it would move or energize without
+/// ("release-moves", "release-energizes"), or otherwise than agreed ("alarm-changed");
 /// NotSupported as the plan's `refused`; else the errors of moves and writes. Nothing is written
 /// where only waiting or a power-cycle helps.
 base::Result<AlarmReport> clearAlarm(const device::Context& context, device::Servo& servo,
-                                     const std::optional<AlarmPlan>& agreed);
+                                     const std::optional<AlarmPlan>& approved);
 } // namespace jobs

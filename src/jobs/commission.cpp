@@ -12,8 +12,8 @@ using base::ErrorCode;
 namespace {
 const QString operation = QStringLiteral("commission");
 
-base::Result<void> checkOrder(const device::Context& context, const CommissionSpec& spec,
-                              const record::CommissionBatch& batch)
+base::Result<void> checkCommissionSpec(const device::Context& context, const CommissionSpec& spec,
+                                       const record::CommissionBatch& batch)
 {
     const auto refuse = [](const QString& why) -> base::Result<void> {
         return base::fail(ErrorCode::BadArgument, operation, why);
@@ -24,7 +24,7 @@ base::Result<void> checkOrder(const device::Context& context, const CommissionSp
     }
     if (spec.ids.empty() && batch.pending.empty())
         return refuse(QStringLiteral("no IDs"));
-    if (spec.baud > 0 && !context.bus.hasBaud())
+    if (spec.baud > 0 && !context.bus.canSetBaud())
         return refuse(QStringLiteral("a bridge keeps its rate"));
     return {};
 }
@@ -45,24 +45,24 @@ QString obstacleName(CommissionObstacle obstacle)
 
 base::Result<CommissionEnd> commission(const device::Context& outer, const CommissionSpec& spec,
                                        record::CommissionBatch& batch, const QString& csvPath,
-                                       const CommissionHooks& hooks)
+                                       const CommissionCallbacks& callbacks)
 {
-    if (const auto good = checkOrder(outer, spec, batch); !good)
+    if (const auto good = checkCommissionSpec(outer, spec, batch); !good)
         return tl::unexpected(good.error());
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
-    updateLocks(context, batch.pending); // the program may have ended in the middle
+    updateLockStates(context, batch.pending); // the program may have ended in the middle
     // What cannot be kept must be known before the first servo, not after it.
-    if (const auto kept = record::saveCommissionBatch(batch, csvPath); !kept)
-        return tl::unexpected(kept.error());
+    if (const auto saveResult = record::saveCommissionBatch(batch, csvPath); !saveResult)
+        return tl::unexpected(saveResult.error());
     const int baudBefore = context.bus.baud();
-    auto end = CommissionLine(context, spec, batch, csvPath, hooks).run();
+    auto end = CommissionRunner(context, spec, batch, csvPath, callbacks).run();
     // A set-up that broke off ends here: what its journal holds is said of the lock.
     const auto pendingBefore = batch.pending;
-    updateLocks(context, batch.pending);
+    updateLockStates(context, batch.pending);
     if (batch.pending != pendingBefore)
         (void)record::saveCommissionBatch(batch, csvPath); // why it ended is said already
-    if (context.bus.hasBaud() && context.bus.baud() != baudBefore)
+    if (context.bus.canSetBaud() && context.bus.baud() != baudBefore)
         (void)context.bus.setBaud(baudBefore); // a lost link has no rate
     if (!end && end.error().code == ErrorCode::Stopped)
         return CommissionEnd::Stopped;

@@ -23,7 +23,7 @@ struct CommissionSpec {
     int count = 0;            ///< ends after so many that were set up; 0: when the IDs are used up
     std::vector<int> rates{}; ///< to look at; empty: all there are
     std::vector<base::Protocol> protocols{}; ///< empty: all
-    QString labelFormat = record::usualLabelFormat();
+    QString labelFormat = record::defaultLabelFormat();
 };
 
 enum class CommissionStep : std::uint8_t {
@@ -43,43 +43,43 @@ QString stepName(CommissionStep step); ///< "waiting", "blocked" …
 
 enum class CommissionObstacle : std::uint8_t {
     None,
-    SeveralServos, ///< see `heard`
-    TwinIds,       ///< two under one ID
-    Unreadable,    ///< somebody answers, but cannot be recognised
-    Lost,          ///< went away in the middle: it goes on when it is plugged in again
+    DuplicateId,  ///< see `heard`
+    DuplicateIds, ///< two under one ID
+    Unreadable,   ///< somebody answers, but cannot be recognised
+    Lost,         ///< went away in the middle: it goes on when it is plugged in again
 };
 QString obstacleName(CommissionObstacle obstacle); ///< "several-servos" …
 
-struct CommissionHeard {
+struct DetectedServo {
     QString model; ///< empty: not recognised
-    record::CommissionPlace place{};
-    bool operator==(const CommissionHeard&) const = default;
+    record::ServoLocation place{};
+    bool operator==(const DetectedServo&) const = default;
 };
 
 /// What the line is doing, for whoever watches.
 struct CommissionView {
     CommissionStep step = CommissionStep::Waiting;
     CommissionObstacle obstacle = CommissionObstacle::None;
-    std::vector<CommissionHeard> heard{}; ///< Blocked
-    record::SnapshotServo servo{};        ///< the one at hand
-    int baud = 0;                         ///< at which it answers
-    int newId = -1;                       ///< the ID it gets, or has; Waiting: the next one's
+    std::vector<DetectedServo> detected{}; ///< Blocked
+    record::SnapshotServo servo{};         ///< the one at hand
+    int baud = 0;                          ///< at which it answers
+    int newId = -1;                        ///< the ID it gets, or has; Waiting: the next one's
     int newBaud = 0;
-    bool halfDone = false; ///< it was begun before and is finished now
-    int doubtfulId = -1;   ///< Confirm: it may be the one that was to have this ID
-    QString snapshot{};    ///< file with its table before the first write; empty: nothing written
-    std::vector<record::CommissionTrouble> concerns{}; ///< Confirm: what speaks against it
+    bool isResumed = false; ///< it was begun before and is finished now
+    int candidateId = -1;   ///< Confirm: it may be the one that was to have this ID
+    QString snapshot{};     ///< file with its table before the first write; empty: nothing written
+    std::vector<record::CommissionIssue> issues{}; ///< Confirm: what speaks against it
     bool operator==(const CommissionView&) const = default;
 };
 
 enum class CommissionAnswer : std::uint8_t {
     None,      ///< not yet
     Continue,  ///< whatever the concerns
-    SameServo, ///< it is the one that was to have `doubtfulId`
-    SetAside,
+    SameServo, ///< it is the one that was to have `candidateId`
+    Skip,
 };
 
-struct CommissionHooks {
+struct CommissionCallbacks {
     std::function<void(const CommissionView&)> onChange{};
     std::function<void(const record::CommissionRow&)> onRow{}; ///< on the disk already
     std::function<void()>
@@ -90,17 +90,17 @@ struct CommissionHooks {
     std::function<base::Result<QString>(const device::Context&, device::Servo&)> save{};
     /// A servo with the factory's ID is about to be written to: whoever has a name under this ID in
     /// the history is another one.
-    std::function<base::Result<void>(const device::Servo&)> meet{};
+    std::function<base::Result<void>(const device::Servo&)> onNewServo{};
     /// It has its ID, and this label belongs to it; `another`: nobody before was this one. Once
     /// more where the label has become another since. A failure is a remark of its row.
     std::function<base::Result<void>(const device::Servo&, const QString& label, bool another)>
         name{};
 };
 
-enum class CommissionEnd : std::uint8_t { Stopped, IdsUsedUp, CountReached };
+enum class CommissionEnd : std::uint8_t { Stopped, IdsExhausted, CountReached };
 
 /// `batch` is what openCommissionBatch() gave for `csvPath`, and is kept there.
 base::Result<CommissionEnd> commission(const device::Context& context, const CommissionSpec& spec,
                                        record::CommissionBatch& batch, const QString& csvPath,
-                                       const CommissionHooks& hooks = {});
+                                       const CommissionCallbacks& callbacks = {});
 } // namespace jobs

@@ -7,15 +7,15 @@
 
 namespace jobs {
 using base::ErrorCode;
-using record::CommissionPending;
-using record::CommissionTrouble;
+using record::CommissionIssue;
 using record::CommissionVerdict;
+using record::PendingCommission;
 
 namespace {
 /// So often a servo whose change is still open is waited for again; then its row says "failed".
-constexpr int maxReturns = 2;
+constexpr int maxReidentifications = 2;
 
-bool endsLine(ErrorCode code)
+bool endsBatch(ErrorCode code)
 {
     switch (code) {
     case ErrorCode::LinkLost:
@@ -32,7 +32,7 @@ bool endsLine(ErrorCode code)
     }
 }
 
-CommissionTrouble troubleOf(const base::Error& error)
+CommissionIssue issueOf(const base::Error& error)
 {
     return {base::errorName(error.code),
             error.registerKey.isEmpty() ? error.detail : error.registerKey};
@@ -40,73 +40,75 @@ CommissionTrouble troubleOf(const base::Error& error)
 } // namespace
 
 /// Is it the very servo? Then what was begun on it is brought to one side.
-base::Result<CommissionLine::Stay> CommissionLine::stayed(CommissionWork& work,
-                                                          const CommissionPending& begun)
+base::Result<CommissionRunner::SameServoCheck>
+CommissionRunner::verifySameServo(CommissionWork& work, const PendingCommission& begun)
 {
-    if (m_context.bus.hasBaud() && m_context.bus.baud() != work.servo.baud) {
+    if (m_context.bus.canSetBaud() && m_context.bus.baud() != work.servo.baud) {
         if (const auto set = m_context.bus.setBaud(work.servo.baud); !set)
             return tl::unexpected(set.error());
     }
-    if (!leftOpen(m_context, work.servo, begun))
-        return Stay::NotProven;
-    const auto settled = settleIntents(m_context, begun);
-    if (!settled && endsLine(settled.error().code))
-        return tl::unexpected(settled.error());
-    const bool over = settled.has_value() && !owesChange(m_context, begun);
-    return over ? Stay::Settled : Stay::Unsettled;
+    if (!hasLeftLockOpen(m_context, work.servo, begun))
+        return SameServoCheck::NotVerified;
+    const auto recovered = recoverOpenIntents(m_context, begun);
+    if (!recovered && endsBatch(recovered.error().code))
+        return tl::unexpected(recovered.error());
+    const bool over = recovered.has_value() && !hasOpenIntent(m_context, begun);
+    return over ? SameServoCheck::Resolved : SameServoCheck::Unresolved;
 }
 
 /// Its lock may be open by now: the batch says so.
-base::Result<void> CommissionLine::lose()
+base::Result<void> CommissionRunner::markLost()
 {
     m_lost = true;
-    return keep();
+    return saveBatch();
 }
 
 /// Ends the line, or waits for a servo that has gone away, or sets its failure down.
-base::Result<void> CommissionLine::failed(CommissionWork& work, const base::Error& error)
+base::Result<void> CommissionRunner::handleFailure(CommissionWork& work, const base::Error& error)
 {
-    if (endsLine(error.code))
+    if (endsBatch(error.code))
         return tl::unexpected(error);
     const base::Protocol language = work.servo.protocol;
-    std::optional<Place> here;
+    std::optional<BusLocation> foundLocation;
     for (const int baud : {work.servo.baud, work.newBaud, work.row.oldBaud}) {
         for (const int id : {work.servo.id, work.newId, work.row.servo.id}) {
-            if (here || id < 0)
+            if (foundLocation || id < 0)
                 continue;
-            const auto present = m_look.present({language, id, baud});
-            if (!present)
-                return tl::unexpected(present.error());
-            if (*present)
-                here = Place{language, id, baud};
+            const auto isPresent = m_detector.isPresent({language, id, baud});
+            if (!isPresent)
+                return tl::unexpected(isPresent.error());
+            if (*isPresent)
+                foundLocation = BusLocation{language, id, baud};
         }
     }
-    CommissionPending* one = pendingOf(work);
-    if (!here)
-        return one != nullptr ? lose() : base::Result<void>();
-    if (one != nullptr && one->idRead && here->id != work.newId)
-        return lose(); // another servo has taken its place
-    work.servo.id = here->id;
-    work.servo.baud = here->baud;
-    if (one != nullptr && owesChange(m_context, *one)) {
-        const auto known = stayed(work, *one);
+    PendingCommission* one = pendingOf(work);
+    if (!foundLocation)
+        return one != nullptr ? markLost() : base::Result<void>();
+    if (one != nullptr && one->isIdConfirmed && foundLocation->id != work.newId)
+        return markLost(); // another servo has taken its place
+    work.servo.id = foundLocation->id;
+    work.servo.baud = foundLocation->baud;
+    if (one != nullptr && hasOpenIntent(m_context, *one)) {
+        const auto known = verifySameServo(work, *one);
         if (!known)
             return tl::unexpected(known.error());
         // It may have been swapped for another one, so it is identified again.
-        if (*known == Stay::NotProven && ++m_returns[work.newId] <= maxReturns)
-            return lose();
+        if (*known == SameServoCheck::NotVerified &&
+            ++m_reidentifications[work.newId] <= maxReidentifications)
+            return markLost();
     }
-    if (one != nullptr && here->id != work.newId && one->idSent && !owesChange(m_context, *one)) {
-        one->idSent = false; // it is proven to answer as before: no servo has the new ID
-        if (const auto kept = keep(); !kept)
-            return kept;
+    if (one != nullptr && foundLocation->id != work.newId && one->isIdSent &&
+        !hasOpenIntent(m_context, *one)) {
+        one->isIdSent = false; // it is proven to answer as before: no servo has the new ID
+        if (const auto saveResult = saveBatch(); !saveResult)
+            return saveResult;
     }
-    work.row.troubles.push_back(troubleOf(error));
+    work.row.issues.push_back(issueOf(error));
     work.row.verdict = CommissionVerdict::Failed;
     return finish(work);
 }
 
-QString CommissionLine::labelOf(const CommissionWork& work) const
+QString CommissionRunner::labelOf(const CommissionWork& work) const
 {
     record::CommissionRow row = work.row;
     row.newId = work.newId;
@@ -114,18 +116,18 @@ QString CommissionLine::labelOf(const CommissionWork& work) const
     return record::commissionLabel(m_spec.labelFormat, row).trimmed();
 }
 
-base::Result<void> CommissionLine::keepName(CommissionWork& work, const QString& label)
+base::Result<void> CommissionRunner::saveName(CommissionWork& work, const QString& label)
 {
-    if (!m_hooks.name || label.isEmpty() || label == work.named)
+    if (!m_callbacks.name || label.isEmpty() || label == work.savedLabel)
         return {};
     const bool another = work.row.servo.id != work.newId || work.newId == factoryId;
-    const auto named = m_hooks.name(work.servo, label, another);
+    const auto named = m_callbacks.name(work.servo, label, another);
     if (named)
-        work.named = label;
+        work.savedLabel = label;
     return named;
 }
 
-base::Result<void> CommissionLine::finish(CommissionWork& work)
+base::Result<void> CommissionRunner::finish(CommissionWork& work)
 {
     record::CommissionRow& row = work.row;
     if (work.servo.id == work.newId) {
@@ -133,37 +135,39 @@ base::Result<void> CommissionLine::finish(CommissionWork& work)
         row.newBaud = work.servo.baud;
     }
     row.label = row.newId < 0 ? QString() : labelOf(work);
-    if (const auto named = keepName(work, row.label); !named)
-        row.troubles.push_back({QStringLiteral("label-not-kept"), troubleOf(named.error()).word});
-    const bool alarmed = std::any_of(row.troubles.begin(), row.troubles.end(), [](const auto& one) {
+    if (const auto named = saveName(work, row.label); !named)
+        row.issues.push_back({QStringLiteral("label-not-kept"), issueOf(named.error()).word});
+    const bool alarmed = std::any_of(row.issues.begin(), row.issues.end(), [](const auto& one) {
         return one.word == QLatin1String("alarm");
     });
-    if (row.verdict == CommissionVerdict::Good && !row.troubles.empty())
+    if (row.verdict == CommissionVerdict::Good && !row.issues.empty())
         row.verdict = alarmed ? CommissionVerdict::Failed : CommissionVerdict::Remark;
     // What the journal still holds open is not over with this row: it stays unfinished.
-    const CommissionPending* one = pendingOf(work);
-    if (one != nullptr && !owesChange(m_context, *one))
+    const PendingCommission* one = pendingOf(work);
+    if (one != nullptr && !hasOpenIntent(m_context, *one))
         m_batch.pending.erase(m_batch.pending.begin() + (one - m_batch.pending.data()));
     CommissionView view;
     view.baud = work.servo.baud;
     view.newId = row.newId;
     view.newBaud = row.newBaud;
     view.snapshot = row.snapshot;
-    return enter(work, row, view);
+    return recordRow(work, row, view);
 }
 
 /// On the disk before anybody is told of it.
-base::Result<void> CommissionLine::enter(const CommissionWork& work,
-                                         const record::CommissionRow& row, CommissionView view)
+base::Result<void> CommissionRunner::recordRow(const CommissionWork& work,
+                                               const record::CommissionRow& row,
+                                               CommissionView view)
 {
     m_batch.rows.push_back(row);
-    m_batch.onWire = {base::protocolName(work.servo.protocol), work.servo.id, work.servo.baud};
-    if (const auto kept = keep(); !kept)
-        return kept;
-    if (m_hooks.onRow)
-        m_hooks.onRow(row);
+    m_batch.attachedServo = {base::protocolName(work.servo.protocol), work.servo.id,
+                             work.servo.baud};
+    if (const auto saveResult = saveBatch(); !saveResult)
+        return saveResult;
+    if (m_callbacks.onRow)
+        m_callbacks.onRow(row);
     view.servo = row.servo;
-    view.concerns = row.troubles;
-    return awaitGone(placeOf(work.servo), view);
+    view.issues = row.issues;
+    return waitForUnplug(locationOf(work.servo), view);
 }
 } // namespace jobs

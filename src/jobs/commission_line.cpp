@@ -7,86 +7,86 @@
 
 namespace jobs {
 using base::ErrorCode;
-using record::CommissionPending;
+using record::PendingCommission;
 
 namespace {
 constexpr base::Duration roundPause = std::chrono::milliseconds(20);
 constexpr base::Duration blockedPause = std::chrono::milliseconds(250);
 } // namespace
 
-base::Result<CommissionEnd> CommissionLine::run()
+base::Result<CommissionEnd> CommissionRunner::run()
 {
-    if (m_batch.onWire) {
+    if (m_batch.attachedServo) {
         CommissionView view;
         view.step = CommissionStep::Unplug;
-        view.newId = m_batch.onWire->id;
-        view.newBaud = m_batch.onWire->baud;
-        if (const auto gone = awaitGone(placeOf(*m_batch.onWire), view); !gone)
+        view.newId = m_batch.attachedServo->id;
+        view.newBaud = m_batch.attachedServo->baud;
+        if (const auto gone = waitForUnplug(locationOf(*m_batch.attachedServo), view); !gone)
             return tl::unexpected(gone.error());
     }
     for (;;) {
         if (m_spec.count > 0 && m_batch.done() >= m_spec.count)
             return CommissionEnd::CountReached;
         if (!nextId() && m_batch.pending.empty())
-            return CommissionEnd::IdsUsedUp;
-        auto servo = awaitServo();
+            return CommissionEnd::IdsExhausted;
+        auto servo = waitForServo();
         if (!servo)
             return tl::unexpected(servo.error());
-        if (const auto dealt = deal(std::move(*servo)); !dealt)
-            return tl::unexpected(dealt.error());
+        if (const auto processed = processServo(std::move(*servo)); !processed)
+            return tl::unexpected(processed.error());
     }
 }
 
-CommissionLine::Place CommissionLine::placeOf(const record::CommissionPlace& kept)
+CommissionRunner::BusLocation CommissionRunner::locationOf(const record::ServoLocation& kept)
 {
     return {base::protocolFromName(kept.protocol).value_or(base::Protocol::Feetech), kept.id,
             kept.baud};
 }
 
-CommissionLine::Place CommissionLine::placeOf(const device::Servo& servo)
+CommissionRunner::BusLocation CommissionRunner::locationOf(const device::Servo& servo)
 {
     return {servo.protocol, servo.id, servo.baud};
 }
 
-std::optional<int> CommissionLine::nextId() const
+std::optional<int> CommissionRunner::nextId() const
 {
-    const auto taken = [this](int id) {
-        return m_batch.idTaken(id) ||
+    const auto isUsedId = [this](int id) {
+        return m_batch.isIdTaken(id) ||
                std::any_of(m_batch.pending.begin(), m_batch.pending.end(), [&](const auto& one) {
-                   return one.newId == id && owesChange(m_context, one);
+                   return one.newId == id && hasOpenIntent(m_context, one);
                });
     };
-    const auto next = std::find_if_not(m_spec.ids.begin(), m_spec.ids.end(), taken);
+    const auto next = std::find_if_not(m_spec.ids.begin(), m_spec.ids.end(), isUsedId);
     return next == m_spec.ids.end() ? std::nullopt : std::optional(*next);
 }
 
-void CommissionLine::show(const CommissionView& view)
+void CommissionRunner::show(const CommissionView& view)
 {
     if (m_view == view)
         return;
     m_view = view;
-    if (m_hooks.onChange)
-        m_hooks.onChange(view);
+    if (m_callbacks.onChange)
+        m_callbacks.onChange(view);
 }
 
-base::Result<void> CommissionLine::pause(base::Duration span)
+base::Result<void> CommissionRunner::pause(base::Duration span)
 {
     if (m_context.bus.pauseUntil(m_context.bus.clock().now() + span, &m_context.stop) &&
-        !m_context.stop.requested())
+        !m_context.stop.isRequested())
         return {};
     return base::fail(ErrorCode::Stopped, QStringLiteral("commission"));
 }
 
-base::Result<void> CommissionLine::keep()
+base::Result<void> CommissionRunner::saveBatch()
 {
-    updateLocks(m_context, m_batch.pending);
+    updateLockStates(m_context, m_batch.pending);
     auto saved = record::saveCommissionBatch(m_batch, m_csvPath);
-    if (saved && m_hooks.onBatch)
-        m_hooks.onBatch();
+    if (saved && m_callbacks.onBatch)
+        m_callbacks.onBatch();
     return saved;
 }
 
-CommissionView CommissionLine::waitingView() const
+CommissionView CommissionRunner::waitingView() const
 {
     CommissionView view;
     view.newId = nextId().value_or(-1);
@@ -95,19 +95,19 @@ CommissionView CommissionLine::waitingView() const
         view.obstacle = CommissionObstacle::Lost;
         view.servo = m_batch.pending.back().servo;
         view.newId = m_batch.pending.back().newId;
-        view.concerns = record::unfinishedTroubles(m_batch.pending.back());
+        view.issues = record::unfinishedIssues(m_batch.pending.back());
     }
     return view;
 }
 
 /// Where a servo that was left in the middle may answer.
-std::vector<CommissionLook::Place> CommissionLine::expected() const
+std::vector<CommissionDetector::BusLocation> CommissionRunner::expectedLocations() const
 {
-    std::vector<Place> places;
-    for (const CommissionPending& one : m_batch.pending) {
+    std::vector<BusLocation> places;
+    for (const PendingCommission& one : m_batch.pending) {
         const auto protocol =
             base::protocolFromName(one.servo.protocol).value_or(base::Protocol::Feetech);
-        if (!one.idSent)
+        if (!one.isIdSent)
             continue; // at its old place it is found like any other
         places.push_back({protocol, one.newId, one.newBaud});
         if (one.oldBaud != one.newBaud)
@@ -117,35 +117,35 @@ std::vector<CommissionLook::Place> CommissionLine::expected() const
 }
 
 /// One servo, by itself, that says who it is; `servo` is it. Else the obstacle is shown.
-base::Result<bool> CommissionLine::alone(const Place& first, device::Servo& servo)
+base::Result<bool> CommissionRunner::isAlone(const BusLocation& first, device::Servo& servo)
 {
-    const auto found = m_look.everybody(first);
+    const auto found = m_detector.findAll(first);
     if (!found)
         return tl::unexpected(found.error());
     if (found->empty())
         return false;
     CommissionView blocked;
     blocked.step = CommissionStep::Blocked;
-    for (const Found& one : *found)
-        blocked.heard.push_back(
+    for (const FoundServo& one : *found)
+        blocked.detected.push_back(
             {one.servo.profile ? one.servo.profile->modelName : QString(),
              {base::protocolName(one.servo.protocol), one.servo.id, one.servo.baud}});
     servo = found->front().servo;
-    if (m_context.bus.hasBaud() && m_context.bus.baud() != servo.baud) {
+    if (m_context.bus.canSetBaud() && m_context.bus.baud() != servo.baud) {
         if (const auto set = m_context.bus.setBaud(servo.baud); !set)
             return tl::unexpected(set.error());
     }
-    bool twins = found->front().twinsSuspected;
-    if (found->size() == 1 && !twins && servo.profile) {
-        const auto suspected = m_look.twins(servo);
+    bool hasDuplicateId = found->front().duplicateSuspected;
+    if (found->size() == 1 && !hasDuplicateId && servo.profile) {
+        const auto suspected = m_detector.hasDuplicateId(servo);
         if (!suspected)
             return tl::unexpected(suspected.error());
-        twins = *suspected;
+        hasDuplicateId = *suspected;
     }
     if (found->size() > 1)
-        blocked.obstacle = CommissionObstacle::SeveralServos;
-    else if (twins)
-        blocked.obstacle = CommissionObstacle::TwinIds;
+        blocked.obstacle = CommissionObstacle::DuplicateId;
+    else if (hasDuplicateId)
+        blocked.obstacle = CommissionObstacle::DuplicateIds;
     else if (!servo.profile)
         blocked.obstacle = CommissionObstacle::Unreadable;
     else
@@ -154,11 +154,11 @@ base::Result<bool> CommissionLine::alone(const Place& first, device::Servo& serv
     return false;
 }
 
-base::Result<device::Servo> CommissionLine::awaitServo()
+base::Result<device::Servo> CommissionRunner::waitForServo()
 {
     show(waitingView());
     for (;;) {
-        const auto heard = m_look.round(expected());
+        const auto heard = m_detector.scanRound(expectedLocations());
         if (!heard)
             return tl::unexpected(heard.error());
         base::Duration span = roundPause;
@@ -171,7 +171,7 @@ base::Result<device::Servo> CommissionLine::awaitServo()
                 show(checking);
             }
             device::Servo servo;
-            const auto ready = alone(**heard, servo);
+            const auto ready = isAlone(**heard, servo);
             if (!ready)
                 return tl::unexpected(ready.error());
             if (*ready)
@@ -183,21 +183,21 @@ base::Result<device::Servo> CommissionLine::awaitServo()
     }
 }
 
-base::Result<void> CommissionLine::awaitGone(const Place& place, CommissionView view)
+base::Result<void> CommissionRunner::waitForUnplug(const BusLocation& place, CommissionView view)
 {
     view.step = CommissionStep::Unplug;
     show(view);
-    for (int silences = 0; silences < silencesUntilGone;) {
-        const auto here = m_look.present(place);
-        if (!here)
-            return tl::unexpected(here.error());
-        silences = *here ? 0 : silences + 1;
-        if (const auto paused = pause(answerPause); !paused)
+    for (int missedPings = 0; missedPings < missedPingsUntilGone;) {
+        const auto stillPresent = m_detector.isPresent(place);
+        if (!stillPresent)
+            return tl::unexpected(stillPresent.error());
+        missedPings = *stillPresent ? 0 : missedPings + 1;
+        if (const auto paused = pause(pollPause); !paused)
             return paused;
     }
-    if (!m_batch.onWire)
+    if (!m_batch.attachedServo)
         return {};
-    m_batch.onWire.reset();
-    return keep();
+    m_batch.attachedServo.reset();
+    return saveBatch();
 }
 } // namespace jobs

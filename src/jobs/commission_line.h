@@ -10,82 +10,85 @@
 #include <map>
 
 namespace jobs {
-constexpr base::Duration answerPause = std::chrono::milliseconds(50);
+constexpr base::Duration pollPause = std::chrono::milliseconds(50);
 /// A plug that is being pulled makes contact more than once.
-constexpr int silencesUntilGone = 3;
+constexpr int missedPingsUntilGone = 3;
 
-class CommissionLine {
+class CommissionRunner {
 public:
-    CommissionLine(const device::Context& context, const CommissionSpec& spec,
-                   record::CommissionBatch& batch, QString csvPath, const CommissionHooks& hooks)
+    CommissionRunner(const device::Context& context, const CommissionSpec& spec,
+                     record::CommissionBatch& batch, QString csvPath,
+                     const CommissionCallbacks& callbacks)
         : m_context(context)
         , m_spec(spec)
         , m_batch(batch)
         , m_csvPath(std::move(csvPath))
-        , m_hooks(hooks)
-        , m_look(context, spec)
+        , m_callbacks(callbacks)
+        , m_detector(context, spec)
     {}
 
     base::Result<CommissionEnd> run();
 
 private:
-    using Place = CommissionLook::Place;
+    using BusLocation = CommissionDetector::BusLocation;
 
-    static Place placeOf(const record::CommissionPlace& kept);
-    static Place placeOf(const device::Servo& servo);
+    static BusLocation locationOf(const record::ServoLocation& kept);
+    static BusLocation locationOf(const device::Servo& servo);
     std::optional<int> nextId() const;
     void show(const CommissionView& view);
     base::Result<void> pause(base::Duration span);
-    base::Result<void> keep();
+    base::Result<void> saveBatch();
 
     // --- who is there ---
-    base::Result<device::Servo> awaitServo();
-    base::Result<bool> alone(const Place& first, device::Servo& servo);
-    std::vector<Place> expected() const;
+    base::Result<device::Servo> waitForServo();
+    base::Result<bool> isAlone(const BusLocation& first, device::Servo& servo);
+    std::vector<BusLocation> expectedLocations() const;
     CommissionView waitingView() const;
-    base::Result<void> awaitGone(const Place& place, CommissionView view);
+    base::Result<void> waitForUnplug(const BusLocation& place, CommissionView view);
     /// The row of a servo that is done with, and waits until it is unplugged.
-    base::Result<void> enter(const CommissionWork& work, const record::CommissionRow& row,
-                             CommissionView view);
+    base::Result<void> recordRow(const CommissionWork& work, const record::CommissionRow& row,
+                                 CommissionView view);
 
     // --- one servo ---
-    base::Result<void> deal(device::Servo servo);
-    base::Result<void> setAside(const CommissionWork& work,
-                                const std::vector<record::CommissionTrouble>& why);
+    base::Result<void> processServo(device::Servo servo);
+    base::Result<void> skip(const CommissionWork& work,
+                            const std::vector<record::CommissionIssue>& why);
     base::Result<bool> decide(CommissionWork& work, CommissionView& view,
-                              std::vector<record::CommissionTrouble>& concerns);
+                              std::vector<record::CommissionIssue>& issues);
     base::Result<bool> confirm(CommissionWork& work, CommissionView view,
-                               std::vector<record::CommissionTrouble>& concerns);
+                               std::vector<record::CommissionIssue>& issues);
     base::Result<void> setUp(CommissionWork& work, CommissionView& view);
     base::Result<void> begin(CommissionWork& work, CommissionView& view);
-    base::Result<void> enlist(const CommissionWork& work, const CommissionView& view);
-    base::Result<void> takeId(CommissionWork& work);
-    base::Result<void> placed(CommissionWork& work);
-    enum class Stay : std::uint8_t {
-        NotProven, ///< another one may be here by now
-        Settled,   ///< the very servo, and nothing of it is open any more
-        Unsettled, ///< the very servo: its lock does not close, or a write is refused
+    base::Result<void> addPending(const CommissionWork& work, const CommissionView& view);
+    base::Result<void> assignId(CommissionWork& work);
+    base::Result<void> assignIdAndName(CommissionWork& work);
+    enum class SameServoCheck : std::uint8_t {
+        NotVerified, ///< another one may be here by now
+        Resolved,    ///< the very servo, and nothing of it is open any more
+        Unresolved,  ///< the very servo: its lock does not close, or a write is refused
     };
-    base::Result<Stay> stayed(CommissionWork& work, const record::CommissionPending& begun);
-    base::Result<void> failed(CommissionWork& work, const base::Error& error);
-    base::Result<void> lose();
+    base::Result<SameServoCheck> verifySameServo(CommissionWork& work,
+                                                 const record::PendingCommission& pending);
+    base::Result<void> handleFailure(CommissionWork& work, const base::Error& error);
+    base::Result<void> markLost();
     base::Result<void> finish(CommissionWork& work);
-    base::Result<void> keepName(CommissionWork& work, const QString& label);
+    base::Result<void> saveName(CommissionWork& work, const QString& label);
     QString labelOf(const CommissionWork& work) const;
-    base::Result<bool> stillAlone(CommissionWork& work);
-    bool recognise(CommissionWork& work, CommissionView& view);
-    void addUnfinished(const CommissionWork& work, CommissionView& view);
-    record::CommissionPending* pendingFor(int newId, const QString& protocol);
-    record::CommissionPending* pendingOf(const CommissionWork& work);
+    base::Result<bool> isStillAlone(CommissionWork& work);
+    bool matchPending(CommissionWork& work, CommissionView& view);
+    void addUnfinishedIssues(const CommissionWork& work, CommissionView& view);
+    record::PendingCommission* findPending(int newId, const QString& protocol);
+    record::PendingCommission* pendingOf(const CommissionWork& work);
 
     const device::Context& m_context;
     const CommissionSpec& m_spec;
     record::CommissionBatch& m_batch;
     const QString m_csvPath;
-    const CommissionHooks& m_hooks;
-    CommissionLook m_look;
+    const CommissionCallbacks& m_callbacks;
+    CommissionDetector m_detector;
     std::optional<CommissionView> m_view;
-    std::map<int, int> m_returns; ///< by the ID it was to have: how often it was looked at anew
-    bool m_lost = false;          ///< the last one went away in the middle
+    std::map<int, int>
+        m_reidentifications; ///< by the ID it was to have: how often it was looked at anew
+    bool m_lost = false;     ///< the last one went away in the middle
 };
 } // namespace jobs

@@ -8,19 +8,19 @@
 
 namespace jobs {
 namespace {
-base::Result<void> settleOne(const device::Context& context, const QString& uuid)
+base::Result<void> recoverByUuid(const device::Context& context, const QString& uuid)
 {
-    const auto seen = recover(context, RecoverAction::Look, {IntentPorts::This, uuid, {}});
+    const auto seen = recover(context, RecoveryAction::Preview, {IntentPorts::This, uuid, {}});
     if (!seen)
         return tl::unexpected(seen.error());
     if (seen->empty())
         return {};
     const Finding finding = seen->front().before.finding;
-    if (finding == Finding::NoAnswer || finding == Finding::OtherServo ||
+    if (finding == Finding::NoReply || finding == Finding::OtherServo ||
         finding == Finding::Unreadable)
         return {};
     const auto done =
-        recover(context, finding == Finding::AllOld ? RecoverAction::Undo : RecoverAction::Finish,
+        recover(context, finding == Finding::AllOld ? RecoveryAction::Undo : RecoveryAction::Finish,
                 {IntentPorts::This, uuid, {}});
     if (!done)
         return tl::unexpected(done.error());
@@ -29,100 +29,100 @@ base::Result<void> settleOne(const device::Context& context, const QString& uuid
     return {};
 }
 
-bool sameKind(const base::ServoIdentity& one, const record::SnapshotServo& other)
+bool isSameKind(const base::ServoIdentity& one, const record::SnapshotServo& other)
 {
-    catalog::Identity who;
-    who.firmwareMajor = one.firmwareMajor;
-    who.firmwareMinor = one.firmwareMinor;
-    who.modelMajor = one.modelMajor;
-    who.modelMinor = one.modelMinor;
-    who.protocol = one.protocol;
-    return other.protocol == base::protocolName(one.protocol) && other.modelId == who.modelId() &&
-           other.firmware == who.firmware();
+    catalog::Identity identity;
+    identity.firmwareMajor = one.firmwareMajor;
+    identity.firmwareMinor = one.firmwareMinor;
+    identity.modelMajor = one.modelMajor;
+    identity.modelMinor = one.modelMinor;
+    identity.protocol = one.protocol;
+    return other.protocol == base::protocolName(one.protocol) &&
+           other.modelId == identity.modelId() && other.firmware == identity.firmware();
 }
 
-bool givesId(const base::Intent& intent, int id)
+bool setsId(const base::Intent& intent, int id)
 {
     return intent.kind == base::IntentKind::SetId && !intent.items.empty() &&
            intent.items.front().newRaw == id;
 }
 
 /// Both times are of this computer. Another servo of the kind may have come since, for another ID.
-bool concerns(const device::Context& context, const base::Intent& intent,
-              const record::CommissionPending& begun)
+bool isForServo(const device::Context& context, const base::Intent& intent,
+                const record::PendingCommission& pending)
 {
-    if (intent.servo.port != context.bus.portName() || intent.at < begun.at ||
-        !sameKind(intent.servo, begun.servo))
+    if (intent.servo.port != context.bus.portName() || intent.at < pending.at ||
+        !isSameKind(intent.servo, pending.servo))
         return false;
-    if (intent.servo.id == begun.newId || givesId(intent, begun.newId))
+    if (intent.servo.id == pending.newId || setsId(intent, pending.newId))
         return true;
-    return intent.servo.id == begun.servo.id && intent.kind != base::IntentKind::SetId;
+    return intent.servo.id == pending.servo.id && intent.kind != base::IntentKind::SetId;
 }
 
 bool opensLock(const device::Context& context, const base::Intent& intent,
-               const record::CommissionPending& begun)
+               const record::PendingCommission& pending)
 {
-    return intent.lockOpened && concerns(context, intent, begun);
+    return intent.lockOpened && isForServo(context, intent, pending);
 }
 
-bool cameLocked(const device::Servo& servo, const record::CommissionPending& begun)
+bool wasInitiallyLocked(const device::Servo& servo, const record::PendingCommission& pending)
 {
-    const auto table = record::loadSnapshot(begun.snapshot);
+    const auto table = record::loadSnapshot(pending.snapshot);
     const catalog::Register* lock = servo.profile->byRole(catalog::Role::Lock);
     const auto* then = table && lock != nullptr ? table->find(lock->key) : nullptr;
-    return then != nullptr && then->raw && !device::isOpen(*then->raw);
+    return then != nullptr && then->raw && !device::isLockOpen(*then->raw);
 }
 } // namespace
 
-base::Result<void> settleIntents(const device::Context& context,
-                                 const record::CommissionPending& begun)
+base::Result<void> recoverOpenIntents(const device::Context& context,
+                                      const record::PendingCommission& pending)
 {
     const auto open = context.journal.open();
     if (!open)
         return tl::unexpected(open.error());
     for (const base::Intent& intent : *open) {
-        if (!concerns(context, intent, begun))
+        if (!isForServo(context, intent, pending))
             continue;
-        if (const auto settled = settleOne(context, intent.uuid); !settled)
-            return settled;
+        if (const auto recovered = recoverByUuid(context, intent.uuid); !recovered)
+            return recovered;
     }
     return {};
 }
 
-bool owesChange(const device::Context& context, const record::CommissionPending& begun)
+bool hasOpenIntent(const device::Context& context, const record::PendingCommission& pending)
 {
     const auto open = context.journal.open();
     return open && std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
-               return concerns(context, intent, begun);
+               return isForServo(context, intent, pending);
            });
 }
 
-void updateLocks(const device::Context& context, std::vector<record::CommissionPending>& all)
+void updateLockStates(const device::Context& context, std::vector<record::PendingCommission>& all)
 {
     if (all.empty())
         return;
     const auto open = context.journal.open();
     if (!open)
         return; // as it was known last
-    for (record::CommissionPending& one : all)
+    for (record::PendingCommission& one : all)
         one.lockOpen = std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
             return opensLock(context, intent, one);
         });
 }
 
-bool leftOpen(const device::Context& context, device::Servo& servo,
-              const record::CommissionPending& begun)
+bool hasLeftLockOpen(const device::Context& context, device::Servo& servo,
+                     const record::PendingCommission& pending)
 {
     const auto open = context.journal.open();
     const bool ours =
         open && std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
-            return opensLock(context, intent, begun) &&
-                   (intent.servo.id == servo.id || givesId(intent, servo.id));
+            return opensLock(context, intent, pending) &&
+                   (intent.servo.id == servo.id || setsId(intent, servo.id));
         });
-    if (!ours || !cameLocked(servo, begun) ||
+    if (!ours || !wasInitiallyLocked(servo, pending) ||
         !device::readRoles(context, servo, {catalog::Role::Lock}))
         return false;
     const auto lock = servo.raw(catalog::Role::Lock);
-    return lock && device::isOpen(*lock);
+    return lock && device::isLockOpen(*lock);
 }
 } // namespace jobs

@@ -9,18 +9,18 @@
 
 namespace jobs {
 /// Brings the open changes of this port that `begun` made to one side.
-base::Result<void> settleIntents(const device::Context& context,
-                                 const record::CommissionPending& begun);
+base::Result<void> recoverOpenIntents(const device::Context& context,
+                                      const record::PendingCommission& pending);
 
 /// The journal holds a change of this servo that has not ended.
-bool owesChange(const device::Context& context, const record::CommissionPending& begun);
+bool hasOpenIntent(const device::Context& context, const record::PendingCommission& pending);
 
 /// The journal holds a change of it that opened its lock and has not ended.
-void updateLocks(const device::Context& context, std::vector<record::CommissionPending>& all);
+void updateLockStates(const device::Context& context, std::vector<record::PendingCommission>& all);
 
 /// Is `servo` the very one, at its old ID or its new one? Yes where the journal has us open the
 /// lock of such a servo, the lock is open still, and was closed when the servo came. Losing power
 /// closes it, so this one has not been unplugged since.
-bool leftOpen(const device::Context& context, device::Servo& servo,
-              const record::CommissionPending& begun);
+bool hasLeftLockOpen(const device::Context& context, device::Servo& servo,
+                     const record::PendingCommission& pending);
 } // namespace jobs

@@ -14,9 +14,9 @@ namespace jobs {
 namespace {
 using base::ErrorCode;
 using catalog::Role;
-using record::CommissionTrouble;
+using record::CommissionIssue;
 
-void addAlarms(const device::Servo& servo, std::vector<CommissionTrouble>& troubles)
+void addAlarms(const device::Servo& servo, std::vector<CommissionIssue>& issues)
 {
     const catalog::Register* status = servo.profile->byRole(Role::Status);
     for (int bit = 0; bit < 8; ++bit) {
@@ -29,16 +29,16 @@ void addAlarms(const device::Servo& servo, std::vector<CommissionTrouble>& troub
                              [bit](const catalog::NamedValue& one) { return one.value == bit; });
             name = known == status->values.end() ? name : known->key;
         }
-        troubles.push_back({QStringLiteral("alarm"), name});
+        issues.push_back({QStringLiteral("alarm"), name});
     }
     for (const device::Notice& alarm : device::derivedAlarms(servo))
-        troubles.push_back(
+        issues.push_back(
             {QStringLiteral("alarm"), alarm.code == device::NoticeCode::DerivedTemperature
                                           ? QStringLiteral("temperature")
                                           : QStringLiteral("voltage")});
 }
 
-bool knowsRate(const device::Servo& servo, int baud)
+bool supportsBaud(const device::Servo& servo, int baud)
 {
     const catalog::Register* reg = servo.profile->byRole(Role::BaudRate);
     return reg != nullptr &&
@@ -46,27 +46,27 @@ bool knowsRate(const device::Servo& servo, int baud)
                        [baud](const auto& value) { return value.key == QString::number(baud); });
 }
 
-void addImpossible(const CommissionSpec& spec, CommissionWork& work,
-                   std::vector<CommissionTrouble>& troubles)
+void addUnsupportedIssues(const CommissionSpec& spec, CommissionWork& work,
+                          std::vector<CommissionIssue>& issues)
 {
     const device::Servo& servo = work.servo;
-    if (work.newBaud != servo.baud && !knowsRate(servo, work.newBaud)) {
-        troubles.push_back({QStringLiteral("no-such-rate"), QString::number(work.newBaud)});
+    if (work.newBaud != servo.baud && !supportsBaud(servo, work.newBaud)) {
+        issues.push_back({QStringLiteral("no-such-rate"), QString::number(work.newBaud)});
         work.newBaud = servo.baud;
     }
     const catalog::Register* reg = servo.profile->byRole(Role::Id);
     if (reg == nullptr || work.newId < reg->min.value_or(0) ||
         work.newId > reg->max.value_or(protocol::maxId))
-        troubles.push_back({QStringLiteral("no-such-id"), QString::number(work.newId)});
-    const bool centres = servo.profile->centering != catalog::Centering::None &&
-                         servo.profile->byRole(Role::PositionOffset) != nullptr;
-    work.center = spec.center && centres;
-    if (spec.center && !centres)
-        troubles.push_back({QStringLiteral("no-centring"), servo.profile->series});
+        issues.push_back({QStringLiteral("no-such-id"), QString::number(work.newId)});
+    const bool canCenter = servo.profile->centering != catalog::Centering::None &&
+                           servo.profile->byRole(Role::PositionOffset) != nullptr;
+    work.center = spec.center && canCenter;
+    if (spec.center && !canCenter)
+        issues.push_back({QStringLiteral("no-centring"), servo.profile->series});
 }
 
 void addTemplate(const device::Context& context, const CommissionSpec& spec, CommissionWork& work,
-                 std::vector<CommissionTrouble>& troubles)
+                 std::vector<CommissionIssue>& issues)
 {
     if (!spec.settings)
         return;
@@ -74,25 +74,25 @@ void addTemplate(const device::Context& context, const CommissionSpec& spec, Com
     choice.dangerous = spec.dangerous;
     work.plan = planRestore(context, work.servo, *spec.settings, choice);
     if (work.plan->otherModel)
-        troubles.push_back({QStringLiteral("other-model"), spec.settings->servo.model});
-    QStringList left;
-    for (const RestoreRow* row : work.plan->unmapped())
-        left.append(row->key);
+        issues.push_back({QStringLiteral("other-model"), spec.settings->servo.model});
+    QStringList remainingRows;
+    for (const RestoreRow* row : work.plan->unmappedRows())
+        remainingRows.append(row->key);
     for (const RestoreRow& row : work.plan->rows) {
-        const bool differs = row.wanted && (row.now != row.wanted ||
+        const bool differs = row.newRaw && (row.now != row.newRaw ||
                                             row.reasons.testFlag(RestoreReason::OnlyTemporary));
-        if (differs && row.reasons.testFlag(RestoreReason::NeedsConsent) && !row.ticked)
-            left.append(row.key);
+        if (differs && row.reasons.testFlag(RestoreReason::NeedsConsent) && !row.selected)
+            remainingRows.append(row.key);
     }
-    left.removeDuplicates();
-    if (!left.isEmpty() && spec.settings->isTemplate)
-        troubles.push_back({QStringLiteral("rows-left"), left.join(QLatin1Char(' '))});
+    remainingRows.removeDuplicates();
+    if (!remainingRows.isEmpty() && spec.settings->isTemplate)
+        issues.push_back({QStringLiteral("rows-left"), remainingRows.join(QLatin1Char(' '))});
 }
 
 /// The error of the first write that did not take, or of a lock that stayed open.
-base::Result<void> proved(const device::WriteReport& report)
+base::Result<void> toResult(const device::WriteReport& report)
 {
-    if (report.allGood())
+    if (report.isSuccessful())
         return {};
     for (const device::WriteResult& write : report.writes) {
         if (write.error)
@@ -114,7 +114,7 @@ base::Result<void> readHealth(const device::Context& context, device::Servo& ser
 }
 
 /// What the rate register says, if there is one.
-std::optional<int> ratedAt(const device::Servo& servo)
+std::optional<int> storedBaud(const device::Servo& servo)
 {
     const catalog::Register* reg = servo.profile->byRole(Role::BaudRate);
     const auto raw = reg != nullptr ? servo.raw(*reg) : std::nullopt;
@@ -128,7 +128,7 @@ std::optional<int> ratedAt(const device::Servo& servo)
 }
 } // namespace
 
-record::SnapshotServo servoRecord(const device::Servo& servo)
+record::SnapshotServo snapshotServo(const device::Servo& servo)
 {
     return {servo.id,
             servo.profile->modelName,
@@ -138,37 +138,37 @@ record::SnapshotServo servoRecord(const device::Servo& servo)
             base::protocolName(servo.protocol)};
 }
 
-base::Result<std::vector<CommissionTrouble>>
+base::Result<std::vector<CommissionIssue>>
 checkServo(const device::Context& context, const CommissionSpec& spec, CommissionWork& work)
 {
     if (const auto read = device::readAll(context, work.servo); !read)
         return tl::unexpected(read.error());
-    std::vector<CommissionTrouble> troubles;
-    addAlarms(work.servo, troubles);
+    std::vector<CommissionIssue> issues;
+    addAlarms(work.servo, issues);
     if (!work.servo.profile->writable)
-        troubles.push_back({QStringLiteral("not-writable"), work.servo.profile->modelName});
-    addImpossible(spec, work, troubles);
-    addTemplate(context, spec, work, troubles);
-    return troubles;
+        issues.push_back({QStringLiteral("not-writable"), work.servo.profile->modelName});
+    addUnsupportedIssues(spec, work, issues);
+    addTemplate(context, spec, work, issues);
+    return issues;
 }
 
-bool needsDecision(const CommissionTrouble& trouble)
+bool needsDecision(const CommissionIssue& issue)
 {
-    return trouble.word != QLatin1String("rows-left");
+    return issue.word != QLatin1String("rows-left");
 }
 
 bool hasWork(const CommissionWork& work)
 {
     return work.center || work.servo.id != work.newId || work.servo.baud != work.newBaud ||
-           (work.plan && !writesOf(*work.plan).empty());
+           (work.plan && !plannedWrites(*work.plan).empty());
 }
 
-base::Result<void> saveTable(const device::Context& context, const CommissionHooks& hooks,
+base::Result<void> saveTable(const device::Context& context, const CommissionCallbacks& callbacks,
                              CommissionWork& work)
 {
-    if (work.saved || !hooks.save)
+    if (work.saved || !callbacks.save)
         return {};
-    const auto saved = hooks.save(context, work.servo);
+    const auto saved = callbacks.save(context, work.servo);
     if (!saved)
         return tl::unexpected(saved.error());
     work.row.snapshot = *saved;
@@ -193,44 +193,44 @@ base::Result<void> applyTemplate(const device::Context& context, const Commissio
         if (good)
             ++work.row.written;
         else
-            work.row.troubles.push_back(
+            work.row.issues.push_back(
                 {QStringLiteral("row-") + device::outcomeName(row.write.outcome), row.write.key});
     }
-    if (outcome->verdict == RestoreVerdict::AlreadySo || outcome->verdict == RestoreVerdict::Done)
+    if (outcome->verdict == RestoreVerdict::AlreadySet || outcome->verdict == RestoreVerdict::Done)
         return {};
     for (const RestoreRowResult& row : outcome->rows) {
         if (row.write.error)
             return tl::unexpected(*row.write.error);
     }
-    const bool proven =
+    const bool isVerified =
         outcome->lock == device::LockState::Closed || outcome->lock == device::LockState::None;
-    return base::fail(proven ? ErrorCode::Refused : ErrorCode::LockOpen, QStringLiteral("template"),
-                      {}, work.servo.id);
+    return base::fail(isVerified ? ErrorCode::Refused : ErrorCode::LockOpen,
+                      QStringLiteral("template"), {}, work.servo.id);
 }
 
-base::Result<void> giveId(const device::Context& context, CommissionWork& work)
+base::Result<void> changeServoId(const device::Context& context, CommissionWork& work)
 {
     if (work.servo.id == work.newId)
         return {};
     const auto changed = changeId(context, work.servo, work.newId);
     if (!changed)
         return tl::unexpected(changed.error());
-    work.idRead =
+    work.isIdConfirmed =
         !changed->writes.empty() && changed->writes.front().outcome == device::WriteOutcome::Kept;
-    return proved(*changed);
+    return toResult(*changed);
 }
 
-base::Result<void> giveRate(const device::Context& context, CommissionWork& work)
+base::Result<void> changeServoRate(const device::Context& context, CommissionWork& work)
 {
     if (work.servo.baud == work.newBaud)
         return {};
     const auto changed = changeBaud(context, work.servo, work.newBaud);
     if (!changed)
         return tl::unexpected(changed.error());
-    if (const auto good = proved(*changed); !good)
+    if (const auto good = toResult(*changed); !good)
         return good;
     if (work.servo.baud != work.newBaud)
-        work.row.troubles.push_back(
+        work.row.issues.push_back(
             {QStringLiteral("rate-after-restart"), QString::number(work.newBaud)});
     return {};
 }
@@ -239,12 +239,12 @@ base::Result<void> centerServo(const device::Context& context, CommissionWork& w
 {
     if (!work.center)
         return {};
-    const auto centred = jobs::center(context, work.servo);
-    if (!centred)
-        return tl::unexpected(centred.error());
-    if (centred->lock == device::LockState::Open || centred->lock == device::LockState::Unknown)
+    const auto centered = jobs::center(context, work.servo);
+    if (!centered)
+        return tl::unexpected(centered.error());
+    if (centered->lock == device::LockState::Open || centered->lock == device::LockState::Unknown)
         return base::fail(ErrorCode::LockOpen, QStringLiteral("center"), {}, work.servo.id);
-    work.row.centred = true;
+    work.row.centered = true;
     return {};
 }
 
@@ -259,13 +259,13 @@ base::Result<void> verifyTemplate(const device::Context& context, CommissionWork
         return tl::unexpected(read.error());
     for (const RestoreRow& row : work.plan->rows) {
         const catalog::Register* reg = work.servo.profile->find(row.key);
-        const bool told = std::any_of(work.row.troubles.begin(), work.row.troubles.end(),
-                                      [&](const auto& one) { return one.detail == row.key; });
-        if (!row.ticked || !row.wanted || reg == nullptr || told ||
+        const bool isReported = std::any_of(work.row.issues.begin(), work.row.issues.end(),
+                                            [&](const auto& one) { return one.detail == row.key; });
+        if (!row.selected || !row.newRaw || reg == nullptr || isReported ||
             reg->area != catalog::Area::Eprom || reg->role == Role::PositionOffset)
             continue;
         const auto now = work.servo.raw(*reg);
-        if (now && *now != *row.wanted)
+        if (now && *now != *row.newRaw)
             return tl::unexpected(base::Error{ErrorCode::Mismatch, QStringLiteral("commission"),
                                               QStringLiteral("swapped"), work.servo.id, row.key});
     }
@@ -275,27 +275,27 @@ base::Result<void> verifyTemplate(const device::Context& context, CommissionWork
 
 base::Result<void> checkHealth(const device::Context& context, CommissionWork& work)
 {
-    std::vector<CommissionTrouble>& troubles = work.row.troubles;
-    const auto again = device::identify(context, work.servo.id, work.servo.protocol);
-    if (!again)
-        return tl::unexpected(again.error());
-    if (!again->identity().sameKind(work.servo.identity()))
-        return base::fail(ErrorCode::IdentityDiffers, QStringLiteral("commission"),
-                          again->profile->modelName, work.servo.id);
+    std::vector<CommissionIssue>& issues = work.row.issues;
+    const auto identified = device::identify(context, work.servo.id, work.servo.protocol);
+    if (!identified)
+        return tl::unexpected(identified.error());
+    if (!identified->identity().isSameKind(work.servo.identity()))
+        return base::fail(ErrorCode::IdentityMismatch, QStringLiteral("commission"),
+                          identified->profile->modelName, work.servo.id);
     device::Servo& servo = work.servo;
     if (const auto verified = verifyTemplate(context, work); !verified)
         return verified;
     if (const auto read = readHealth(context, servo); !read)
         return read;
-    addAlarms(servo, troubles);
-    if (const auto rated = ratedAt(servo); rated && *rated != work.newBaud)
-        troubles.push_back({QStringLiteral("rate-differs"), QString::number(*rated)});
+    addAlarms(servo, issues);
+    if (const auto storedRate = storedBaud(servo); storedRate && *storedRate != work.newBaud)
+        issues.push_back({QStringLiteral("rate-differs"), QString::number(*storedRate)});
     if (servo.raw(Role::TorqueSwitch).value_or(0) != 0) {
         if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
             return off;
-        troubles.push_back({QStringLiteral("torque-was-on")});
+        issues.push_back({QStringLiteral("torque-was-on")});
     }
-    if (const auto lock = servo.raw(Role::Lock); lock && device::isOpen(*lock))
+    if (const auto lock = servo.raw(Role::Lock); lock && device::isLockOpen(*lock))
         return base::fail(ErrorCode::LockOpen, QStringLiteral("commission"), {}, servo.id);
     work.row.volts = servo.physical(Role::PresentVoltage);
     work.row.celsius = servo.physical(Role::PresentTemperature);

@@ -9,10 +9,10 @@ namespace jobs {
 using base::ErrorCode;
 
 namespace {
-std::vector<base::Protocol> languages(const device::Context& context, base::Protocol own)
+std::vector<base::Protocol> protocolsOnBus(const device::Context& context, base::Protocol own)
 {
     std::vector<base::Protocol> all{own};
-    if (!context.bus.hasBaud())
+    if (!context.bus.canSetBaud())
         return all;
     for (const base::Protocol other : context.catalog.protocolsAt(context.bus.baud())) {
         if (other != own)
@@ -21,27 +21,27 @@ std::vector<base::Protocol> languages(const device::Context& context, base::Prot
     return all;
 }
 
-bool endsAll(ErrorCode code)
+bool endsJob(ErrorCode code)
 {
     return code == ErrorCode::LinkLost || code == ErrorCode::Stopped || code == ErrorCode::Held ||
            code == ErrorCode::Preempted;
 }
 } // namespace
 
-base::Result<std::vector<int>> freeIds(const device::Context& context, base::Protocol protocol,
-                                       const std::vector<int>& ids, std::size_t wanted)
+base::Result<std::vector<int>> findFreeIds(const device::Context& context, base::Protocol protocol,
+                                           const std::vector<int>& ids, std::size_t maxCount)
 {
-    const std::vector<base::Protocol> asked = languages(context, protocol);
+    const std::vector<base::Protocol> askedProtocols = protocolsOnBus(context, protocol);
     std::vector<int> free;
     for (const int id : ids) {
-        if (free.size() >= wanted)
+        if (free.size() >= maxCount)
             break;
         bool silent = true;
-        for (const base::Protocol language : asked) {
-            if (context.stop.requested())
+        for (const base::Protocol language : askedProtocols) {
+            if (context.stop.isRequested())
                 return base::fail(ErrorCode::Stopped, QStringLiteral("free-ids"));
-            const auto unused = isFree(context, language, id, 1);
-            if (!unused && endsAll(unused.error().code))
+            const auto unused = isIdFree(context, language, id, 1);
+            if (!unused && endsJob(unused.error().code))
                 return tl::unexpected(unused.error());
             silent = silent && unused.value_or(false);
         }

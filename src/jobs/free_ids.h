@@ -11,6 +11,6 @@
 namespace jobs {
 /// Of `ids`, in their order, the silent ones; the first `wanted` are enough. Whatever answers, were
 /// it noise, has the ID. Errors: LinkLost, Stopped, Held, Preempted.
-base::Result<std::vector<int>> freeIds(const device::Context& context, base::Protocol protocol,
-                                       const std::vector<int>& ids, std::size_t wanted);
+base::Result<std::vector<int>> findFreeIds(const device::Context& context, base::Protocol protocol,
+                                           const std::vector<int>& ids, std::size_t maxCount);
 } // namespace jobs

@@ -12,16 +12,17 @@ using std::chrono::milliseconds;
 
 namespace {
 constexpr double noise = 2; ///< steps, either way, that no encoder is blamed for
-constexpr double stirs = 4; ///< more is motion: from one extreme of the noise to the other
-constexpr double noWay = 1; ///< a shorter way has no direction
-constexpr double mostSpread = 3.5;
-constexpr double spreads = 2;    ///< the last fifth has not seen the worst
-constexpr double enough = 10;    ///< readings that tell the noise
-constexpr double restShare = 64; ///< as in device/arrival.cpp
-constexpr Duration onTheWire = milliseconds(5);
-constexpr Duration shortLoss = milliseconds(50);
-constexpr Duration flagPatience = milliseconds(500);
-constexpr Duration shortestRest = milliseconds(100);
+constexpr double motionThreshold =
+    4; ///< more is motion: from one extreme of the noise to the other
+constexpr double minDirectedDistance = 1; ///< a shorter way has no direction
+constexpr double maxSpread = 3.5;
+constexpr double spreadFactor = 2;       ///< the last fifth has not seen the worst
+constexpr double minNoiseReadings = 10;  ///< readings that tell the noise
+constexpr double toleranceFraction = 64; ///< as in device/arrival.cpp
+constexpr Duration wireDelay = milliseconds(5);
+constexpr Duration maxInterpolatedLoss = milliseconds(50);
+constexpr Duration flagTimeout = milliseconds(500);
+constexpr Duration minRestTime = milliseconds(100);
 
 Duration fromSeconds(double seconds)
 {
@@ -29,25 +30,26 @@ Duration fromSeconds(double seconds)
 }
 
 /// What the servo needs from rest to be seen moving.
-Duration startUp(const record::SweepAxis& axis)
+Duration startUpTime(const record::SweepAxis& axis)
 {
     const double acceleration = axis.acceleration.value_or(0);
-    return acceleration > 0 ? fromSeconds(std::sqrt(2 * stirs / acceleration)) : Duration(0);
+    return acceleration > 0 ? fromSeconds(std::sqrt(2 * motionThreshold / acceleration))
+                            : Duration(0);
 }
 
-Duration timeAt(std::optional<double> speed, double way)
+Duration timeForDistance(std::optional<double> speed, double way)
 {
     return speed && *speed > 0 ? fromSeconds(way / *speed) : Duration(0);
 }
 
 /// A flag that stays down is wrong after so much way.
-double flagFar(const record::SweepAxis& axis, double way)
+double flagDistance(const record::SweepAxis& axis, double way)
 {
-    return std::max(2 * axis.tolerance, std::min(axis.stepsPerTurn / restShare, way / 2));
+    return std::max(2 * axis.tolerance, std::min(axis.stepsPerTurn / toleranceFraction, way / 2));
 }
 
 template <typename Pick>
-void keep(std::optional<double>& best, const std::optional<double>& value, Pick pick)
+void keepExtreme(std::optional<double>& best, const std::optional<double>& value, Pick pick)
 {
     if (value && std::isfinite(*value))
         best = best ? pick(*best, *value) : *value;
@@ -57,44 +59,44 @@ void keep(std::optional<double>& best, const std::optional<double>& value, Pick 
 LegMeter::LegMeter(const record::SweepAxis& axis, int number, int cycle, Duration at, double start,
                    double target)
     : m_axis(axis)
-    , m_at(at)
-    , m_startUp(startUp(axis))
+    , m_goalSentAt(at)
+    , m_startUpTime(startUpTime(axis))
     , m_goal(target)
     , m_last{at, start}
-    , m_before(at)
-    , m_still(stirs, at, start)
-    , m_calm(std::max(stirs, axis.tolerance), at, start)
-    , m_speeds(at, start, target)
-    , m_flag(at, flagFar(axis, std::abs(target - start)),
-             flagPatience + m_startUp + 2 * timeAt(axis.speed, stirs))
+    , m_previousAt(at)
+    , m_settle(motionThreshold, at, start)
+    , m_coarseSettle(std::max(motionThreshold, axis.tolerance), at, start)
+    , m_speedMeter(at, start, target)
+    , m_movingFlag(at, flagDistance(axis, std::abs(target - start)),
+                   flagTimeout + m_startUpTime + 2 * timeForDistance(axis.speed, motionThreshold))
 {
     m_leg.number = number;
     m_leg.cycle = cycle;
     m_leg.start = start;
     m_leg.target = target;
-    noteAway(at);
+    updateAwaySince(at);
     if (std::abs(start - target) <= axis.tolerance) {
         m_leg.timeToTarget = Duration(0);
-        m_inside = at;
+        m_insideSince = at;
     }
 }
 
-void LegMeter::follow(std::function<double(Duration since)> path, Duration period)
+void LegMeter::followPath(std::function<double(Duration since)> path, Duration period)
 {
     m_path = std::move(path);
     m_period = period;
-    m_flag.allowUp();
+    m_movingFlag.allowMoving();
 }
 
-void LegMeter::command(Duration at, double goal)
+void LegMeter::setGoal(Duration at, double goal)
 {
     m_goal = goal;
-    noteAway(at);
+    updateAwaySince(at);
 }
 
-void LegMeter::noteAway(Duration at)
+void LegMeter::updateAwaySince(Duration at)
 {
-    if (std::abs(m_last.position - m_goal) <= leftBeside())
+    if (std::abs(m_last.position - m_goal) <= restTolerance())
         m_awaySince.reset();
     else if (!m_awaySince)
         m_awaySince = at;
@@ -102,9 +104,9 @@ void LegMeter::noteAway(Duration at)
 
 void LegMeter::add(const SweepSample& sample)
 {
-    if (sample.at < m_at)
+    if (sample.at < m_goalSentAt)
         return;
-    const bool placed = sample.answered && sample.position && std::isfinite(*sample.position);
+    const bool hasPosition = sample.answered && sample.position && std::isfinite(*sample.position);
     if (sample.answered) {
         ++m_leg.samples;
         m_leg.alarms = std::uint8_t(m_leg.alarms | sample.status);
@@ -114,66 +116,66 @@ void LegMeter::add(const SweepSample& sample)
             m_load.add(*sample.load);
         const auto less = [](double one, double other) { return std::min(one, other); };
         const auto more = [](double one, double other) { return std::max(one, other); };
-        keep(m_leg.voltageMin, sample.voltage, less);
-        keep(m_leg.temperatureMax, sample.temperature, more);
+        keepExtreme(m_leg.voltageMin, sample.voltage, less);
+        keepExtreme(m_leg.temperatureMax, sample.temperature, more);
     } else {
         ++m_leg.lost;
     }
-    if (placed) {
+    if (hasPosition) {
         addPosition(sample.at, *sample.position);
         if (sample.moving)
-            m_flag.add(sample.at, *sample.position, *sample.moving, m_still.since());
+            m_movingFlag.add(sample.at, *sample.position, *sample.moving, m_settle.since());
     }
-    m_lostSince = !placed;
-    m_before = sample.at;
+    m_sampleLost = !hasPosition;
+    m_previousAt = sample.at;
 }
 
 void LegMeter::addPosition(Duration at, double position)
 {
-    m_still.add(at, position);
-    m_calm.add(at, position);
-    m_speeds.add(at, position);
+    m_settle.add(at, position);
+    m_coarseSettle.add(at, position);
+    m_speedMeter.add(at, position);
     m_trace.add(at, position);
-    const double beyond = m_smoothSide.add(at, side(position));
+    const double beyond = m_smoothedError.add(at, signedError(position));
     m_peak = std::max(m_peak.value_or(beyond), beyond);
-    holdAgainstPath(at, position);
-    lookForArrival(at, position);
+    measureFollowingError(at, position);
+    detectArrival(at, position);
     m_last = {at, position};
-    m_read = true;
-    noteAway(at);
+    m_hasReading = true;
+    updateAwaySince(at);
 }
 
-double LegMeter::side(double position) const
+double LegMeter::signedError(double position) const
 {
     return (m_leg.target < m_leg.start ? -1.0 : 1.0) * (position - m_leg.target);
 }
 
 /// The band may lie between two readings: then it went through all the same.
-void LegMeter::lookForArrival(Duration at, double position)
+void LegMeter::detectArrival(Duration at, double position)
 {
     const double before = m_last.position - m_leg.target;
     const double now = position - m_leg.target;
     const bool within = std::abs(now) <= m_axis.tolerance;
-    const bool through = !within && std::signbit(before) != std::signbit(now);
-    if (!m_leg.timeToTarget && (within || through)) {
+    const bool passedThrough = !within && std::signbit(before) != std::signbit(now);
+    if (!m_leg.timeToTarget && (within || passedThrough)) {
         const double edge = m_leg.target + std::copysign(m_axis.tolerance, before);
-        const bool unseen = m_lostSince && at - m_last.at > shortLoss;
+        const bool unseen = m_sampleLost && at - m_last.at > maxInterpolatedLoss;
         const Duration moment =
-            unseen ? at : crossing(m_last.at, m_last.position, at, position, edge);
-        m_leg.timeToTarget = moment - m_at;
+            unseen ? at : crossingTime(m_last.at, m_last.position, at, position, edge);
+        m_leg.timeToTarget = moment - m_goalSentAt;
     }
-    if (within && !m_inside)
-        m_inside = at;
+    if (within && !m_insideSince)
+        m_insideSince = at;
     else if (std::abs(now) > m_axis.tolerance + noise)
-        m_inside.reset();
+        m_insideSince.reset();
 }
 
-void LegMeter::holdAgainstPath(Duration at, double position)
+void LegMeter::measureFollowingError(Duration at, double position)
 {
     // The goals of a sine move, wherever the servo stands.
-    if (!m_path && std::abs(m_leg.target - m_leg.start) < noWay)
+    if (!m_path && std::abs(m_leg.target - m_leg.start) < minDirectedDistance)
         return;
-    const Duration since = at - m_at - std::min(at - m_before, onTheWire);
+    const Duration since = at - m_goalSentAt - std::min(at - m_previousAt, wireDelay);
     const auto planned = m_path ? std::optional(m_path(since))
                                 : plannedPosition(m_leg.start, m_leg.target, since, m_axis);
     if (!planned)
@@ -181,48 +183,52 @@ void LegMeter::holdAgainstPath(Duration at, double position)
     if (m_path && m_period > Duration::zero())
         m_phase.add(double(since.count()) / double(m_period.count()), *planned, position);
     // A sine turns round while the servo is still behind: there behind may be either way.
-    const double lag = m_path ? std::abs(*planned - position) : side(*planned) - side(position);
-    const double smooth = m_smoothLag.add(at, lag);
+    const double lag =
+        m_path ? std::abs(*planned - position) : signedError(*planned) - signedError(position);
+    const double smooth = m_smoothedLag.add(at, lag);
     m_leg.followingError = std::max(m_leg.followingError.value_or(0), smooth);
 }
 
 bool LegMeter::arrived(Duration rest) const
 {
-    return m_read && m_inside && m_last.at - std::max(*m_inside, m_calm.since()) >= rest;
+    return m_hasReading && m_insideSince &&
+           m_last.at - std::max(*m_insideSince, m_coarseSettle.since()) >= rest;
 }
 
 /// What friction and load may leave of the way.
-double LegMeter::leftBeside() const
+double LegMeter::restTolerance() const
 {
-    return std::max(m_axis.tolerance, m_axis.stepsPerTurn / restShare);
+    return std::max(m_axis.tolerance, m_axis.stepsPerTurn / toleranceFraction);
 }
 
-bool LegMeter::standsNear(Duration rest) const
+bool LegMeter::restsNearTarget(Duration rest) const
 {
-    return m_read && std::abs(m_last.position - m_leg.target) <= leftBeside() &&
-           m_last.at - std::max(m_calm.since(), m_at + m_startUp) >= rest;
+    return m_hasReading && std::abs(m_last.position - m_leg.target) <= restTolerance() &&
+           m_last.at - std::max(m_coarseSettle.since(), m_goalSentAt + m_startUpTime) >= rest;
 }
 
-bool LegMeter::stalled(Duration span) const
+bool LegMeter::isStalled(Duration span) const
 {
-    if (!m_read || !m_awaySince)
+    if (!m_hasReading || !m_awaySince)
         return false;
-    const Duration least = std::max(span, 2 * timeAt(m_axis.speed, stirs));
-    return m_last.at - std::max({m_still.since(), m_at + m_startUp, *m_awaySince}) >= least;
+    const Duration minStandTime =
+        std::max(span, 2 * timeForDistance(m_axis.speed, motionThreshold));
+    return m_last.at - std::max({m_settle.since(), m_goalSentAt + m_startUpTime, *m_awaySince}) >=
+           minStandTime;
 }
 
 record::SweepLeg LegMeter::finish(Duration end, Duration runStart) const
 {
     record::SweepLeg leg = m_leg;
-    leg.at = m_at - runStart;
-    leg.span = end - m_at;
-    leg.meanSpeed = m_speeds.mean();
-    leg.topSpeed = m_speeds.top();
+    leg.at = m_goalSentAt - runStart;
+    leg.span = end - m_goalSentAt;
+    leg.meanSpeed = m_speedMeter.mean();
+    leg.topSpeed = m_speedMeter.top();
     leg.currentPeak = m_current.peak();
     leg.currentMean = m_current.mean();
     leg.loadPeak = m_load.peak();
     leg.loadMean = m_load.mean();
-    leg.flagWrong = m_flag.wrong();
+    leg.flagWrong = m_movingFlag.isWrong();
     leg.missed = !leg.timeToTarget && !m_path;
     if (m_path) {
         leg.timeToTarget.reset();
@@ -235,35 +241,37 @@ record::SweepLeg LegMeter::finish(Duration end, Duration runStart) const
 
 void LegMeter::finishRest(record::SweepLeg& leg, Duration end) const
 {
-    RestQuery query{leg.target, m_axis.tolerance, {}, timeAt(m_axis.speed, m_axis.tolerance)};
+    RestCriteria query{
+        leg.target, m_axis.tolerance, {}, timeForDistance(m_axis.speed, m_axis.tolerance)};
     if (leg.timeToTarget)
-        query.arrival = m_at + *leg.timeToTarget;
-    const auto rest = restOf(m_trace.points(), query);
+        query.arrival = m_goalSentAt + *leg.timeToTarget;
+    const auto rest = analyzeRest(m_trace.points(), query);
     if (!rest)
         return;
     leg.reached = rest->place;
-    if (rest->steady)
+    if (rest->isSteady)
         leg.steadyError = rest->place - leg.target;
-    const bool said = rest->left || (rest->steady && rest->settled);
-    if (query.arrival && said)
-        leg.settling = rest->settled.value_or(end) - *query.arrival;
+    const bool isKnown = rest->hasLeft || (rest->isSteady && rest->settledAt);
+    if (query.arrival && isKnown)
+        leg.settling = rest->settledAt.value_or(end) - *query.arrival;
     finishOvershoot(leg, *rest);
 }
 
 void LegMeter::finishOvershoot(record::SweepLeg& leg, const LegRest& rest) const
 {
     const double way = std::abs(leg.target - leg.start);
-    const bool hadTime =
-        leg.timeToTarget && m_last.at - m_at - *leg.timeToTarget >=
-                                shortestRest + timeAt(m_axis.speed, m_axis.tolerance);
-    if (way < noWay || !m_peak || !(rest.steady || hadTime))
+    const bool hadEnoughTime =
+        leg.timeToTarget && m_last.at - m_goalSentAt - *leg.timeToTarget >=
+                                minRestTime + timeForDistance(m_axis.speed, m_axis.tolerance);
+    if (way < minDirectedDistance || !m_peak || !(rest.isSteady || hadEnoughTime))
         return;
-    const double level = rest.steady ? side(rest.place) : 0;
+    const double level = rest.isSteady ? signedError(rest.place) : 0;
     const double beyond = *m_peak - level;
     double floor = noise;
-    if (rest.steady)
-        floor = rest.readings < enough ? mostSpread
-                                       : std::clamp(spreads * rest.spread, noise, mostSpread);
+    if (rest.isSteady)
+        floor = rest.readings < minNoiseReadings
+                    ? maxSpread
+                    : std::clamp(spreadFactor * rest.spread, noise, maxSpread);
     leg.overshootSteps = beyond > floor ? beyond : 0;
     if (record::isLongEnough(leg, m_axis.tolerance))
         leg.overshoot = *leg.overshootSteps / way * 100;

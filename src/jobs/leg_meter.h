@@ -17,7 +17,7 @@
 //                   the mean of 10 ms; none if not more than twice the noise at rest (2 to 3.5
 //                   steps; 3.5 if fewer than ten readings tell it). If it did not come to rest,
 //                   beyond the target. In % of the way: on ways over twice the tolerance
-//   speeds:         SpeedMeter; moving flag: FlagMeter
+//   speeds:         SpeedMeter; moving flag: MovingFlagCheck
 //   following error: how far behind the planned path, at most, by the mean of 10 ms. A reading is
 //                   held against the path as it was one reading earlier (at most 5 ms): so long
 //                   may the goal and the reading have been on the wire
@@ -57,10 +57,10 @@ public:
              double target);
 
     /// The goal of a sine so long after `at`, and its period. Before the first reading.
-    void follow(std::function<double(base::Duration since)> path, base::Duration period);
+    void followPath(std::function<double(base::Duration since)> path, base::Duration period);
 
     /// A goal of a sine was sent at `at`: until then the servo had nowhere else to go.
-    void command(base::Duration at, double goal);
+    void setGoal(base::Duration at, double goal);
 
     /// In order of time; what was read before the goal was sent is left out.
     void add(const SweepSample& sample);
@@ -70,24 +70,24 @@ public:
     bool arrived(base::Duration rest) const;
     /// For `rest` at one place as arrived() has it, perhaps beside its target, but no further from
     /// it than a servo that stalled().
-    bool standsNear(base::Duration rest) const;
+    bool restsNearTarget(base::Duration rest) const;
     /// Further from the goal it was sent than its tolerance and 1/64 turn, which friction and load
     /// may leave, and within 4 steps of one place, both for `span`, although it has had that long,
     /// and the time that its speed and acceleration need for more than that.
-    bool stalled(base::Duration span) const;
+    bool isStalled(base::Duration span) const;
 
     /// `end`: the next goal was sent. `runStart` becomes the zero of SweepLeg::at.
     record::SweepLeg finish(base::Duration end, base::Duration runStart) const;
 
 private:
-    double leftBeside() const;
-    void noteAway(base::Duration at);
+    double restTolerance() const;
+    void updateAwaySince(base::Duration at);
     void addPosition(base::Duration at, double position);
-    void lookForArrival(base::Duration at, double position);
-    void holdAgainstPath(base::Duration at, double position);
+    void detectArrival(base::Duration at, double position);
+    void measureFollowingError(base::Duration at, double position);
     void finishRest(record::SweepLeg& leg, base::Duration end) const;
     void finishOvershoot(record::SweepLeg& leg, const LegRest& rest) const;
-    double side(double position) const; ///< beyond the target, in the direction of the way
+    double signedError(double position) const; ///< beyond the target, in the direction of the way
 
     struct Reading {
         base::Duration at{};
@@ -95,25 +95,25 @@ private:
     };
     record::SweepAxis m_axis;
     record::SweepLeg m_leg; ///< as far as it is known already
-    base::Duration m_at;
+    base::Duration m_goalSentAt;
     std::function<double(base::Duration)> m_path;
     base::Duration m_period{};                   ///< of m_path
-    base::Duration m_startUp;                    ///< until it can have been seen to move
+    base::Duration m_startUpTime;                ///< until it can have been seen to move
     double m_goal;                               ///< as sent
-    std::optional<base::Duration> m_awaySince{}; ///< leftBeside() and more from m_goal
+    std::optional<base::Duration> m_awaySince{}; ///< restTolerance() and more from m_goal
 
-    Reading m_last;                           ///< at first where it stood
-    bool m_read = false;                      ///< m_last was read in this leg
-    bool m_lostSince = false;                 ///< since m_last
-    base::Duration m_before{};                ///< the sample before, answered or not
-    std::optional<base::Duration> m_inside{}; ///< within tolerance since
-    Stillness m_still;
-    Stillness m_calm; ///< a coarser one, for arrived()
-    SpeedMeter m_speeds;
-    FlagMeter m_flag;
+    Reading m_last;                                ///< at first where it stood
+    bool m_hasReading = false;                     ///< m_last was read in this leg
+    bool m_sampleLost = false;                     ///< since m_last
+    base::Duration m_previousAt{};                 ///< the sample before, answered or not
+    std::optional<base::Duration> m_insideSince{}; ///< within tolerance since
+    SettleDetector m_settle;
+    SettleDetector m_coarseSettle; ///< a coarser one, for arrived()
+    SpeedMeter m_speedMeter;
+    MovingFlagCheck m_movingFlag;
     LegTrace m_trace;
-    Smoother m_smoothSide;
-    Smoother m_smoothLag;
+    MovingAverage m_smoothedError;
+    MovingAverage m_smoothedLag;
     PhaseMeter m_phase;
     std::optional<double> m_peak{}; ///< furthest side()
     Magnitude m_current;

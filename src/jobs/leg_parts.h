@@ -11,11 +11,11 @@
 
 namespace jobs {
 /// Since when the position has kept within `band` of one place.
-class Stillness {
+class SettleDetector {
 public:
-    Stillness(double band, base::Duration at, double position)
+    SettleDetector(double band, base::Duration at, double position)
         : m_band(band)
-        , m_place(position)
+        , m_center(position)
         , m_since(at)
     {}
     void add(base::Duration at, double position);
@@ -23,12 +23,12 @@ public:
 
 private:
     double m_band;
-    double m_place;
+    double m_center;
     base::Duration m_since;
 };
 
 /// The mean of the last 10 ms: single readings are noisy, and no servo turns round so quickly.
-class Smoother {
+class MovingAverage {
 public:
     double add(base::Duration at, double value);
 
@@ -58,7 +58,7 @@ private:
     std::optional<Wave> fit(const Sums& right) const;
 
     int m_count = 0;
-    std::array<Sums, 3> m_left{}; ///< products of 1, cos and sin
+    std::array<Sums, 3> m_normalMatrix{}; ///< products of 1, cos and sin
     Sums m_goal{};
     Sums m_position{};
 };
@@ -91,52 +91,52 @@ public:
 private:
     struct Point {
         base::Duration at;
-        double gone;
+        double distance;
     };
-    bool known() const;
-    void cross(const Point& point);
-    void measureTop(const Point& point);
-    bool stretches(const Point& from, const Point& to) const;
+    bool isKnown() const;
+    void trackMiddle(const Point& point);
+    void updateTopSpeed(const Point& point);
+    bool spansWindow(const Point& from, const Point& to) const;
     double slope() const;
 
     double m_start;
-    double m_way; ///< without sign
+    double m_distance; ///< without sign
     double m_sign;
     Point m_last;
-    std::optional<base::Duration> m_begun{}; ///< 10 % of the way were gone
-    std::optional<base::Duration> m_done{};  ///< 90 %
-    std::size_t m_readings = 0;              ///< between them
-    bool m_hole = false;
-    std::deque<Point> m_stretch;
+    std::optional<base::Duration> m_startedAt{}; ///< 10 % of the way were gone
+    std::optional<base::Duration> m_done{};      ///< 90 %
+    std::size_t m_readings = 0;                  ///< between them
+    bool m_hasGap = false;
+    std::deque<Point> m_window;
     std::optional<double> m_top{};
 };
 
 /// Whether a moving flag contradicts the position: it says so for `patience` while the servo stands
 /// (4 steps), or denies it while the servo goes `far` (longer than 100 ms, and from 100 ms after
 /// the goal on: it takes a moment to rise).
-class FlagMeter {
+class MovingFlagCheck {
 public:
-    FlagMeter(base::Duration at, double far, base::Duration patience)
+    MovingFlagCheck(base::Duration at, double minTravel, base::Duration timeout)
         : m_at(at)
-        , m_far(far)
-        , m_patience(patience)
+        , m_minTravel(minTravel)
+        , m_timeout(timeout)
     {}
-    void add(base::Duration at, double position, bool moving, base::Duration stillSince);
+    void add(base::Duration at, double position, bool moving, base::Duration restingSince);
     /// A flag that stays up is nothing wrong: the goal itself is moving.
-    void allowUp() { m_mayStay = true; }
-    std::optional<bool> wrong() const { return m_wrong; }
+    void allowMoving() { m_mayStayMoving = true; }
+    std::optional<bool> isWrong() const { return m_isWrong; }
 
 private:
-    struct Run {
+    struct FlagState {
         bool moving;
         base::Duration at;
         double position;
     };
     base::Duration m_at;
-    double m_far;
-    base::Duration m_patience;
-    bool m_mayStay = false;
-    std::optional<Run> m_run{}; ///< since the flag last changed
-    std::optional<bool> m_wrong{};
+    double m_minTravel;
+    base::Duration m_timeout;
+    bool m_mayStayMoving = false;
+    std::optional<FlagState> m_flagState{}; ///< since the flag last changed
+    std::optional<bool> m_isWrong{};
 };
 } // namespace jobs

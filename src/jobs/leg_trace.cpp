@@ -9,13 +9,13 @@ namespace jobs {
 using base::Duration;
 
 namespace {
-constexpr std::size_t untouched = LegTrace::room / 2;
+constexpr std::size_t rawCapacity = LegTrace::capacity / 2;
 constexpr std::size_t newest = 4; ///< readings that no block takes yet
-constexpr int tailShare = 5;      ///< the last fifth tells where it rests
-constexpr std::size_t leastTail = 3;
-constexpr double mostNoise = 2;
-constexpr double leastBand = 3; ///< a servo that stays within it stands still
-constexpr Duration leastRest = std::chrono::milliseconds(100);
+constexpr int tailDivisor = 5;    ///< the last fifth tells where it rests
+constexpr std::size_t minTailReadings = 3;
+constexpr double maxNoise = 2;
+constexpr double minBand = 3; ///< a servo that stays within it stands still
+constexpr Duration minRestDuration = std::chrono::milliseconds(100);
 
 using Points = std::vector<LegPoint>::const_iterator;
 
@@ -46,12 +46,13 @@ struct Tail {
 };
 
 /// Of the points from `first` on: the last fifth of their time, at least three of them.
-Tail tailOf(const std::vector<LegPoint>& points, std::size_t first)
+Tail tailStatistics(const std::vector<LegPoint>& points, std::size_t first)
 {
     const Duration end = points.back().at;
-    const Duration from = end - (end - points[first].at) / tailShare;
+    const Duration from = end - (end - points[first].at) / tailDivisor;
     std::size_t begin = points.size();
-    while (begin > first && (points[begin - 1].at >= from || points.size() - begin < leastTail))
+    while (begin > first &&
+           (points[begin - 1].at >= from || points.size() - begin < minTailReadings))
         --begin;
     double sum = 0;
     double count = 0;
@@ -67,7 +68,7 @@ Tail tailOf(const std::vector<LegPoint>& points, std::size_t first)
 
 /// The first of the points from `first` on after which all keep within `band` of `place`;
 /// points.size(): the last one does not.
-std::size_t stayedSince(const std::vector<LegPoint>& points, std::size_t first, double place,
+std::size_t firstWithin(const std::vector<LegPoint>& points, std::size_t first, double place,
                         double band)
 {
     std::size_t since = points.size();
@@ -76,15 +77,16 @@ std::size_t stayedSince(const std::vector<LegPoint>& points, std::size_t first, 
     return since;
 }
 
-bool longEnough(const std::vector<LegPoint>& points, std::size_t since, Duration least)
+bool restsLongEnough(const std::vector<LegPoint>& points, std::size_t since, Duration minDuration)
 {
-    return points.size() >= since + leastTail && points.back().at - points[since].at >= least;
+    return points.size() >= since + minTailReadings &&
+           points.back().at - points[since].at >= minDuration;
 }
 
-void standAt(LegRest& rest, const std::vector<LegPoint>& points, std::size_t since)
+void setRest(LegRest& rest, const std::vector<LegPoint>& points, std::size_t since)
 {
-    const Tail tail = tailOf(points, since);
-    rest.steady = true;
+    const Tail tail = tailStatistics(points, since);
+    rest.isSteady = true;
     rest.place = tail.mean;
     rest.spread = tail.spread;
     rest.readings = tail.readings;
@@ -92,8 +94,8 @@ void standAt(LegRest& rest, const std::vector<LegPoint>& points, std::size_t sin
 
 /// When the stay within tolerance began that lasts till the end. `since`: the first point of it
 /// with noise allowed, which may still be a little outside.
-void settle(LegRest& rest, const std::vector<LegPoint>& points, std::size_t since,
-            const RestQuery& query)
+void findSettling(LegRest& rest, const std::vector<LegPoint>& points, std::size_t since,
+                  const RestCriteria& query)
 {
     const auto outside = [&](std::size_t i) {
         return std::abs(points[i].position - query.target) > query.tolerance;
@@ -105,60 +107,62 @@ void settle(LegRest& rest, const std::vector<LegPoint>& points, std::size_t sinc
     const LegPoint& in = points[since];
     const LegPoint& out = points[since - 1];
     const double edge = query.target + std::copysign(query.tolerance, out.position - query.target);
-    rest.settled = crossing(out.at, out.position, in.at, in.position, edge);
+    rest.settledAt = crossingTime(out.at, out.position, in.at, in.position, edge);
 }
 
 /// Not at its target: perhaps it stands elsewhere, about where it was last.
-void restElsewhere(LegRest& rest, const std::vector<LegPoint>& points, const RestQuery& query)
+void findRestElsewhere(LegRest& rest, const std::vector<LegPoint>& points,
+                       const RestCriteria& query)
 {
-    if (points.size() < leastTail)
+    if (points.size() < minTailReadings)
         return;
-    std::array<double, leastTail> last{};
-    for (std::size_t i = 0; i < leastTail; ++i)
+    std::array<double, minTailReadings> last{};
+    for (std::size_t i = 0; i < minTailReadings; ++i)
         last[i] = points[points.size() - 1 - i].position;
     std::sort(last.begin(), last.end());
-    const double noise = std::min(mostNoise, tailOf(points, 0).spread);
-    const double band = std::max(query.tolerance, leastBand) + noise;
-    const std::size_t since = stayedSince(points, 0, last[1], band);
-    if (since < points.size() && longEnough(points, since, leastRest + 2 * query.slowest))
-        standAt(rest, points, since);
+    const double noise = std::min(maxNoise, tailStatistics(points, 0).spread);
+    const double band = std::max(query.tolerance, minBand) + noise;
+    const std::size_t since = firstWithin(points, 0, last[1], band);
+    if (since < points.size() &&
+        restsLongEnough(points, since, minRestDuration + 2 * query.minCrossTime))
+        setRest(rest, points, since);
 }
 } // namespace
 
 void LegTrace::add(Duration at, double position)
 {
     m_points.push_back({at, position, position, 1});
-    if (m_block > 0 && m_points.size() - m_fresh >= m_block + newest) {
-        const auto begin = m_points.begin() + std::ptrdiff_t(m_fresh);
-        const auto end = begin + std::ptrdiff_t(m_block);
+    if (m_blockSize > 0 && m_points.size() - m_firstRaw >= m_blockSize + newest) {
+        const auto begin = m_points.begin() + std::ptrdiff_t(m_firstRaw);
+        const auto end = begin + std::ptrdiff_t(m_blockSize);
         const auto [first, second] = extremes(begin, end);
         begin[0] = first;
         begin[1] = second;
         m_points.erase(begin + 2, end);
-        m_fresh += 2;
+        m_firstRaw += 2;
     }
-    if (m_points.size() >= room)
-        thin();
+    if (m_points.size() >= capacity)
+        decimate();
 }
 
-void LegTrace::thin()
+void LegTrace::decimate()
 {
-    const std::size_t end = m_block == 0 ? m_points.size() - newest : m_fresh;
-    std::size_t kept = untouched;
-    std::size_t next = untouched;
+    const std::size_t end = m_blockSize == 0 ? m_points.size() - newest : m_firstRaw;
+    std::size_t keptCount = rawCapacity;
+    std::size_t next = rawCapacity;
     for (; next + 4 <= end; next += 4) {
         const auto begin = m_points.begin() + std::ptrdiff_t(next);
         const auto [first, second] = extremes(begin, begin + 4);
-        m_points[kept++] = first;
-        m_points[kept++] = second;
+        m_points[keptCount++] = first;
+        m_points[keptCount++] = second;
     }
-    m_fresh = kept + (end - next);
-    m_block = m_block == 0 ? 4 : 2 * m_block;
-    m_points.erase(m_points.begin() + std::ptrdiff_t(kept),
+    m_firstRaw = keptCount + (end - next);
+    m_blockSize = m_blockSize == 0 ? 4 : 2 * m_blockSize;
+    m_points.erase(m_points.begin() + std::ptrdiff_t(keptCount),
                    m_points.begin() + std::ptrdiff_t(next));
 }
 
-Duration crossing(Duration before, double from, Duration after, double to, double level)
+Duration crossingTime(Duration before, double from, Duration after, double to, double level)
 {
     if (from == to)
         return after;
@@ -166,14 +170,14 @@ Duration crossing(Duration before, double from, Duration after, double to, doubl
     return before + Duration(std::llround(share * double((after - before).count())));
 }
 
-std::optional<LegRest> restOf(const std::vector<LegPoint>& points, const RestQuery& query)
+std::optional<LegRest> analyzeRest(const std::vector<LegPoint>& points, const RestCriteria& query)
 {
     if (points.empty())
         return std::nullopt;
     LegRest rest;
     rest.place = points.back().position;
     if (!query.arrival) {
-        restElsewhere(rest, points, query);
+        findRestElsewhere(rest, points, query);
         return rest;
     }
     const auto arrived = std::find_if(points.begin(), points.end(), [&](const LegPoint& point) {
@@ -182,25 +186,25 @@ std::optional<LegRest> restOf(const std::vector<LegPoint>& points, const RestQue
     const auto first = std::size_t(arrived - points.begin());
     if (first == points.size())
         return rest;
-    const double noise = std::min(mostNoise, tailOf(points, first).spread);
-    const std::size_t since = stayedSince(points, first, query.target, query.tolerance + noise);
-    rest.left = since > first;
+    const double noise = std::min(maxNoise, tailStatistics(points, first).spread);
+    const std::size_t since = firstWithin(points, first, query.target, query.tolerance + noise);
+    rest.hasLeft = since > first;
     if (since == points.size()) {
-        restElsewhere(rest, points, query);
+        findRestElsewhere(rest, points, query);
         return rest;
     }
-    if (rest.left)
-        settle(rest, points, since, query);
+    if (rest.hasLeft)
+        findSettling(rest, points, since, query);
     else
-        rest.settled = query.arrival;
-    if (longEnough(points, since, leastRest + query.slowest)) {
-        standAt(rest, points, since);
+        rest.settledAt = query.arrival;
+    if (restsLongEnough(points, since, minRestDuration + query.minCrossTime)) {
+        setRest(rest, points, since);
         return rest;
     }
     // It may stand just beside, and only its noise be within.
-    restElsewhere(rest, points, query);
-    if (rest.steady && std::abs(rest.place - query.target) > query.tolerance)
-        rest.settled.reset();
+    findRestElsewhere(rest, points, query);
+    if (rest.isSteady && std::abs(rest.place - query.target) > query.tolerance)
+        rest.settledAt.reset();
     return rest;
 }
 } // namespace jobs

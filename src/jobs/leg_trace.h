@@ -22,42 +22,43 @@ struct LegPoint {
 
 class LegTrace {
 public:
-    static constexpr std::size_t room = 131072;
+    static constexpr std::size_t capacity = 131072;
 
     void add(base::Duration at, double position);
     const std::vector<LegPoint>& points() const { return m_points; }
 
 private:
-    void thin();
+    void decimate();
 
     std::vector<LegPoint> m_points;
-    std::size_t m_block = 0; ///< so many readings become two points; 0: none does yet
-    std::size_t m_fresh = 0; ///< the first point that is no block's
+    std::size_t m_blockSize = 0; ///< so many readings become two points; 0: none does yet
+    std::size_t m_firstRaw = 0;  ///< the first point that is no block's
 };
 
 /// What is asked of the end of a leg.
-struct RestQuery {
+struct RestCriteria {
     double target = 0;
     double tolerance = 0;
     std::optional<base::Duration> arrival{}; ///< first within tolerance
-    base::Duration slowest{}; ///< the time the way through the tolerance takes, at the least
+    base::Duration minCrossTime{}; ///< the time the way through the tolerance takes, at the least
 };
 
 /// How a leg ended. Within tolerance counts what exceeds it by no more than the noise at rest: the
 /// largest deviation from their mean of the readings in the last fifth since arrival, at most 2.
 struct LegRest {
-    bool steady = false; ///< it stood: by three readings, and long enough not to be passing by
-    double place = 0;    ///< steady: mean of the last fifth of the time it stood; else the last
-    double spread = 0;   ///< steady: largest deviation in that fifth
-    double readings = 0; ///< steady: so many were in it
-    bool left = false;   ///< it was within tolerance and went out again
-    std::optional<base::Duration> settled{}; ///< since when it was within; none: at last it was not
+    bool isSteady = false; ///< it stood: by three readings, and long enough not to be passing by
+    double place = 0;      ///< steady: mean of the last fifth of the time it stood; else the last
+    double spread = 0;     ///< steady: largest deviation in that fifth
+    double readings = 0;   ///< steady: so many were in it
+    bool hasLeft = false;  ///< it was within tolerance and went out again
+    std::optional<base::Duration>
+        settledAt{}; ///< since when it was within; none: at last it was not
 };
 
 /// nullopt: there was no reading.
-std::optional<LegRest> restOf(const std::vector<LegPoint>& points, const RestQuery& query);
+std::optional<LegRest> analyzeRest(const std::vector<LegPoint>& points, const RestCriteria& query);
 
 /// The moment between two readings when the position was `level`.
-base::Duration crossing(base::Duration before, double from, base::Duration after, double to,
-                        double level);
+base::Duration crossingTime(base::Duration before, double from, base::Duration after, double to,
+                            double level);
 } // namespace jobs

@@ -6,10 +6,10 @@
 #include "bus/bus.h"
 
 namespace jobs {
-inline void waitWhileAway(bus::Bus& bus)
+inline void waitForReconnection(bus::Bus& bus)
 {
     constexpr base::Duration slice = std::chrono::milliseconds(50);
-    while (bus.away())
+    while (bus.isReconnecting())
         bus.pauseUntil(bus.clock().now() + slice, nullptr);
 }
 } // namespace jobs

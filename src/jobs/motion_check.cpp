@@ -15,19 +15,19 @@ using catalog::Role;
 
 namespace {
 /// Enough for three steps of the slowest move (LX: 1000 steps in 30 s).
-constexpr base::Duration gap = std::chrono::milliseconds(100);
+constexpr base::Duration sampleInterval = std::chrono::milliseconds(100);
 constexpr std::int64_t torqueIsOn = 1;
 
-bool hasFlag(const device::Servo& servo)
+bool hasMovingFlag(const device::Servo& servo)
 {
     return servo.profile->byRole(Role::Moving) != nullptr;
 }
 
 /// Without a flag two places tell. The last step of the encoder comes and goes.
-base::Result<Motion> comparePlaces(const device::Context& context, device::Servo& servo)
+base::Result<Motion> comparePositions(const device::Context& context, device::Servo& servo)
 {
     const auto before = servo.raw(Role::PresentPosition);
-    context.bus.clock().sleepFor(gap);
+    context.bus.clock().sleepFor(sampleInterval);
     if (const auto read = device::readRoles(context, servo, {Role::PresentPosition}); !read)
         return tl::unexpected(read.error());
     const auto after = servo.raw(Role::PresentPosition);
@@ -36,39 +36,39 @@ base::Result<Motion> comparePlaces(const device::Context& context, device::Servo
 }
 
 /// Together with the position, or later.
-bool loadRead(const device::Servo& servo)
+bool isLoadCurrent(const device::Servo& servo)
 {
-    constexpr base::Duration together = std::chrono::seconds(1);
+    constexpr base::Duration maxSkew = std::chrono::seconds(1);
     const auto readAt = [&](Role role) {
         const catalog::Register* reg = servo.profile->byRole(role);
         return reg != nullptr ? servo.image.readAt(reg->offset) : std::nullopt;
     };
     const auto load = readAt(Role::PresentLoad);
     const auto position = readAt(Role::PresentPosition);
-    return load && position && *load >= *position - together;
+    return load && position && *load >= *position - maxSkew;
 }
 
 /// P alone, at half its usual value, gives a quarter of the full load 1/64 turn away from the goal.
 /// Where torque or current is limited, the limit is all a servo can give.
-bool pushes(const device::Servo& servo)
+bool isPushing(const device::Servo& servo)
 {
-    constexpr double pushing = 20; // %
-    constexpr double shareOfLimit = 0.5;
+    constexpr double pushingLoad = 20; // %
+    constexpr double limitFraction = 0.5;
     const auto magnitude = [&](Role role) { return std::abs(servo.physical(role).value_or(0)); };
     const double load = magnitude(Role::PresentLoad);
-    const double most =
+    const double torqueLimit =
         servo.physical(Role::TorqueLimit).value_or(servo.physical(Role::MaxTorque).value_or(100));
-    if (load > 0 && load >= std::min(pushing, most * shareOfLimit))
+    if (load > 0 && load >= std::min(pushingLoad, torqueLimit * limitFraction))
         return true;
-    const double mostCurrent = magnitude(Role::GoalCurrent);
-    return mostCurrent > 0 && magnitude(Role::PresentCurrent) >= mostCurrent * shareOfLimit;
+    const double currentLimit = magnitude(Role::GoalCurrent);
+    return currentLimit > 0 && magnitude(Role::PresentCurrent) >= currentLimit * limitFraction;
 }
 } // namespace
 
-bool turns(const device::Servo& servo)
+bool isTurning(const device::Servo& servo)
 {
     constexpr std::int64_t movingBit = 1; // HLS: bit 1 only tells that the goal was not reached
-    if (hasFlag(servo))
+    if (hasMovingFlag(servo))
         return (servo.raw(Role::Moving).value_or(0) & movingBit) != 0;
     return servo.raw(Role::PresentSpeed).value_or(0) != 0;
 }
@@ -81,8 +81,8 @@ Motion lastKnownMotion(const device::Servo& servo)
     if (mode == nullptr)
         return Motion::Rest;
     if (mode->command != Role::GoalPosition)
-        return servo.raw(mode->command).value_or(0) != 0 || turns(servo) ? Motion::Endless
-                                                                         : Motion::Rest;
+        return servo.raw(mode->command).value_or(0) != 0 || isTurning(servo) ? Motion::Endless
+                                                                             : Motion::Rest;
     return servo.raw(Role::Moving).value_or(0) != 0 ? Motion::ToGoal : Motion::Rest;
 }
 
@@ -90,14 +90,14 @@ bool isJammed(const device::Servo& servo, bool ownGoal)
 {
     if (!servo.profile || servo.raw(Role::TorqueSwitch) != torqueIsOn)
         return false;
-    if (device::reports(servo, {QStringLiteral("overload"), QStringLiteral("current")}))
+    if (device::hasFault(servo, {QStringLiteral("overload"), QStringLiteral("current")}))
         return true;
     const catalog::Mode* mode = servo.mode();
     const auto goal = servo.raw(Role::GoalPosition);
     if (mode == nullptr || mode->command != Role::GoalPosition || !goal ||
-        !device::missesGoal(servo, *goal, device::isRelative(*mode)))
+        !device::goalDeviation(servo, *goal, device::isRelative(*mode)))
         return false;
-    return loadRead(servo) ? pushes(servo) : ownGoal;
+    return isLoadCurrent(servo) ? isPushing(servo) : ownGoal;
 }
 
 base::Result<Motion> readMotion(const device::Context& context, device::Servo& servo)
@@ -114,8 +114,8 @@ base::Result<Motion> readMotion(const device::Context& context, device::Servo& s
         return tl::unexpected(read.error());
     const bool toGoal = mode != nullptr && command == Role::GoalPosition &&
                         servo.raw(Role::TorqueSwitch) == torqueIsOn;
-    if (toGoal && !hasFlag(servo))
-        return comparePlaces(context, servo);
+    if (toGoal && !hasMovingFlag(servo))
+        return comparePositions(context, servo);
     return lastKnownMotion(servo);
 }
 } // namespace jobs

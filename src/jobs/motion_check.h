@@ -17,7 +17,7 @@ base::Result<Motion> readMotion(const device::Context& context, device::Servo& s
 
 /// As of the latest readings, by its flag, or its speed where it has none: a speed command of 0
 /// alone does not stop every servo. The servo has a profile.
-bool turns(const device::Servo& servo);
+bool isTurning(const device::Servo& servo);
 
 /// As of the latest readings; Rest where too little has been read. A move to a goal counts only
 /// where the servo has a moving flag.

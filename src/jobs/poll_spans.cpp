@@ -9,7 +9,7 @@
 namespace jobs {
 namespace {
 constexpr base::Duration slowPeriod = std::chrono::seconds(1);
-constexpr int slowRounds = 100; ///< where rounds follow each other without a pause
+constexpr int slowRoundDivider = 100; ///< where rounds follow each other without a pause
 
 /// Where each register is read by itself, slow ones would take time from fast ones.
 bool isSlow(const catalog::Profile& profile, const catalog::Register* reg)
@@ -19,10 +19,11 @@ bool isSlow(const catalog::Profile& profile, const catalog::Register* reg)
 }
 } // namespace
 
-int everyNth(base::Duration period, base::Duration pace, int unpaced)
+int everyNth(base::Duration period, base::Duration interval, int defaultDivider)
 {
-    return period > base::Duration{} ? int(std::clamp<base::Duration::rep>(pace / period, 1, 1000))
-                                     : unpaced;
+    return period > base::Duration{}
+               ? int(std::clamp<base::Duration::rep>(interval / period, 1, 1000))
+               : defaultDivider;
 }
 
 std::vector<bus::PollSpan> pollSpans(const catalog::Profile& profile,
@@ -37,19 +38,19 @@ std::vector<bus::PollSpan> pollSpans(const catalog::Profile& profile,
         fast.swap(slow);
     std::vector<bus::PollSpan> spans = device::planSpans(profile, fast);
     for (bus::PollSpan span : device::planSpans(profile, slow)) {
-        span.every = everyNth(period, slowPeriod, slowRounds);
+        span.every = everyNth(period, slowPeriod, slowRoundDivider);
         spans.push_back(span);
     }
     return bus::mergeSpans(std::move(spans), profile.readGap, profile.maxRead);
 }
 
-int PollFamilies::of(const catalog::Profile& profile)
+int SyncReadGroups::of(const catalog::Profile& profile)
 {
     return m_numbers.try_emplace({profile.mapKey, profile.byteOrder}, int(m_numbers.size()))
         .first->second;
 }
 
-std::size_t blockOf(const bus::Sample& sample, const std::vector<bus::PollSpan>& spans)
+std::size_t blockIndex(const bus::Sample& sample, const std::vector<bus::PollSpan>& spans)
 {
     const auto span = std::find_if(spans.begin(), spans.end(), [&](const bus::PollSpan& s) {
         return s.address == sample.address;

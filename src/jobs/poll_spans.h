@@ -12,7 +12,7 @@
 namespace jobs {
 /// So many rounds of `period` fit into `pace`. Where rounds follow each other without a pause,
 /// `unpaced` is the answer.
-int everyNth(base::Duration period, base::Duration pace, int unpaced);
+int everyNth(base::Duration period, base::Duration interval, int defaultDivider);
 
 /// The blocks as the bus will read them. What changes slowly and costs a read of its own (LX:
 /// temperature, voltage) is read about once a second only.
@@ -21,7 +21,7 @@ std::vector<bus::PollSpan> pollSpans(const catalog::Profile& profile,
                                      base::Duration period);
 
 /// Servos of one number may share a sync read: their maps and byte orders are the same.
-class PollFamilies {
+class SyncReadGroups {
 public:
     int of(const catalog::Profile& profile);
 
@@ -31,17 +31,17 @@ private:
 
 /// Tells which blocks belong to one round of a servo. They come in the order of its spans; one that
 /// is not answered ends the round, since the bus then leaves the servo alone for a while.
-class RoundCut {
+class PollRoundTracker {
 public:
     /// True when what came before belongs to an earlier round. `block`: its place in the spans.
-    bool startsAnew(std::size_t block) const { return m_latest && block <= *m_latest; }
+    bool startsNewRound(std::size_t block) const { return m_latest && block <= *m_latest; }
     /// True when the round is complete with this sample.
     bool take(std::size_t block, const bus::Sample& sample)
     {
         m_latest = block;
         return !sample.answered || sample.endsRound;
     }
-    void close() { m_latest.reset(); }
+    void reset() { m_latest.reset(); }
     bool open() const { return m_latest.has_value(); }
 
 private:
@@ -49,5 +49,5 @@ private:
 };
 
 /// The place among `spans` of the one a sample answers to; their count if there is none.
-std::size_t blockOf(const bus::Sample& sample, const std::vector<bus::PollSpan>& spans);
+std::size_t blockIndex(const bus::Sample& sample, const std::vector<bus::PollSpan>& spans);
 } // namespace jobs

@@ -20,23 +20,23 @@ const QString operation = QStringLiteral("reboot");
 /// taken for the beginning of a firmware update (protocol sheet §2.5).
 constexpr int loaderBaud = 500'000;
 constexpr base::Duration quietTime = 700ms;
-constexpr base::Duration longestStart = 2s;
-constexpr base::Duration askEvery = 25ms;
+constexpr base::Duration maxStartTime = 2s;
+constexpr base::Duration pingInterval = 25ms;
 /// One lost PING is no proof that the servo was away.
-constexpr int silencesThatProve = 2;
+constexpr int missedPingsProvingRestart = 2;
 
 /// A RAM value that no restart leaves as it is: the torque limit, which every start loads from the
 /// EPROM, or the running time, which every start sets to its default. One step off, with torque
 /// off, it moves nothing.
-struct Mark {
+struct RestartMarker {
     const catalog::Register* reg = nullptr; ///< null: this servo has none
     std::int64_t raw = 0;
     std::unique_ptr<TemporarySettings> written{}; ///< null: the value was another one by itself
 
-    bool stands(const device::Servo& servo) const { return servo.raw(*reg) == raw; }
+    bool isUnchanged(const device::Servo& servo) const { return servo.raw(*reg) == raw; }
 };
 
-bool endsAll(ErrorCode code)
+bool endsJob(ErrorCode code)
 {
     return code == ErrorCode::LinkLost || code == ErrorCode::Stopped || code == ErrorCode::Held ||
            code == ErrorCode::Preempted;
@@ -44,7 +44,7 @@ bool endsAll(ErrorCode code)
 
 /// The servo has no such value, or does not take another one. Anything else, such as a full disk
 /// or a lost line, is none of its doing.
-bool takesNoMark(ErrorCode code)
+bool isMarkerImpossible(ErrorCode code)
 {
     switch (code) {
     case ErrorCode::NotSupported:
@@ -60,7 +60,7 @@ bool takesNoMark(ErrorCode code)
 }
 
 /// Null: nothing in this servo can be a mark. In motor mode the running time is the motor's output.
-const catalog::Register* markOf(const device::Servo& servo)
+const catalog::Register* markerRegister(const device::Servo& servo)
 {
     const catalog::Profile& profile = *servo.profile;
     if (profile.byRole(Role::TorqueLimit) != nullptr && profile.byRole(Role::MaxTorque) != nullptr)
@@ -71,43 +71,44 @@ const catalog::Register* markOf(const device::Servo& servo)
 }
 
 /// What a start leaves in the mark's register.
-std::optional<std::int64_t> loadedAtStart(const device::Servo& servo, const catalog::Register& mark)
+std::optional<std::int64_t> valueAfterRestart(const device::Servo& servo,
+                                              const catalog::Register& marker)
 {
-    return mark.role == Role::TorqueLimit ? servo.raw(Role::MaxTorque) : mark.defaultRaw;
+    return marker.role == Role::TorqueLimit ? servo.raw(Role::MaxTorque) : marker.defaultRaw;
 }
 
 /// Without a mark silence has to prove the restart, so a servo that takes none is no error. A
 /// journal that cannot be written and a lost line are, before the command is sent.
-base::Result<Mark> setMark(const device::Context& context, device::Servo& servo)
+base::Result<RestartMarker> setMarker(const device::Context& context, device::Servo& servo)
 {
-    const catalog::Register* reg = markOf(servo);
+    const catalog::Register* reg = markerRegister(servo);
     if (reg == nullptr)
-        return Mark{};
+        return RestartMarker{};
     const auto read = device::readRoles(context, servo, {reg->role, Role::MaxTorque});
-    if (!read && !takesNoMark(read.error().code))
+    if (!read && !isMarkerImpossible(read.error().code))
         return tl::unexpected(read.error());
     const auto now = servo.raw(reg->role);
-    const auto loaded = loadedAtStart(servo, *reg);
+    const auto loaded = valueAfterRestart(servo, *reg);
     if (!read || !now || !loaded)
-        return Mark{};
+        return RestartMarker{};
     if (*now != *loaded)
-        return Mark{reg, *now};
+        return RestartMarker{reg, *now};
     const std::int64_t raw = *now > reg->min.value_or(0) ? *now - 1 : *now + 1;
     auto written = TemporarySettings::set(context, servo, {{reg->key, raw}});
-    if (!written && !takesNoMark(written.error().code))
+    if (!written && !isMarkerImpossible(written.error().code))
         return tl::unexpected(written.error());
-    return written ? Mark{reg, raw, std::move(*written)} : Mark{};
+    return written ? RestartMarker{reg, raw, std::move(*written)} : RestartMarker{};
 }
 
 /// True: it acknowledged a command that has no answer. Listens for as long as nothing may be sent.
-base::Result<bool> acknowledged(const device::Context& context, const device::Servo& servo)
+base::Result<bool> isAcknowledged(const device::Context& context, const device::Servo& servo)
 {
-    const base::Duration quiet = context.bus.baud() == loaderBaud ? longestStart : quietTime;
-    const auto heard = context.bus.listen(std::max(quiet, context.bus.replyTimeout()));
-    if (!heard)
-        return tl::unexpected(heard.error());
+    const base::Duration quiet = context.bus.baud() == loaderBaud ? maxStartTime : quietTime;
+    const auto listened = context.bus.listen(std::max(quiet, context.bus.maxReplyLateness()));
+    if (!listened)
+        return tl::unexpected(listened.error());
     bool answered = false;
-    for (const bus::Stray& stray : context.bus.takeStrays()) {
+    for (const bus::UnexpectedFrame& stray : context.bus.takeUnexpectedFrames()) {
         if (stray.id != servo.id)
             continue;
         if (stray.exception != 0)
@@ -119,84 +120,87 @@ base::Result<bool> acknowledged(const device::Context& context, const device::Se
 }
 
 /// Waits until it answers; how many questions before that it did not.
-base::Result<int> awaitAnswer(const device::Context& context, const device::Servo& servo,
-                              base::Duration sentAt)
+base::Result<int> waitForReply(const device::Context& context, const device::Servo& servo,
+                               base::Duration sentAt)
 {
     base::Clock& clock = context.bus.clock();
-    const base::Duration end = sentAt + longestStart + 200ms + 2 * context.bus.replyTimeout();
-    for (int silences = 0;; ++silences) {
-        const auto here = answers(context, servo.protocol, servo.id, 0);
-        if (!here && endsAll(here.error().code))
-            return tl::unexpected(here.error());
-        if (here && *here)
-            return silences;
+    const base::Duration end = sentAt + maxStartTime + 200ms + 2 * context.bus.maxReplyLateness();
+    for (int missedPings = 0;; ++missedPings) {
+        const auto answering = isAnswering(context, servo.protocol, servo.id, 0);
+        if (!answering && endsJob(answering.error().code))
+            return tl::unexpected(answering.error());
+        if (answering && *answering)
+            return missedPings;
         if (clock.now() > end)
-            return base::fail(ErrorCode::NoAnswer, operation, {}, servo.id);
-        clock.sleepFor(askEvery);
+            return base::fail(ErrorCode::NoReply, operation, {}, servo.id);
+        clock.sleepFor(pingInterval);
     }
 }
 
 /// What one request for a restart came to.
-struct Try {
-    bool acknowledged = false;
-    bool wasSilent = false;
-    bool markStands = false;
-    base::Duration took{};
+struct RebootAttempt {
+    bool isAcknowledged = false;
+    bool wasUnresponsive = false;
+    bool isMarkerUnchanged = false;
+    base::Duration duration{};
 
     /// Proven not to have happened: it is safe to ask again.
-    bool ignored() const { return markStands && !wasSilent && !acknowledged; }
+    bool ignored() const { return isMarkerUnchanged && !wasUnresponsive && !isAcknowledged; }
 };
 
-base::Result<Try> tryOnce(const device::Context& context, device::Servo& servo, const Mark& mark)
+base::Result<RebootAttempt> rebootOnce(const device::Context& context, device::Servo& servo,
+                                       const RestartMarker& marker)
 {
-    context.bus.takeStrays();
+    context.bus.takeUnexpectedFrames();
     const auto sent = sendOnce(context, protocol::Request::reboot(servo.id).in(servo.protocol));
     if (!sent)
         return tl::unexpected(sent.error());
     const base::Duration sentAt = context.bus.clock().now();
-    const auto word = acknowledged(context, servo);
+    const auto word = isAcknowledged(context, servo);
     if (!word)
         return tl::unexpected(word.error());
-    const auto silences = awaitAnswer(context, servo, sentAt);
-    if (!silences)
-        return tl::unexpected(silences.error());
-    Try result{*word, *silences >= silencesThatProve, false, context.bus.clock().now() - sentAt};
+    const auto missedPings = waitForReply(context, servo, sentAt);
+    if (!missedPings)
+        return tl::unexpected(missedPings.error());
+    RebootAttempt result{*word, *missedPings >= missedPingsProvingRestart, false,
+                         context.bus.clock().now() - sentAt};
     servo.image.clear();
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
-    if (mark.reg == nullptr)
+    if (marker.reg == nullptr)
         return result;
-    if (const auto fresh = device::readRoles(context, servo, {mark.reg->role}); !fresh)
+    if (const auto fresh = device::readRoles(context, servo, {marker.reg->role}); !fresh)
         return tl::unexpected(fresh.error());
-    result.markStands = mark.stands(servo);
+    result.isMarkerUnchanged = marker.isUnchanged(servo);
     return result;
 }
 
 /// Why this is no proof of a restart; empty: it is one.
-QString doubt(const Try& last, const Mark& mark)
+QString failureDetail(const RebootAttempt& last, const RestartMarker& marker)
 {
-    const bool proven = mark.reg != nullptr ? !last.markStands : last.wasSilent;
-    if (proven)
+    const bool isProven = marker.reg != nullptr ? !last.isMarkerUnchanged : last.wasUnresponsive;
+    if (isProven)
         return {};
-    if (mark.reg == nullptr || last.wasSilent)
+    if (marker.reg == nullptr || last.wasUnresponsive)
         return QStringLiteral("restart-unproven");
-    return last.acknowledged ? QStringLiteral("restart-acknowledged")
-                             : QStringLiteral("not-restarted");
+    return last.isAcknowledged ? QStringLiteral("restart-acknowledged")
+                               : QStringLiteral("not-restarted");
 }
 
-base::Result<int> restart(const device::Context& context, device::Servo& servo, const Mark& mark)
+base::Result<int> restart(const device::Context& context, device::Servo& servo,
+                          const RestartMarker& marker)
 {
-    auto last = tryOnce(context, servo, mark);
-    if (last && last->ignored() && !context.stop.requested()) {
-        context.note(device::NoticeCode::SentAgain, servo.id);
-        last = tryOnce(context, servo, mark);
+    auto last = rebootOnce(context, servo, marker);
+    if (last && last->ignored() && !context.stop.isRequested()) {
+        context.note(device::NoticeCode::Resent, servo.id);
+        last = rebootOnce(context, servo, marker);
     }
     if (!last)
         return tl::unexpected(last.error());
-    const QString why = doubt(*last, mark);
+    const QString why = failureDetail(*last, marker);
     if (!why.isEmpty())
         return base::fail(ErrorCode::Refused, operation, why, servo.id);
-    return static_cast<int>(last->took / 1ms);
+    return static_cast<int>(last->duration / 1ms);
 }
 } // namespace
 
@@ -206,7 +210,7 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
         return tl::unexpected(writable.error());
     const auto reboots = protocol::Request::reboot(servo.id).in(servo.protocol);
     if (const auto possible =
-            requireSayable(servo, reboots, operation, QStringLiteral("no-reboot"));
+            requireEncodable(servo, reboots, operation, QStringLiteral("no-reboot"));
         !possible)
         return tl::unexpected(possible.error());
     // Nothing else is sent meanwhile.
@@ -216,19 +220,19 @@ base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
         return tl::unexpected(may.error());
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
         return tl::unexpected(off.error());
-    if (context.stop.requested())
+    if (context.stop.isRequested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
-    auto mark = setMark(context, servo);
-    if (!mark) {
+    auto marker = setMarker(context, servo);
+    if (!marker) {
         context.note(device::NoticeCode::TorqueStaysOff, servo.id); // it was proven a moment ago
-        return tl::unexpected(mark.error());
+        return tl::unexpected(marker.error());
     }
-    const auto milliseconds = restart(context, servo, *mark);
+    const auto milliseconds = restart(context, servo, *marker);
     if (!milliseconds)
         return milliseconds; // the mark is taken back
     context.note(device::NoticeCode::RebootedAfter, servo.id, {}, *milliseconds);
-    if (mark->written)
-        mark->written->forget();
+    if (marker->written)
+        marker->written->forget();
     return milliseconds;
 }
 } // namespace jobs

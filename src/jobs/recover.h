@@ -14,7 +14,7 @@ enum class Finding : std::uint8_t {
     AllNew, ///< everything was written; only the end is missing
     Mixed,
     OtherServo, ///< identity or values differ: hands off
-    NoAnswer,
+    NoReply,
     Unreadable, ///< something answers, but nothing readable: it may be the servo
     UnderWay,   ///< in another program that is running: not looked at
     /// Later writes to the servo, which the journal has, explain what stands there, or all of it is
@@ -24,7 +24,7 @@ enum class Finding : std::uint8_t {
 
 struct OpenIntent {
     base::Intent intent;
-    Finding finding = Finding::NoAnswer;
+    Finding finding = Finding::NoReply;
     int foundId = -1; ///< where it answers now
     int foundBaud = 0;
     std::optional<bool> lockOpen;
@@ -32,17 +32,17 @@ struct OpenIntent {
     std::optional<base::Error> unreadable{};
 };
 
-enum class RecoverAction : std::uint8_t { Look, Finish, Undo };
+enum class RecoveryAction : std::uint8_t { Preview, Finish, Undo };
 
-struct Recovered {
+struct RecoveryResult {
     OpenIntent before;
     /// What was done, or tried: not always what was asked for, see recover().
-    RecoverAction action = RecoverAction::Look;
+    RecoveryAction action = RecoveryAction::Preview;
     bool done = false;
     /// Registers that read another value than was asked for and were not written, because a later
     /// value stands there or the servo would move.
-    QStringList left{};
-    bool allLeft = false; ///< the change is given up: nothing of it was there to be settled
+    QStringList skippedKeys{};
+    bool isAllSkipped = false; ///< the change is given up: nothing of it was there to be settled
     /// Of a snapshot's restore every row of the intent; of others what was written, if anything.
     std::optional<device::WriteReport> report;
     std::optional<base::Error> error;
@@ -54,11 +54,11 @@ enum class IntentPorts : std::uint8_t {
     This, ///< those begun on this port
     /// And those of ports that are gone: an adapter may have another name now. On a port that is
     /// there the servo is looked for on that port; here another one of its kind may answer.
-    Gone,
+    IncludingMissing,
     Any, ///< and those of ports that are there: the user says that it is the same servo
 };
 
-struct RecoverOptions {
+struct RecoveryOptions {
     IntentPorts ports = IntentPorts::This;
     QString uuid{}; ///< only this one
     /// Before a servo is written to; its error leaves that intent open.
@@ -66,8 +66,9 @@ struct RecoverOptions {
 };
 
 /// Intents of real servos that were begun on other ports than `port`, and are not taken there.
-std::vector<base::Intent> begunElsewhere(const std::vector<base::Intent>& open, const QString& port,
-                                         IntentPorts ports = IntentPorts::This);
+std::vector<base::Intent> startedOnOtherPorts(const std::vector<base::Intent>& open,
+                                              const QString& port,
+                                              IntentPorts ports = IntentPorts::This);
 
 /// The device that the intent was begun on is there; of a port in a network that is not known.
 bool isPortPresent(const base::Intent& intent);
@@ -77,11 +78,11 @@ bool isPortPresent(const base::Intent& intent);
 base::Result<void> forget(base::Journal& journal, const base::Intent& intent);
 
 /// The register that recovery has brought, or would bring, to one side or the other.
-bool isSettledBy(const Recovered& recovered, const device::Servo& servo,
-                 const catalog::Register& reg);
+bool isRecoveredBy(const RecoveryResult& recovered, const device::Servo& servo,
+                   const catalog::Register& reg);
 
 /// Finishes from the oldest on, undoes from the latest on. Where both a restore and its way back
 /// were broken off, the way back is finished and the restore undone, unless one is named by `uuid`.
-base::Result<std::vector<Recovered>> recover(const device::Context& context, RecoverAction action,
-                                             const RecoverOptions& options = {});
+base::Result<std::vector<RecoveryResult>>
+recover(const device::Context& context, RecoveryAction action, const RecoveryOptions& options = {});
 } // namespace jobs

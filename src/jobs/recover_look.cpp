@@ -15,32 +15,32 @@ using base::IntentKind;
 using catalog::Role;
 
 namespace {
-struct Place {
+struct BusLocation {
     int id = -1;
     int baud = 0;
 };
 
-void addPlace(std::vector<Place>& places, int id, int baud)
+void addLocation(std::vector<BusLocation>& candidateLocations, int id, int baud)
 {
-    const bool known = std::any_of(places.begin(), places.end(), [&](const Place& place) {
-        return place.id == id && place.baud == baud;
-    });
+    const bool known = std::any_of(
+        candidateLocations.begin(), candidateLocations.end(),
+        [&](const BusLocation& location) { return location.id == id && location.baud == baud; });
     if (!known)
-        places.push_back({id, baud});
+        candidateLocations.push_back({id, baud});
 }
 
 catalog::ProfilePtr profileOf(const device::Context& context, const base::Intent& intent)
 {
-    catalog::Identity who;
-    who.firmwareMajor = intent.servo.firmwareMajor;
-    who.firmwareMinor = intent.servo.firmwareMinor;
-    who.modelMajor = intent.servo.modelMajor;
-    who.modelMinor = intent.servo.modelMinor;
-    who.protocol = intent.servo.protocol;
-    return context.catalog.resolve(who);
+    catalog::Identity identity;
+    identity.firmwareMajor = intent.servo.firmwareMajor;
+    identity.firmwareMinor = intent.servo.firmwareMinor;
+    identity.modelMajor = intent.servo.modelMajor;
+    identity.modelMinor = intent.servo.modelMinor;
+    identity.protocol = intent.servo.protocol;
+    return context.catalog.resolve(identity);
 }
 
-int baudOfCode(const device::Context& context, const base::Intent& intent)
+int baudFromCode(const device::Context& context, const base::Intent& intent)
 {
     const auto profile = profileOf(context, intent);
     const catalog::Register* reg = profile->byRole(Role::BaudRate);
@@ -54,33 +54,35 @@ int baudOfCode(const device::Context& context, const base::Intent& intent)
 }
 
 /// Where the servo may be: where it was, where the write would have put it, and at today's rate.
-std::vector<Place> places(const device::Context& context, const base::Intent& intent)
+std::vector<BusLocation> candidateLocations(const device::Context& context,
+                                            const base::Intent& intent)
 {
     std::vector<int> ids{intent.servo.id};
     if (intent.kind == IntentKind::SetId && !intent.items.empty())
         ids.push_back(static_cast<int>(intent.items.front().newRaw));
     std::vector<int> bauds{context.bus.baud()};
-    if (context.bus.hasBaud()) {
+    if (context.bus.canSetBaud()) {
         bauds.push_back(intent.servo.baud);
         if (intent.kind == IntentKind::SetBaud)
-            bauds.push_back(baudOfCode(context, intent));
+            bauds.push_back(baudFromCode(context, intent));
     }
-    std::vector<Place> result;
+    std::vector<BusLocation> result;
     for (const int baud : bauds) {
         for (const int id : ids) {
             if (baud > 0)
-                addPlace(result, id, baud);
+                addLocation(result, id, baud);
         }
     }
     return result;
 }
 
 /// Where a servo answers after its own defaults were restored, as far as that changed ID and rate.
-std::vector<Place> factoryPlaces(const device::Context& context, const base::Intent& intent)
+std::vector<BusLocation> factoryLocations(const device::Context& context,
+                                          const base::Intent& intent)
 {
     constexpr int factoryId = 1;
-    std::vector<Place> result;
-    if (intent.kind != IntentKind::Restore || newValuesKnown(intent))
+    std::vector<BusLocation> result;
+    if (intent.kind != IntentKind::Restore || hasKnownNewValues(intent))
         return result;
     std::vector<int> bauds{context.bus.baud(), intent.servo.baud};
     const auto profile = profileOf(context, intent);
@@ -88,82 +90,84 @@ std::vector<Place> factoryPlaces(const device::Context& context, const base::Int
         for (const catalog::NamedValue& value : reg->values)
             bauds.push_back(value.key.toInt());
     }
-    if (!context.bus.hasBaud())
+    if (!context.bus.canSetBaud())
         bauds = {context.bus.baud()};
     for (const int id : {intent.servo.id, factoryId}) {
         for (const int baud : bauds) {
             if (baud > 0)
-                addPlace(result, id, baud);
+                addLocation(result, id, baud);
         }
     }
     return result;
 }
 
 /// What was heard besides the servos of the right kind.
-struct Heard {
-    bool others = false;
+struct ReplyErrors {
+    bool hasOtherServos = false;
     std::optional<base::Error> unreadable{};
 
     void take(const base::Error& error)
     {
         switch (error.code) {
-        case ErrorCode::NoAnswer:
+        case ErrorCode::NoReply:
             break;
         case ErrorCode::Garbled:
-        case ErrorCode::WrongAnswer:
+        case ErrorCode::UnexpectedReply:
         case ErrorCode::LineBusy:
             unreadable = error;
             break;
         default:
-            others = true;
+            hasOtherServos = true;
         }
     }
 };
 
 /// The servos of the right kind among the places.
-base::Result<std::vector<device::Servo>> candidates(const device::Context& context,
-                                                    const base::Intent& intent,
-                                                    const std::vector<Place>& among, Heard& heard)
+base::Result<std::vector<device::Servo>> findCandidates(const device::Context& context,
+                                                        const base::Intent& intent,
+                                                        const std::vector<BusLocation>& locations,
+                                                        ReplyErrors& replyErrors)
 {
     std::vector<device::Servo> found;
-    for (const Place& place : among) {
-        if (context.bus.hasBaud() && context.bus.baud() != place.baud &&
-            !context.bus.setBaud(place.baud))
+    for (const BusLocation& location : locations) {
+        if (context.bus.canSetBaud() && context.bus.baud() != location.baud &&
+            !context.bus.setBaud(location.baud))
             continue; // this adapter cannot
-        auto servo = device::identify(context, place.id, intent.servo.protocol);
+        auto servo = device::identify(context, location.id, intent.servo.protocol);
         if (!servo) {
             if (servo.error().code == ErrorCode::LinkLost)
                 return tl::unexpected(servo.error());
-            heard.take(servo.error());
+            replyErrors.take(servo.error());
             continue;
         }
-        base::ServoIdentity who = servo->identity();
-        who.map = intent.servo.map.isEmpty() ? QString() : who.map;
-        if (who.sameKind(intent.servo))
+        base::ServoIdentity identity = servo->identity();
+        identity.map = intent.servo.map.isEmpty() ? QString() : identity.map;
+        if (identity.isSameKind(intent.servo))
             found.push_back(*servo);
         else
-            heard.others = true;
+            replyErrors.hasOtherServos = true;
     }
     return found;
 }
 
 /// Those at their factory place that the lock tells to be the one: it was opened, and a servo that
 /// was switched off since would have closed it.
-base::Result<std::vector<device::Servo>> movedByDefaults(const device::Context& context,
-                                                         const base::Intent& intent)
+base::Result<std::vector<device::Servo>> findAfterFactoryReset(const device::Context& context,
+                                                               const base::Intent& intent)
 {
-    Heard elsewhere;
-    auto found = candidates(context, intent, factoryPlaces(context, intent), elsewhere);
+    ReplyErrors otherReplyErrors;
+    auto found =
+        findCandidates(context, intent, factoryLocations(context, intent), otherReplyErrors);
     if (!found)
         return found;
     std::vector<device::Servo> open;
     for (device::Servo& servo : *found) {
-        if (context.bus.hasBaud() && !context.bus.setBaud(servo.baud))
+        if (context.bus.canSetBaud() && !context.bus.setBaud(servo.baud))
             continue;
         const catalog::Register* lock = servo.profile->byRole(Role::Lock);
         const auto flag = lock != nullptr ? device::readRegister(context, servo, *lock)
                                           : base::Result<std::int64_t>(device::lockClosed);
-        if (flag && device::isOpen(*flag))
+        if (flag && device::isLockOpen(*flag))
             open.push_back(std::move(servo));
     }
     return open;
@@ -175,21 +179,21 @@ bool isComparable(const base::Intent& intent, const device::Servo& servo,
                   const base::JournalItem& item)
 {
     const catalog::Register* reg = servo.profile->find(item.key);
-    if (reg == nullptr || provesServo(*reg))
+    if (reg == nullptr || identifiesServo(*reg))
         return reg != nullptr;
-    return servo.raw(*reg) && !isZeroedBySwitch(intent, servo, *reg);
+    return servo.raw(*reg) && !isZeroedByModeSwitch(intent, servo, *reg);
 }
 
 /// Neither the old value nor the new one, and yet no sign of another servo: a later write of this
 /// program, or a register that is lost at power-off and may have been loaded by a restart. A
 /// snapshot's row is restored whatever a restart has loaded.
-enum class Neither : std::uint8_t { Replaced, LaterTry, ToBeRestored, OtherServo };
+enum class UnmatchedCause : std::uint8_t { Replaced, LaterAttempt, ToBeRestored, OtherServo };
 
 /// What was begun later for a servo like this.
-base::Result<std::vector<base::JournalEntry>> laterThan(const device::Context& context,
-                                                        const base::Intent& intent)
+base::Result<std::vector<base::JournalEntry>> entriesAfter(const device::Context& context,
+                                                           const base::Intent& intent)
 {
-    auto entries = context.journal.entriesOf(intent.servo, entriesLookedAt);
+    auto entries = context.journal.entriesFor(intent.servo, maxJournalEntries);
     if (!entries)
         return entries;
     const auto own = std::find_if(entries->begin(), entries->end(), [&](const auto& entry) {
@@ -202,14 +206,14 @@ base::Result<std::vector<base::JournalEntry>> laterThan(const device::Context& c
 
 /// A later try that did not succeed may have left a third value, as its last reading tells. One
 /// that somebody has written since on purpose is none of ours.
-bool leftByLaterTry(const std::vector<base::JournalEntry>& later, const base::Intent& intent,
-                    const QString& key, std::int64_t raw)
+bool isLeftByLaterAttempt(const std::vector<base::JournalEntry>& later, const base::Intent& intent,
+                          const QString& key, std::int64_t raw)
 {
-    std::optional<base::ItemEnd> last;
+    std::optional<base::ItemResult> last;
     for (const base::JournalEntry& entry : later) {
         if (!entry.end || entry.intent.servo.port != intent.servo.port)
             continue;
-        for (const base::ItemEnd& item : entry.end->items) {
+        for (const base::ItemResult& item : entry.end->items) {
             if (item.key == key && item.readBack)
                 last = item;
         }
@@ -219,8 +223,8 @@ bool leftByLaterTry(const std::vector<base::JournalEntry>& later, const base::In
 }
 
 /// Writes that came later lead from a value of this intent to the one that stands there now.
-bool replacedLater(const std::vector<base::JournalEntry>& later, const base::Intent& intent,
-                   const base::JournalItem& item, std::int64_t raw)
+bool isOverwrittenLater(const std::vector<base::JournalEntry>& later, const base::Intent& intent,
+                        const base::JournalItem& item, std::int64_t raw)
 {
     std::optional<std::int64_t> now;
     for (const base::JournalEntry& entry : later) {
@@ -234,7 +238,7 @@ bool replacedLater(const std::vector<base::JournalEntry>& later, const base::Int
             if (!follows)
                 return false; // of another servo
             now = next.oldRaw;
-            for (const base::ItemEnd& end : entry.end->items) {
+            for (const base::ItemResult& end : entry.end->items) {
                 if (end.key == item.key && end.readBack)
                     now = end.readBack;
             }
@@ -243,60 +247,61 @@ bool replacedLater(const std::vector<base::JournalEntry>& later, const base::Int
     return now == raw;
 }
 
-Neither neitherOf(const base::Intent& intent, const device::Servo& servo,
-                  const std::vector<base::JournalEntry>& later, const base::JournalItem& item)
+UnmatchedCause unmatchedCause(const base::Intent& intent, const device::Servo& servo,
+                              const std::vector<base::JournalEntry>& later,
+                              const base::JournalItem& item)
 {
     const auto raw = servo.raw(item.key);
-    if (raw && leftByLaterTry(later, intent, item.key, *raw))
-        return Neither::LaterTry;
-    if (raw && replacedLater(later, intent, item, *raw))
-        return Neither::Replaced;
-    if (provesServo(*servo.profile->find(item.key)))
-        return Neither::OtherServo;
-    return isSnapshotRestore(intent) ? Neither::ToBeRestored : Neither::Replaced;
+    if (raw && isLeftByLaterAttempt(later, intent, item.key, *raw))
+        return UnmatchedCause::LaterAttempt;
+    if (raw && isOverwrittenLater(later, intent, item, *raw))
+        return UnmatchedCause::Replaced;
+    if (identifiesServo(*servo.profile->find(item.key)))
+        return UnmatchedCause::OtherServo;
+    return isSnapshotRestore(intent) ? UnmatchedCause::ToBeRestored : UnmatchedCause::Replaced;
 }
 
-Finding compare(const base::Intent& intent, const device::Servo& servo,
-                const std::vector<base::JournalEntry>& later, QStringList& replaced)
+Finding compareValues(const base::Intent& intent, const device::Servo& servo,
+                      const std::vector<base::JournalEntry>& later, QStringList& replaced)
 {
-    int asOld = 0;
-    int asNew = 0;
+    int oldCount = 0;
+    int newCount = 0;
     for (const base::JournalItem& item : intent.items) {
         if (!isComparable(intent, servo, item))
             continue;
         const auto raw = servo.raw(item.key);
-        if (!newValuesKnown(intent)) {
-            ++(raw == item.oldRaw ? asOld : asNew);
+        if (!hasKnownNewValues(intent)) {
+            ++(raw == item.oldRaw ? oldCount : newCount);
             continue;
         }
         const bool isNew = raw == item.newRaw;
         if (isNew || raw == item.oldRaw) {
-            ++(isNew ? asNew : asOld);
+            ++(isNew ? newCount : oldCount);
             continue;
         }
-        switch (neitherOf(intent, servo, later, item)) {
-        case Neither::OtherServo:
+        switch (unmatchedCause(intent, servo, later, item)) {
+        case UnmatchedCause::OtherServo:
             return Finding::OtherServo;
-        case Neither::LaterTry:
-            ++asOld;
-            ++asNew;
+        case UnmatchedCause::LaterAttempt:
+            ++oldCount;
+            ++newCount;
             break;
-        case Neither::Replaced:
+        case UnmatchedCause::Replaced:
             replaced << item.key;
             break;
-        case Neither::ToBeRestored:
+        case UnmatchedCause::ToBeRestored:
             break;
         }
     }
-    if (asOld + asNew == 0 && !replaced.isEmpty())
+    if (oldCount + newCount == 0 && !replaced.isEmpty())
         return Finding::Replaced;
-    if (asOld == 0)
+    if (oldCount == 0)
         return Finding::AllNew;
-    return asNew == 0 ? Finding::AllOld : Finding::Mixed;
+    return newCount == 0 ? Finding::AllOld : Finding::Mixed;
 }
 } // namespace
 
-bool newValuesKnown(const base::Intent& intent)
+bool hasKnownNewValues(const base::Intent& intent)
 {
     // Of the two that restore, a snapshot's values are known; the servo's own (0x06) are not.
     const bool anywhere =
@@ -305,20 +310,20 @@ bool newValuesKnown(const base::Intent& intent)
     return intent.kind != IntentKind::Calibrate && (intent.kind != IntentKind::Restore || anywhere);
 }
 
-bool onlyBack(const base::Intent& intent)
+bool isRevertOnly(const base::Intent& intent)
 {
     return intent.kind == IntentKind::Identify || intent.kind == IntentKind::Trial;
 }
 
-bool provesServo(const catalog::Register& reg)
+bool identifiesServo(const catalog::Register& reg)
 {
-    return device::lasting(reg) || reg.role == Role::OperatingMode;
+    return device::isPersistent(reg) || reg.role == Role::OperatingMode;
 }
 
-bool isZeroedBySwitch(const base::Intent& intent, const device::Servo& servo,
-                      const catalog::Register& reg)
+bool isZeroedByModeSwitch(const base::Intent& intent, const device::Servo& servo,
+                          const catalog::Register& reg)
 {
-    return reg.motion && !provesServo(reg) && changesMode(intent, servo);
+    return reg.motion && !identifiesServo(reg) && changesMode(intent, servo);
 }
 
 bool isRecoverable(const base::Intent& intent, const device::Servo& servo,
@@ -326,7 +331,7 @@ bool isRecoverable(const base::Intent& intent, const device::Servo& servo,
 {
     if (!reg.writable())
         return false;
-    if (provesServo(reg) || !natureOf(reg).testFlag(RestoreReason::Live))
+    if (identifiesServo(reg) || !registerReasons(reg).testFlag(RestoreReason::Live))
         return true;
     // The mark of a restart: a running time turns nothing by itself while goals are positions.
     return intent.kind == IntentKind::Trial && reg.role == Role::GoalTime && !reg.block &&
@@ -344,30 +349,30 @@ bool changesMode(const base::Intent& intent, const device::Servo& servo)
     return false;
 }
 
-base::Result<OpenIntent> look(const device::Context& context, const base::Intent& intent,
-                              device::Servo& servo)
+base::Result<OpenIntent> previewIntent(const device::Context& context, const base::Intent& intent,
+                                       device::Servo& servo)
 {
     OpenIntent result;
     result.intent = intent;
     const int baudBefore = context.bus.baud();
-    Heard heard;
-    auto found = candidates(context, intent, places(context, intent), heard);
+    ReplyErrors replyErrors;
+    auto found = findCandidates(context, intent, candidateLocations(context, intent), replyErrors);
     if (found && found->empty())
-        found = movedByDefaults(context, intent);
+        found = findAfterFactoryReset(context, intent);
     if (!found)
         return tl::unexpected(found.error());
     // Two servos of the kind: nothing tells which of them the intent means.
     if (found->size() != 1) {
-        result.unreadable = heard.unreadable;
-        result.finding = !found->empty() || heard.others ? Finding::OtherServo
-                         : heard.unreadable              ? Finding::Unreadable
-                                                         : Finding::NoAnswer;
-        if (context.bus.hasBaud())
+        result.unreadable = replyErrors.unreadable;
+        result.finding = !found->empty() || replyErrors.hasOtherServos ? Finding::OtherServo
+                         : replyErrors.unreadable                      ? Finding::Unreadable
+                                                                       : Finding::NoReply;
+        if (context.bus.canSetBaud())
             (void)context.bus.setBaud(baudBefore);
         return result;
     }
     servo = found->front();
-    if (context.bus.hasBaud()) {
+    if (context.bus.canSetBaud()) {
         if (const auto set = context.bus.setBaud(servo.baud); !set)
             return tl::unexpected(set.error());
     }
@@ -375,12 +380,12 @@ base::Result<OpenIntent> look(const device::Context& context, const base::Intent
         return tl::unexpected(fresh.error());
     result.foundId = servo.id;
     result.foundBaud = servo.baud;
-    const auto later = laterThan(context, intent);
+    const auto later = entriesAfter(context, intent);
     if (!later)
         return tl::unexpected(later.error());
-    result.finding = compare(intent, servo, *later, result.replaced);
+    result.finding = compareValues(intent, servo, *later, result.replaced);
     if (const auto flag = servo.raw(Role::Lock))
-        result.lockOpen = device::isOpen(*flag);
+        result.lockOpen = device::isLockOpen(*flag);
     return result;
 }
 } // namespace jobs

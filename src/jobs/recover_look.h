@@ -8,18 +8,18 @@
 namespace jobs {
 /// Items whose value after the write is not known beforehand (calibration, restore) carry the old
 /// value twice.
-bool newValuesKnown(const base::Intent& intent);
+bool hasKnownNewValues(const base::Intent& intent);
 
 /// Whichever way it is settled, the old values are wanted.
-bool onlyBack(const base::Intent& intent);
+bool isRevertOnly(const base::Intent& intent);
 
 /// As many of a servo's past writes are looked through for what it held.
-constexpr int entriesLookedAt = 1000;
+constexpr int maxJournalEntries = 1000;
 
 /// A value that is neither the old nor the new one is another servo's: of registers that survive a
 /// power-off, and of the mode, though it may be forgotten then (LX). Any other register may hold
 /// what a restart has loaded.
-bool provesServo(const catalog::Register& reg);
+bool identifiesServo(const catalog::Register& reg);
 
 /// What recovery may write by itself: nothing that would turn the shaft, switch torque on or open
 /// the lock. `servo`: with its settings read.
@@ -29,11 +29,11 @@ bool isRecoverable(const base::Intent& intent, const device::Servo& servo,
 bool changesMode(const base::Intent& intent, const device::Servo& servo);
 
 /// A command that goes with a switch of the mode: it ends at zero, whichever way that is settled.
-bool isZeroedBySwitch(const base::Intent& intent, const device::Servo& servo,
-                      const catalog::Register& reg);
+bool isZeroedByModeSwitch(const base::Intent& intent, const device::Servo& servo,
+                          const catalog::Register& reg);
 
 /// Leaves the bus at the rate where the servo was found, else at the rate it had. `servo` is filled
 /// in unless nobody answered. LinkLost ends it.
-base::Result<OpenIntent> look(const device::Context& context, const base::Intent& intent,
-                              device::Servo& servo);
+base::Result<OpenIntent> previewIntent(const device::Context& context, const base::Intent& intent,
+                                       device::Servo& servo);
 } // namespace jobs

@@ -24,28 +24,29 @@ bool isSnapshotRestore(const base::Intent& intent)
 namespace {
 /// The values the action asks for: those still to be written, those already there, and those that
 /// are not written by recovery.
-struct Todo {
+struct RecoveryItems {
     std::vector<device::WriteItem> write;
     std::vector<device::WriteItem> reassert;
     QStringList left;
 };
 
 /// In the order of the journal, which is that of the writes.
-Todo todo(const base::Intent& intent, const device::Servo& servo, RecoverAction action)
+RecoveryItems planItems(const base::Intent& intent, const device::Servo& servo,
+                        RecoveryAction action)
 {
-    Todo items;
+    RecoveryItems items;
     for (const base::JournalItem& item : intent.items) {
         const catalog::Register* reg = servo.profile->find(item.key);
         const auto present = reg != nullptr ? servo.raw(*reg) : std::nullopt;
-        if (reg != nullptr && isZeroedBySwitch(intent, servo, *reg))
+        if (reg != nullptr && isZeroedByModeSwitch(intent, servo, *reg))
             continue;
         if (!present) {
             items.left << item.key;
             continue;
         }
         // What calibration and restore lead to is not known beforehand: finishing takes what is.
-        const std::int64_t finished = newValuesKnown(intent) ? item.newRaw : *present;
-        const bool forward = action == RecoverAction::Finish && !onlyBack(intent);
+        const std::int64_t finished = hasKnownNewValues(intent) ? item.newRaw : *present;
+        const bool forward = action == RecoveryAction::Finish && !isRevertOnly(intent);
         const std::int64_t wanted = forward ? finished : item.oldRaw;
         if (present == wanted)
             items.reassert.push_back({item.key, wanted});
@@ -57,11 +58,11 @@ Todo todo(const base::Intent& intent, const device::Servo& servo, RecoverAction 
     return items;
 }
 
-Settled asSettled(base::Result<device::WriteReport> written)
+AppliedRecovery toAppliedRecovery(base::Result<device::WriteReport> written)
 {
     if (!written)
         return {tl::unexpected(written.error()), {}};
-    if (written->allGood())
+    if (written->isSuccessful())
         return {{}, *written};
     for (const device::WriteResult& result : written->writes) {
         if (result.error)
@@ -71,10 +72,10 @@ Settled asSettled(base::Result<device::WriteReport> written)
 }
 
 /// Finishing a way back: each of these values is one that this servo was once found with.
-bool heldBefore(const device::Context& context, const base::Intent& intent,
-                const std::vector<device::WriteItem>& items)
+bool wasHeldBefore(const device::Context& context, const base::Intent& intent,
+                   const std::vector<device::WriteItem>& items)
 {
-    const auto entries = context.journal.entriesOf(intent.servo, entriesLookedAt);
+    const auto entries = context.journal.entriesFor(intent.servo, maxJournalEntries);
     if (!entries)
         return false;
     const auto found = [&](const device::WriteItem& wanted) {
@@ -91,34 +92,35 @@ bool heldBefore(const device::Context& context, const base::Intent& intent,
     return std::all_of(items.begin(), items.end(), found);
 }
 
-Settled writeItems(const device::Context& context, const base::Intent& intent, device::Servo& servo,
-                   const std::vector<device::WriteItem>& items, RecoverAction action)
+AppliedRecovery writeItems(const device::Context& context, const base::Intent& intent,
+                           device::Servo& servo, const std::vector<device::WriteItem>& items,
+                           RecoveryAction action)
 {
     const int target = items.empty() ? 0 : static_cast<int>(items.front().raw);
     if (items.empty())
         return {};
     if (intent.kind == IntentKind::SetId)
-        return asSettled(changeId(context, servo, target));
+        return toAppliedRecovery(changeId(context, servo, target));
     if (intent.kind == IntentKind::SetBaud) {
         const catalog::Register* reg = servo.profile->byRole(catalog::Role::BaudRate);
         for (const catalog::NamedValue& value : reg->values) {
             if (value.value == target)
-                return asSettled(changeBaud(context, servo, value.key.toInt()));
+                return toAppliedRecovery(changeBaud(context, servo, value.key.toInt()));
         }
         return {base::fail(ErrorCode::OutOfRange, QStringLiteral("recover"), {}, servo.id), {}};
     }
     device::WriteOptions options;
     options.dangerous = true; // consent was given when the intent was made
     options.temporary = intent.temporary;
-    options.asBefore =
-        action == RecoverAction::Undo || onlyBack(intent) || heldBefore(context, intent, items);
+    options.allowPreviousValues = action == RecoveryAction::Undo || isRevertOnly(intent) ||
+                                  wasHeldBefore(context, intent, items);
     if (isSnapshotRestore(intent)) {
         options.kind = IntentKind::Restore;
         options.torqueOff = true;
-        options.inOrder = action == RecoverAction::Finish;
-        options.stopAtFailure = action == RecoverAction::Finish;
+        options.keepOrder = action == RecoveryAction::Finish;
+        options.stopOnFailure = action == RecoveryAction::Finish;
     }
-    return asSettled(device::write(context, servo, items, options));
+    return toAppliedRecovery(device::write(context, servo, items, options));
 }
 
 /// What is kept by means of the lock of this area, written once more with the lock open.
@@ -134,9 +136,9 @@ base::Result<void> reassertLocked(const device::Context& context, device::Servo&
     if (!eprom)
         return tl::unexpected(eprom.error());
     for (const device::WriteItem* item : items) {
-        const auto again = device::writeVerified(context, servo, registerOf(item), item->raw);
-        if (!again)
-            return again;
+        const auto rewritten = device::writeVerified(context, servo, registerOf(item), item->raw);
+        if (!rewritten)
+            return rewritten;
     }
     const device::LockState lock = eprom->close();
     if (lock == device::LockState::Closed && eprom->stayedOpen())
@@ -147,11 +149,11 @@ base::Result<void> reassertLocked(const device::Context& context, device::Servo&
 base::Result<void> reassertSaved(const device::Context& context, device::Servo& servo,
                                  const catalog::Register& reg, std::int64_t raw)
 {
-    if (const auto again = device::writeVerified(context, servo, reg, raw); !again)
-        return again;
+    if (const auto rewritten = device::writeVerified(context, servo, reg, raw); !rewritten)
+        return rewritten;
     const auto saved = device::save(context, servo, reg);
     if (saved)
-        context.note(device::NoticeCode::SavedPerSheet, servo.id, reg.key);
+        context.note(device::NoticeCode::SaveUnverified, servo.id, reg.key);
     return saved;
 }
 
@@ -165,32 +167,32 @@ base::Result<void> reassert(const device::Context& context, const base::Intent& 
     std::map<catalog::Area, std::vector<const device::WriteItem*>> locked;
     for (const device::WriteItem& item : items) {
         const catalog::Register& reg = *servo.profile->find(item.key);
-        const device::Keeping keeping = device::keepingOf(reg);
-        if (keeping == device::Keeping::Lock)
+        const device::Retention keeping = device::retentionOf(reg);
+        if (keeping == device::Retention::Lock)
             locked[reg.area].push_back(&item);
-        else if (keeping != device::Keeping::Save)
+        else if (keeping != device::Retention::Save)
             continue;
         else if (const auto saved = reassertSaved(context, servo, reg, item.raw); !saved)
             return saved;
     }
     for (const auto& [area, those] : locked) {
-        if (const auto again = reassertLocked(context, servo, those); !again)
-            return again;
+        if (const auto rewritten = reassertLocked(context, servo, those); !rewritten)
+            return rewritten;
     }
     return {};
 }
 
 WriteOutcome outcomeOf(const catalog::Register& reg)
 {
-    const device::Keeping keeping = device::keepingOf(reg);
-    const bool survives =
-        keeping != device::Keeping::Never && keeping != device::Keeping::NotStated;
-    return survives ? WriteOutcome::Kept : WriteOutcome::Temporary;
+    const device::Retention keeping = device::retentionOf(reg);
+    const bool isPersistent =
+        keeping != device::Retention::Never && keeping != device::Retention::NotStated;
+    return isPersistent ? WriteOutcome::Kept : WriteOutcome::Temporary;
 }
 
 /// What had the wanted value already when it was looked for. `why`: it was not proved to be kept.
-WriteResult foundSo(const device::Servo& servo, const base::JournalItem& item, std::int64_t wanted,
-                    const std::optional<base::Error>& why)
+WriteResult unchangedResult(const device::Servo& servo, const base::JournalItem& item,
+                            std::int64_t wanted, const std::optional<base::Error>& why)
 {
     const std::int64_t other = wanted == item.newRaw ? item.oldRaw : item.newRaw;
     WriteResult result{item.key, item.address, other, wanted, wanted, WriteOutcome::Unknown, why};
@@ -200,36 +202,38 @@ WriteResult foundSo(const device::Servo& servo, const base::JournalItem& item, s
 }
 
 /// Every row of a snapshot's restore in the order of its intent.
-device::WriteReport wholeReport(const base::Intent& intent, const device::Servo& servo,
-                                const Todo& items, const Settled& settled)
+device::WriteReport fullReport(const base::Intent& intent, const device::Servo& servo,
+                               const RecoveryItems& items, const AppliedRecovery& applied)
 {
-    device::WriteReport whole;
-    whole.id = servo.id;
-    if (settled.report)
-        whole.openIntent = settled.report->openIntent;
-    const auto why = settled.result ? std::nullopt : std::optional(settled.result.error());
+    device::WriteReport combinedReport;
+    combinedReport.id = servo.id;
+    if (applied.report)
+        combinedReport.openIntent = applied.report->openIntent;
+    const auto why = applied.result ? std::nullopt : std::optional(applied.result.error());
     for (const base::JournalItem& item : intent.items) {
         const auto named = [&item](const auto& one) { return one.key == item.key; };
-        const auto& so = items.reassert;
-        if (const auto found = std::find_if(so.begin(), so.end(), named); found != so.end())
-            whole.writes.push_back(foundSo(servo, item, found->raw, why));
-        if (!settled.report)
+        const auto& unchanged = items.reassert;
+        if (const auto found = std::find_if(unchanged.begin(), unchanged.end(), named);
+            found != unchanged.end())
+            combinedReport.writes.push_back(unchangedResult(servo, item, found->raw, why));
+        if (!applied.report)
             continue;
-        const auto& written = settled.report->writes;
+        const auto& written = applied.report->writes;
         const auto found = std::find_if(written.begin(), written.end(), named);
         if (found != written.end())
-            whole.writes.push_back(*found);
+            combinedReport.writes.push_back(*found);
     }
-    const bool told = std::any_of(whole.writes.begin(), whole.writes.end(),
-                                  [](const WriteResult& one) { return one.error.has_value(); });
-    if (why && !told && !whole.writes.empty())
-        whole.writes.back().error = why; // of all: coming to rest, or the lock
-    return whole;
+    const bool isReported =
+        std::any_of(combinedReport.writes.begin(), combinedReport.writes.end(),
+                    [](const WriteResult& one) { return one.error.has_value(); });
+    if (why && !isReported && !combinedReport.writes.empty())
+        combinedReport.writes.back().error = why; // of all: coming to rest, or the lock
+    return combinedReport;
 }
 
 /// A device::write switches it off itself.
 base::Result<void> torqueOff(const device::Context& context, device::Servo& servo,
-                             const Todo& items)
+                             const RecoveryItems& items)
 {
     const bool has = servo.profile->byRole(catalog::Role::TorqueSwitch) != nullptr;
     if (!has || !items.write.empty() || items.reassert.empty())
@@ -238,8 +242,8 @@ base::Result<void> torqueOff(const device::Context& context, device::Servo& serv
 }
 
 /// Everything but the lock.
-Settled settleRows(const device::Context& context, const base::Intent& intent, device::Servo& servo,
-                   const Todo& items, RecoverAction action)
+AppliedRecovery recoverRows(const device::Context& context, const base::Intent& intent,
+                            device::Servo& servo, const RecoveryItems& items, RecoveryAction action)
 {
     if (isSnapshotRestore(intent)) {
         if (const auto off = torqueOff(context, servo, items); !off)
@@ -248,34 +252,34 @@ Settled settleRows(const device::Context& context, const base::Intent& intent, d
     std::vector<device::WriteItem> found;
     for (const device::WriteItem& item : items.write)
         found.push_back({item.key, *servo.raw(item.key)});
-    Settled settled = writeItems(context, intent, servo, items.write, action);
-    settled.writtenNow = std::move(found);
-    if (settled.result)
-        settled.result = reassert(context, intent, servo, items.reassert);
-    if (settled.result && changesMode(intent, servo))
-        settled.result = device::quieten(context, servo);
-    return settled;
+    AppliedRecovery applied = writeItems(context, intent, servo, items.write, action);
+    applied.writtenNow = std::move(found);
+    if (applied.result)
+        applied.result = reassert(context, intent, servo, items.reassert);
+    if (applied.result && changesMode(intent, servo))
+        applied.result = device::torqueOffAndZero(context, servo);
+    return applied;
 }
 } // namespace
 
-Settled settle(const device::Context& context, const base::Intent& intent, device::Servo& servo,
-               RecoverAction action)
+AppliedRecovery applyRecovery(const device::Context& context, const base::Intent& intent,
+                              device::Servo& servo, RecoveryAction action)
 {
-    const Todo items = todo(intent, servo, action);
-    Settled settled = settleRows(context, intent, servo, items, action);
-    settled.left = items.left;
-    settled.nothingToSettle = items.write.empty() && items.reassert.empty();
+    const RecoveryItems items = planItems(intent, servo, action);
+    AppliedRecovery applied = recoverRows(context, intent, servo, items, action);
+    applied.skippedKeys = items.left;
+    applied.isNothingToDo = items.write.empty() && items.reassert.empty();
     const device::LockState lock = device::closeLock(context, servo);
-    if (settled.result && lock != device::LockState::Closed && lock != device::LockState::None) {
-        settled.result = tl::unexpected(
+    if (applied.result && lock != device::LockState::Closed && lock != device::LockState::None) {
+        applied.result = tl::unexpected(
             base::Error{ErrorCode::LockOpen, QStringLiteral("recover"), {}, servo.id});
     }
-    const bool refused = !settled.result && !settled.report && !items.write.empty();
+    const bool refused = !applied.result && !applied.report && !items.write.empty();
     if (!isSnapshotRestore(intent) || refused)
-        return settled;
-    settled.report = wholeReport(intent, servo, items, settled);
-    settled.report->lock = lock;
-    settled.torqueIsOff = servo.raw(catalog::Role::TorqueSwitch) == 0;
-    return settled;
+        return applied;
+    applied.report = fullReport(intent, servo, items, applied);
+    applied.report->lock = lock;
+    applied.torqueIsOff = servo.raw(catalog::Role::TorqueSwitch) == 0;
+    return applied;
 }
 } // namespace jobs

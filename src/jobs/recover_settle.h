@@ -9,7 +9,7 @@
 namespace jobs {
 bool isSnapshotRestore(const base::Intent& intent);
 
-struct Settled {
+struct AppliedRecovery {
     base::Result<void> result{};
     /// Of a snapshot's restore every row, also those that had only to be proved; of others what was
     /// written. Nullopt where nothing was, or nothing had to be.
@@ -17,16 +17,17 @@ struct Settled {
     /// What was written only now, with the value it was found with.
     std::vector<device::WriteItem> writtenNow{};
     /// What has another value than the action asks for and is not written: see isRecoverable().
-    QStringList left{};
-    bool nothingToSettle = false; ///< all of it is left
-    bool torqueIsOff = false;     ///< proven; only asked for where a snapshot was restored
+    QStringList skippedKeys{};
+    bool isNothingToDo = false; ///< all of it is left
+    bool torqueIsOff = false;   ///< proven; only asked for where a snapshot was restored
 };
 /// `servo`: as look() has found it.
-Settled settle(const device::Context& context, const base::Intent& intent, device::Servo& servo,
-               RecoverAction action);
+AppliedRecovery applyRecovery(const device::Context& context, const base::Intent& intent,
+                              device::Servo& servo, RecoveryAction action);
 
 /// One intent from looking to its end. What stands against it, a lost link as well, is in the
 /// result beside what was done until then. Errors: those of looking, and of the journal.
-base::Result<Recovered> recoverOne(const device::Context& context, const base::Intent& intent,
-                                   RecoverAction action, const BeforeWrite& beforeWrite = {});
+base::Result<RecoveryResult> recoverIntent(const device::Context& context,
+                                           const base::Intent& intent, RecoveryAction action,
+                                           const BeforeWrite& beforeWrite = {});
 } // namespace jobs

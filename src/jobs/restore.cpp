@@ -27,7 +27,7 @@ base::Result<void> checkPlan(const device::Servo& servo, const RestorePlan& plan
         return {};
     base::Error error{ErrorCode::NeedsConsent, operation, {}, servo.id};
     for (const RestoreRow& row : plan.rows) {
-        if (row.ticked && row.reasons.testFlag(RestoreReason::NeedsConsent)) {
+        if (row.selected && row.reasons.testFlag(RestoreReason::NeedsConsent)) {
             error.registerKey = row.key;
             break;
         }
@@ -37,21 +37,21 @@ base::Result<void> checkPlan(const device::Servo& servo, const RestorePlan& plan
 
 /// A restore of these very values that was broken off: its intent is open. Restoring again asks for
 /// its end, which recovery knows best: it also writes again what may stand in RAM only.
-std::vector<base::Intent> brokenOff(const device::Context& context, const device::Servo& servo,
-                                    const RestorePlan& plan)
+std::vector<base::Intent> interruptedRestores(const device::Context& context,
+                                              const device::Servo& servo, const RestorePlan& plan)
 {
     std::vector<base::Intent> broken;
     const auto open = context.journal.open();
     if (!open)
         return broken;
-    const base::ServoIdentity who = servo.identity();
+    const base::ServoIdentity identity = servo.identity();
     for (const base::Intent& intent : *open) {
-        const bool ours = isSnapshotRestore(intent) && intent.servo.id == who.id &&
-                          intent.servo.port == who.port && intent.servo.sameKind(who);
+        const bool ours = isSnapshotRestore(intent) && intent.servo.id == identity.id &&
+                          intent.servo.port == identity.port && intent.servo.isSameKind(identity);
         const auto wanted = [&](const base::JournalItem& item) {
             const RestoreRow* row = plan.find(item.key);
-            return row != nullptr && row->wanted == item.newRaw &&
-                   (row->ticked || row->reasons.testFlag(RestoreReason::Same));
+            return row != nullptr && row->newRaw == item.newRaw &&
+                   (row->selected || row->reasons.testFlag(RestoreReason::Same));
         };
         if (ours && !intent.items.empty() &&
             std::all_of(intent.items.begin(), intent.items.end(), wanted))
@@ -65,18 +65,18 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
                                      const RestorePlan& given, const RestoreOptions& options,
                                      const ProgressFn& progress)
 {
-    if (const auto fit = checkPlan(servo, given, options); !fit)
-        return tl::unexpected(fit.error());
+    if (const auto planCheck = checkPlan(servo, given, options); !planCheck)
+        return tl::unexpected(planCheck.error());
     RestorePlan plan = given;
-    tickTemporary(outer, plan, options.dangerous);
+    selectTemporary(outer, plan, options.dangerous);
     RestoreOutcome outcome;
     outcome.oldId = outcome.newId = servo.id;
     outcome.oldBaud = outcome.newBaud = servo.baud;
-    const std::vector<RestoreWrite> writes = writesOf(plan);
-    const auto earlier = brokenOff(outer, servo, plan);
-    if (writes.empty() && earlier.empty() && !lockStandsOpen(servo)) {
-        if (leftOut(plan).empty())
-            outer.note(NoticeCode::AlreadySo, servo.id);
+    const std::vector<RestoreWrite> writes = plannedWrites(plan);
+    const auto earlier = interruptedRestores(outer, servo, plan);
+    if (writes.empty() && earlier.empty() && !isLockOpen(servo)) {
+        if (omittedRows(plan).empty())
+            outer.note(NoticeCode::AlreadySet, servo.id);
         return outcome;
     }
     if (const auto may = device::beginWriting(outer, servo, operation); !may)
@@ -86,14 +86,14 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
             return tl::unexpected(saved.error());
     }
     // A servo that gets another ID or rate, or is looked for, needs the line to itself.
-    const bool own = !earlier.empty() || std::any_of(writes.begin(), writes.end(), isOwnJob);
+    const bool own = !earlier.empty() || std::any_of(writes.begin(), writes.end(), needsOwnJob);
     const device::Owned owned =
         device::own(outer, own ? std::vector<int>() : std::vector<int>{servo.id});
     const device::Context& context = owned.context;
     if (progress)
         progress({});
     const std::size_t before = context.notices.size();
-    Restorer restorer(context, servo, options, outcome);
+    RestoreRunner restorer(context, servo, options, outcome);
     if (const auto done = restorer.run(earlier, writes); !done)
         return tl::unexpected(done.error());
     for (std::size_t i = before; i < context.notices.size(); ++i)

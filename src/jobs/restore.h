@@ -30,7 +30,7 @@ struct RestoreOptions {
 };
 
 enum class RestoreVerdict : std::uint8_t {
-    AlreadySo,  ///< nothing had to be written
+    AlreadySet, ///< nothing had to be written
     Done,       ///< every row took its value, the lock is closed
     Failed,     ///< some row did not: see the rows
     RolledBack, ///< some row did not, and all values before are proved again
@@ -43,15 +43,15 @@ struct RestoreRowResult {
 };
 
 struct RestoreOutcome {
-    RestoreVerdict verdict = RestoreVerdict::AlreadySo;
+    RestoreVerdict verdict = RestoreVerdict::AlreadySet;
     std::vector<RestoreRowResult> rows{}; ///< in the order of writing; ID and rate last
     device::LockState lock = device::LockState::None;
     bool torqueSwitchedOff = false;
     int oldId = -1, newId = -1;
     int oldBaud = 0, newBaud = 0;
     /// Rolling back was asked for, and these may not be as they were before.
-    QStringList notPutBack{};
-    bool changeOpen = false; ///< the journal still has what was not put back: recover goes on
+    QStringList notReverted{};
+    bool isChangeOpen = false; ///< the journal still has what was not put back: recover goes on
 };
 
 base::Result<RestoreOutcome> restore(const device::Context& context, device::Servo& servo,
@@ -59,8 +59,8 @@ base::Result<RestoreOutcome> restore(const device::Context& context, device::Ser
                                      const ProgressFn& progress = {});
 
 /// For saving (record::saveRestoreResults). `source`: file or name of the snapshot.
-record::RestoreResult resultOf(const RestoreOutcome& outcome, const device::Servo& servo,
-                               const QString& source, const QString& program);
+record::RestoreResult toRestoreResult(const RestoreOutcome& outcome, const device::Servo& servo,
+                                      const QString& source, const QString& program);
 
 /// Of an intent of the kind Restore: the values of a snapshot are known beforehand, those a servo
 /// restores itself (0x06) are not.

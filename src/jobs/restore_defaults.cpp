@@ -32,9 +32,9 @@ std::vector<base::JournalItem> epromItems(const device::Servo& servo)
 
 /// What stands there now, read afresh. A value that did not change may stand in RAM only, so
 /// "kept" is not claimed.
-std::vector<base::ItemEnd> itemEnds(const device::Servo& servo)
+std::vector<base::ItemResult> itemResults(const device::Servo& servo)
 {
-    std::vector<base::ItemEnd> ends;
+    std::vector<base::ItemResult> ends;
     for (const base::JournalItem& item : epromItems(servo))
         ends.push_back({item.key, item.newRaw, QStringLiteral("done")});
     return ends;
@@ -56,32 +56,32 @@ std::vector<int> ratesOf(const device::Servo& servo, int present)
 /// Looks at the old rate first, then at the family's others; there under the old ID, then under the
 /// factory one, which counts only if nobody had it before.
 base::Result<bool> findAgain(const device::Context& context, device::Servo& servo,
-                             bool factoryIdWasFree, const ProgressFn& progress)
+                             bool isFactoryIdFree, const ProgressFn& progress)
 {
     const int oldBaud = context.bus.baud();
     std::vector<int> ids{servo.id};
-    if (servo.id != factoryId && factoryIdWasFree)
+    if (servo.id != factoryId && isFactoryIdFree)
         ids.push_back(factoryId);
     const std::vector<int> rates =
-        context.bus.hasBaud() ? ratesOf(servo, oldBaud) : std::vector<int>{oldBaud};
+        context.bus.canSetBaud() ? ratesOf(servo, oldBaud) : std::vector<int>{oldBaud};
     for (std::size_t i = 0; i < rates.size(); ++i) {
         if (progress)
             progress({double(i) / double(rates.size()), {}, 0, rates[i]});
-        if (context.bus.hasBaud() && !context.bus.setBaud(rates[i]))
+        if (context.bus.canSetBaud() && !context.bus.setBaud(rates[i]))
             continue; // a rate this adapter cannot run
         for (const int id : ids) {
-            const auto here = answers(context, servo.protocol, id);
-            if (!here && here.error().code == ErrorCode::LinkLost)
-                return tl::unexpected(here.error());
-            if (here && *here) {
+            const auto answering = isAnswering(context, servo.protocol, id);
+            if (!answering && answering.error().code == ErrorCode::LinkLost)
+                return tl::unexpected(answering.error());
+            if (answering && *answering) {
                 const int oldId = std::exchange(servo.id, id);
                 servo.baud = context.bus.baud();
-                device::moveAccess(context.bus, servo, oldId, oldBaud);
+                device::transferVerification(context.bus, servo, oldId, oldBaud);
                 return true;
             }
         }
     }
-    if (context.bus.hasBaud()) {
+    if (context.bus.canSetBaud()) {
         if (const auto back = context.bus.setBaud(oldBaud); !back)
             return tl::unexpected(back.error());
     }
@@ -100,43 +100,44 @@ std::vector<QString> differences(const device::Servo& before, const device::Serv
 
 /// 0x06, once; and a second time only when reading proved that the first one never arrived.
 base::Result<void> restore(const device::Context& context, device::Servo& servo,
-                           bool factoryIdWasFree, const ProgressFn& progress, RestoreReport& report)
+                           bool isFactoryIdFree, const ProgressFn& progress,
+                           RestoreDefaultsReport& report)
 {
     const device::Servo before = servo;
     constexpr int sends = 2;
     for (int attempt = 0; attempt < sends; ++attempt) {
         auto request = protocol::Request::restore(servo.id);
-        request.acknowledged = before.answersWrites();
+        request.acknowledged = before.repliesToWrites();
         const auto sent = sendOnce(context, request.in(servo.protocol));
         if (!sent)
             return tl::unexpected(sent.error());
         context.bus.clock().sleepFor(rewriteTime);
-        const auto found = findAgain(context, servo, factoryIdWasFree, progress);
+        const auto found = findAgain(context, servo, isFactoryIdFree, progress);
         if (!found)
             return tl::unexpected(found.error());
         if (!*found)
-            return base::fail(ErrorCode::NoAnswer, operation, {}, servo.id);
+            return base::fail(ErrorCode::NoReply, operation, {}, servo.id);
         servo.image.clear();
         if (const auto fresh = device::readAll(context, servo); !fresh)
             return fresh;
         report.changed = differences(before, servo);
-        const bool lost = sent->lost || !before.answersWrites();
+        const bool lost = sent->lost || !before.repliesToWrites();
         if (!lost || !report.changed.empty())
             return {};
         if (attempt + 1 < sends)
-            device::noteSentAgain(context, before, sent->lost);
+            device::noteResent(context, before, sent->lost);
     }
     return base::fail(ErrorCode::Uncertain, operation, QStringLiteral("nothing-changed"), servo.id);
 }
 } // namespace
 
-base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device::Servo& servo,
-                                            const ProgressFn& progress)
+base::Result<RestoreDefaultsReport>
+restoreDefaults(const device::Context& outer, device::Servo& servo, const ProgressFn& progress)
 {
     if (const auto writable = device::requireWritable(servo, operation); !writable)
         return tl::unexpected(writable.error());
-    if (const auto possible = requireSayable(servo, protocol::Request::restore(servo.id), operation,
-                                             QStringLiteral("no-restore"));
+    if (const auto possible = requireEncodable(servo, protocol::Request::restore(servo.id),
+                                               operation, QStringLiteral("no-restore"));
         !possible)
         return tl::unexpected(possible.error());
     const device::Owned owned = device::own(outer, {});
@@ -146,23 +147,23 @@ base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device
     if (const auto fresh = device::readAll(context, servo); !fresh)
         return tl::unexpected(fresh.error());
     const auto factoryFree = servo.id == factoryId ? base::Result<bool>(false)
-                                                   : isFree(context, servo.protocol, factoryId);
-    const bool factoryIdWasFree = factoryFree.value_or(false);
+                                                   : isIdFree(context, servo.protocol, factoryId);
+    const bool isFactoryIdFree = factoryFree.value_or(false);
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
         return tl::unexpected(off.error());
-    if (context.stop.requested())
+    if (context.stop.isRequested())
         return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
-    const auto uuid = journalIntent(context, servo, base::IntentKind::Restore, epromItems(servo));
+    const auto uuid = beginIntent(context, servo, base::IntentKind::Restore, epromItems(servo));
     if (!uuid)
         return tl::unexpected(uuid.error());
 
-    RestoreReport report;
+    RestoreDefaultsReport report;
     report.oldId = servo.id;
     report.oldBaud = context.bus.baud();
     auto eprom = device::UnlockedEprom::open(context, servo, *servo.profile->byRole(Role::Id));
     base::Result<void> done;
     if (eprom) {
-        done = restore(context, servo, factoryIdWasFree, progress, report);
+        done = restore(context, servo, isFactoryIdFree, progress, report);
         report.lock = eprom->close();
     } else {
         done = tl::unexpected(eprom.error());
@@ -171,7 +172,7 @@ base::Result<RestoreReport> restoreDefaults(const device::Context& outer, device
     report.newId = servo.id;
     report.newBaud = context.bus.baud();
     if (done && report.lock == device::LockState::Closed)
-        context.record(*uuid, servo.id, {QStringLiteral("done"), {}, itemEnds(servo)});
+        context.record(*uuid, servo.id, {QStringLiteral("done"), {}, itemResults(servo)});
     if (!done)
         return tl::unexpected(done.error());
     return report;

@@ -11,8 +11,8 @@ namespace {
 ApplyVerdict verdictOf(RestoreVerdict verdict)
 {
     switch (verdict) {
-    case RestoreVerdict::AlreadySo:
-        return ApplyVerdict::AlreadySo;
+    case RestoreVerdict::AlreadySet:
+        return ApplyVerdict::AlreadySet;
     case RestoreVerdict::Done:
         return ApplyVerdict::Done;
     case RestoreVerdict::Failed:
@@ -23,25 +23,25 @@ ApplyVerdict verdictOf(RestoreVerdict verdict)
     return ApplyVerdict::Error;
 }
 
-Applied failed(int id, const base::Error& error)
+ApplyResult failed(int id, const base::Error& error)
 {
-    Applied applied;
+    ApplyResult applied;
     applied.id = id;
     applied.verdict =
-        error.code == ErrorCode::NoAnswer ? ApplyVerdict::NoAnswer : ApplyVerdict::Error;
+        error.code == ErrorCode::NoReply ? ApplyVerdict::NoReply : ApplyVerdict::Error;
     applied.error = error;
     return applied;
 }
 
 /// After these nothing more can be said to anybody.
-bool endsAll(const Applied& applied)
+bool endsJob(const ApplyResult& applied)
 {
     return applied.error && (applied.error->code == ErrorCode::LinkLost ||
                              applied.error->code == ErrorCode::Stopped ||
                              applied.error->code == ErrorCode::Preempted);
 }
 
-std::vector<base::Protocol> languagesOf(const record::Snapshot& snapshot,
+std::vector<base::Protocol> protocolsOf(const record::Snapshot& snapshot,
                                         const ApplyOptions& options)
 {
     if (!options.protocols.empty())
@@ -66,16 +66,16 @@ std::optional<base::Error> linkError(const RestoreOutcome& outcome)
     return std::nullopt;
 }
 
-Applied applyToOne(const device::Context& context, int id, const record::Snapshot& snapshot,
-                   const ApplyOptions& options, bool modelMustFit)
+ApplyResult applyToServo(const device::Context& context, int id, const record::Snapshot& snapshot,
+                         const ApplyOptions& options, bool requireSameModel)
 {
-    auto servo = device::identifyAmong(context, id, languagesOf(snapshot, options));
+    auto servo = device::identifyAmong(context, id, protocolsOf(snapshot, options));
     if (!servo)
         return failed(id, servo.error());
-    Applied applied;
+    ApplyResult applied;
     applied.id = id;
     applied.servo = *servo;
-    if (modelMustFit && !sameModel(*servo, snapshot)) {
+    if (requireSameModel && !sameModel(*servo, snapshot)) {
         applied.verdict = ApplyVerdict::OtherServo;
         return applied;
     }
@@ -87,7 +87,7 @@ Applied applyToOne(const device::Context& context, int id, const record::Snapsho
     applied.servo = *servo;
     if (options.dryRun) {
         applied.verdict =
-            writesOf(applied.plan).empty() ? ApplyVerdict::AlreadySo : ApplyVerdict::Planned;
+            plannedWrites(applied.plan).empty() ? ApplyVerdict::AlreadySet : ApplyVerdict::Planned;
         return applied;
     }
     const auto outcome = restore(context, *servo, applied.plan, options.restore);
@@ -108,20 +108,22 @@ struct Target {
     const record::Snapshot* snapshot = nullptr;
 };
 
-std::vector<Applied> applyAll(const device::Context& context, const std::vector<Target>& targets,
-                              const ApplyOptions& options, bool modelMustFit,
-                              const ProgressFn& progress, const AppliedFn& onServo)
+std::vector<ApplyResult> applyAll(const device::Context& context,
+                                  const std::vector<Target>& targets, const ApplyOptions& options,
+                                  bool requireSameModel, const ProgressFn& progress,
+                                  const ApplyResultFn& onServo)
 {
-    std::vector<Applied> all;
+    std::vector<ApplyResult> all;
     std::optional<base::Error> end;
     for (const Target& target : targets) {
-        if (!end && context.stop.requested())
+        if (!end && context.stop.isRequested())
             end = base::Error{ErrorCode::Stopped, QStringLiteral("restore"), {}, target.id};
         if (end)
             all.push_back(failed(target.id, *end));
         else
-            all.push_back(applyToOne(context, target.id, *target.snapshot, options, modelMustFit));
-        if (!end && endsAll(all.back()))
+            all.push_back(
+                applyToServo(context, target.id, *target.snapshot, options, requireSameModel));
+        if (!end && endsJob(all.back()))
             end = all.back().error;
         if (onServo)
             onServo(all.back());
@@ -135,8 +137,8 @@ std::vector<Applied> applyAll(const device::Context& context, const std::vector<
 QString verdictName(ApplyVerdict verdict)
 {
     switch (verdict) {
-    case ApplyVerdict::AlreadySo:
-        return verdictName(RestoreVerdict::AlreadySo);
+    case ApplyVerdict::AlreadySet:
+        return verdictName(RestoreVerdict::AlreadySet);
     case ApplyVerdict::Done:
         return verdictName(RestoreVerdict::Done);
     case ApplyVerdict::Failed:
@@ -145,7 +147,7 @@ QString verdictName(ApplyVerdict verdict)
         return verdictName(RestoreVerdict::RolledBack);
     case ApplyVerdict::Planned:
         return QStringLiteral("planned");
-    case ApplyVerdict::NoAnswer:
+    case ApplyVerdict::NoReply:
         return QStringLiteral("no-answer");
     case ApplyVerdict::OtherServo:
         return QStringLiteral("other-servo");
@@ -155,9 +157,10 @@ QString verdictName(ApplyVerdict verdict)
     return {};
 }
 
-std::vector<Applied> applyToServos(const device::Context& context, const std::vector<int>& ids,
-                                   const record::Snapshot& snapshot, const ApplyOptions& options,
-                                   const ProgressFn& progress, const AppliedFn& onServo)
+std::vector<ApplyResult> applyToServos(const device::Context& context, const std::vector<int>& ids,
+                                       const record::Snapshot& snapshot,
+                                       const ApplyOptions& options, const ProgressFn& progress,
+                                       const ApplyResultFn& onServo)
 {
     std::vector<Target> targets;
     for (const int id : ids)
@@ -165,9 +168,9 @@ std::vector<Applied> applyToServos(const device::Context& context, const std::ve
     return applyAll(context, targets, options, false, progress, onServo);
 }
 
-std::vector<Applied> restoreBundle(const device::Context& context, const record::Bundle& bundle,
-                                   const ApplyOptions& options, const ProgressFn& progress,
-                                   const AppliedFn& onServo)
+std::vector<ApplyResult> restoreBundle(const device::Context& context, const record::Bundle& bundle,
+                                       const ApplyOptions& options, const ProgressFn& progress,
+                                       const ApplyResultFn& onServo)
 {
     std::vector<Target> targets;
     for (const record::Snapshot& snapshot : bundle.servos)
@@ -184,7 +187,7 @@ base::Result<record::Bundle> takeBundle(const device::Context& context,
     bundle.at = QDateTime::currentDateTimeUtc();
     bundle.port = context.bus.portName();
     for (device::Servo& servo : servos) {
-        if (context.stop.requested())
+        if (context.stop.isRequested())
             return base::fail(ErrorCode::Stopped, QStringLiteral("bundle"), {}, servo.id);
         auto snapshot = takeSnapshot(context, servo, program);
         if (!snapshot)

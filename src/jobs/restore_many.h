@@ -10,18 +10,18 @@
 
 namespace jobs {
 enum class ApplyVerdict : std::uint8_t {
-    AlreadySo,
+    AlreadySet,
     Done,
     Failed,
     RolledBack,
     Planned,    ///< dry run: there are writes to come
-    NoAnswer,   ///< nobody has this ID
+    NoReply,    ///< nobody has this ID
     OtherServo, ///< bundle: another model has this ID now; left alone
     Error,      ///< see `error`; nothing was written
 };
 QString verdictName(ApplyVerdict verdict); ///< "already-so", … "no-answer", "other-servo", "error"
 
-struct Applied {
+struct ApplyResult {
     int id = -1;
     ApplyVerdict verdict = ApplyVerdict::Error;
     std::optional<device::Servo> servo{}; ///< as read, where it answered
@@ -40,16 +40,17 @@ struct ApplyOptions {
 };
 
 /// `onServo`: after each, for the list that grows.
-using AppliedFn = std::function<void(const Applied&)>;
+using ApplyResultFn = std::function<void(const ApplyResult&)>;
 
-std::vector<Applied> applyToServos(const device::Context& context, const std::vector<int>& ids,
-                                   const record::Snapshot& snapshot, const ApplyOptions& options,
-                                   const ProgressFn& progress = {}, const AppliedFn& onServo = {});
+std::vector<ApplyResult> applyToServos(const device::Context& context, const std::vector<int>& ids,
+                                       const record::Snapshot& snapshot,
+                                       const ApplyOptions& options, const ProgressFn& progress = {},
+                                       const ApplyResultFn& onServo = {});
 
 /// Each snapshot of the bundle onto the servo with its ID.
-std::vector<Applied> restoreBundle(const device::Context& context, const record::Bundle& bundle,
-                                   const ApplyOptions& options, const ProgressFn& progress = {},
-                                   const AppliedFn& onServo = {});
+std::vector<ApplyResult> restoreBundle(const device::Context& context, const record::Bundle& bundle,
+                                       const ApplyOptions& options, const ProgressFn& progress = {},
+                                       const ApplyResultFn& onServo = {});
 
 /// Reads every servo given (as a scan found them) into one bundle. A servo that cannot be read ends
 /// it with its error: half a bundle would look like a whole one.

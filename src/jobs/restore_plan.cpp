@@ -18,7 +18,7 @@ constexpr std::array reasonNames{
     ReasonName{RestoreReason::Same, "same"},
     ReasonName{RestoreReason::Identity, "identity"},
     ReasonName{RestoreReason::Live, "live"},
-    ReasonName{RestoreReason::OffUnlessAsked, "off-unless-asked"},
+    ReasonName{RestoreReason::OptIn, "off-unless-asked"},
     ReasonName{RestoreReason::MovesShaft, "moves-shaft"},
     ReasonName{RestoreReason::ReadOnly, "read-only"},
     ReasonName{RestoreReason::Factory, "factory"},
@@ -37,12 +37,12 @@ constexpr std::array reasonNames{
     ReasonName{RestoreReason::OnlyTemporary, "only-temporary"},
 };
 
-bool has(const RestoreRow& row, RestoreReason reason)
+bool hasReason(const RestoreRow& row, RestoreReason reason)
 {
     return row.reasons.testFlag(reason);
 }
 
-void takeFile(RestoreRow& row, const record::SnapshotRegister& file)
+void copyFileValues(RestoreRow& row, const record::SnapshotRegister& file)
 {
     row.fileRaw = file.raw;
     row.fileValue = file.value;
@@ -50,96 +50,97 @@ void takeFile(RestoreRow& row, const record::SnapshotRegister& file)
     row.reasons.setFlag(RestoreReason::NoValue, !file.raw);
 }
 
-bool tickable(const RestoreRow& row, const catalog::Profile& profile)
+bool canBeSelected(const RestoreRow& row, const catalog::Profile& profile)
 {
-    constexpr std::array never{RestoreReason::Same,         RestoreReason::Live,
-                               RestoreReason::ReadOnly,     RestoreReason::NotRead,
-                               RestoreReason::OutsideRange, RestoreReason::NoSuchRegister};
-    return profile.writable && row.wanted.has_value() &&
-           std::none_of(never.begin(), never.end(),
-                        [&](RestoreReason reason) { return has(row, reason); });
+    constexpr std::array blockingReasons{
+        RestoreReason::Same,    RestoreReason::Live,         RestoreReason::ReadOnly,
+        RestoreReason::NotRead, RestoreReason::OutsideRange, RestoreReason::NoSuchRegister};
+    return profile.writable && row.newRaw.has_value() &&
+           std::none_of(blockingReasons.begin(), blockingReasons.end(),
+                        [&](RestoreReason reason) { return hasReason(row, reason); });
 }
 
-bool tickedBy(const RestoreRow& row, const RestoreChoice& choice)
+bool selectedBy(const RestoreRow& row, const RestoreChoice& choice)
 {
     const bool named = choice.only.contains(row.key);
-    return row.mayTick && !has(row, RestoreReason::NotChosen) &&
-           (!has(row, RestoreReason::Identity) || choice.identity) &&
-           (!has(row, RestoreReason::NeedsConsent) || choice.dangerous) &&
-           (!has(row, RestoreReason::OtherModelLimit) ||
+    return row.isSelectable && !hasReason(row, RestoreReason::NotChosen) &&
+           (!hasReason(row, RestoreReason::Identity) || choice.identity) &&
+           (!hasReason(row, RestoreReason::NeedsConsent) || choice.dangerous) &&
+           (!hasReason(row, RestoreReason::OtherModelLimit) ||
             choice.otherModelLimits.contains(row.key)) &&
-           (!has(row, RestoreReason::OffUnlessAsked) || choice.live || named) &&
-           (!has(row, RestoreReason::PlainNumber) || named);
+           (!hasReason(row, RestoreReason::OptIn) || choice.live || named) &&
+           (!hasReason(row, RestoreReason::PlainNumber) || named);
 }
 
 /// Who names a row wants to hear what became of it. A template's identity rows are not for every
 /// servo it is given to, so they count only where they are chosen.
-bool askedFor(const RestoreRow& row, const record::Snapshot& snapshot, const RestoreChoice& choice)
+bool isRequestedRow(const RestoreRow& row, const record::Snapshot& snapshot,
+                    const RestoreChoice& choice)
 {
     if (!choice.only.isEmpty())
         return choice.only.contains(row.key);
-    return snapshot.isTemplate && (choice.identity || !has(row, RestoreReason::Identity));
+    return snapshot.isTemplate && (choice.identity || !hasReason(row, RestoreReason::Identity));
 }
 
-RestoreRow rowOf(const device::Servo& servo, const catalog::Register& reg,
-                 const record::Snapshot& snapshot, const Kinship& kinship,
-                 const RestoreChoice& choice)
+RestoreRow makeRow(const device::Servo& servo, const catalog::Register& reg,
+                   const record::Snapshot& snapshot, const Compatibility& compatibility,
+                   const RestoreChoice& choice)
 {
     RestoreRow row;
     row.key = reg.key;
     row.address = reg.address;
     row.now = servo.raw(reg);
-    row.reasons = natureOf(reg);
+    row.reasons = registerReasons(reg);
     row.stage = stageOf(reg);
     row.reasons.setFlag(RestoreReason::NotRead, !row.now);
     const record::SnapshotRegister* file = snapshot.find(reg.key);
     row.reasons.setFlag(RestoreReason::NotInFile, file == nullptr);
     if (file != nullptr) {
-        takeFile(row, *file);
+        copyFileValues(row, *file);
         if (file->raw)
-            mapValue(row, servo, reg, *file, kinship);
+            mapValue(row, servo, reg, *file, compatibility);
     }
-    row.reasons.setFlag(RestoreReason::Same, row.now && row.now == row.wanted);
-    if (row.wanted && !has(row, RestoreReason::Same) && reg.writable()) {
-        if (kinship.otherModel && isProtectionLimit(reg))
+    row.reasons.setFlag(RestoreReason::Same, row.now && row.now == row.newRaw);
+    if (row.newRaw && !hasReason(row, RestoreReason::Same) && reg.writable()) {
+        if (compatibility.otherModel && isProtectionLimit(reg))
             row.reasons |=
                 RestoreReasons(RestoreReason::OtherModelLimit) | RestoreReason::NeedsConsent;
         predictAlarm(row, servo, reg);
     }
     row.reasons.setFlag(RestoreReason::NotChosen,
                         !choice.only.isEmpty() && !choice.only.contains(reg.key));
-    row.mayTick = tickable(row, *servo.profile);
-    row.ticked = tickedBy(row, choice);
-    row.asked = askedFor(row, snapshot, choice);
+    row.isSelectable = canBeSelected(row, *servo.profile);
+    row.selected = selectedBy(row, choice);
+    row.isRequested = isRequestedRow(row, snapshot, choice);
     return row;
 }
 
-RestoreRow foreignRow(const record::SnapshotRegister& file, const record::Snapshot& snapshot,
-                      const RestoreChoice& choice)
+RestoreRow unmatchedRow(const record::SnapshotRegister& file, const record::Snapshot& snapshot,
+                        const RestoreChoice& choice)
 {
     RestoreRow row;
     row.key = file.key;
     row.address = file.address;
-    takeFile(row, file);
+    copyFileValues(row, file);
     row.reasons |= RestoreReason::NoSuchRegister;
     row.reasons.setFlag(RestoreReason::ReadOnly, file.access == catalog::Access::ReadOnly);
     row.reasons.setFlag(RestoreReason::NotChosen,
                         !choice.only.isEmpty() && !choice.only.contains(file.key));
-    row.asked = askedFor(row, snapshot, choice);
+    row.isRequested = isRequestedRow(row, snapshot, choice);
     return row;
 }
 
 bool isUnmapped(const RestoreRow& row)
 {
-    constexpr RestoreReasons uninteresting = RestoreReasons(RestoreReason::Same) |
-                                             RestoreReason::Live | RestoreReason::ReadOnly |
-                                             RestoreReason::NotInFile | RestoreReason::NotChosen;
-    return !row.mayTick && !(row.reasons & uninteresting);
+    constexpr RestoreReasons ignoredReasons = RestoreReasons(RestoreReason::Same) |
+                                              RestoreReason::Live | RestoreReason::ReadOnly |
+                                              RestoreReason::NotInFile | RestoreReason::NotChosen;
+    return !row.isSelectable && !(row.reasons & ignoredReasons);
 }
 
-int place(const RestoreRow& row)
+int sortRank(const RestoreRow& row)
 {
-    if (row.mayTick)
+    if (row.isSelectable)
         return 0;
     return isUnmapped(row) ? 1 : 2;
 }
@@ -171,12 +172,12 @@ const RestoreRow* RestorePlan::find(const QString& key) const
     return found == rows.end() ? nullptr : &*found;
 }
 
-bool RestorePlan::tick(const QString& key, bool on)
+bool RestorePlan::setSelected(const QString& key, bool on)
 {
     for (RestoreRow& row : rows) {
-        if (row.key != key || !row.mayTick)
+        if (row.key != key || !row.isSelectable)
             continue;
-        row.ticked = on;
+        row.selected = on;
         return true;
     }
     return false;
@@ -185,11 +186,11 @@ bool RestorePlan::tick(const QString& key, bool on)
 bool RestorePlan::needsConsent() const
 {
     return std::any_of(rows.begin(), rows.end(), [](const RestoreRow& row) {
-        return row.ticked && has(row, RestoreReason::NeedsConsent);
+        return row.selected && hasReason(row, RestoreReason::NeedsConsent);
     });
 }
 
-std::vector<const RestoreRow*> RestorePlan::unmapped() const
+std::vector<const RestoreRow*> RestorePlan::unmappedRows() const
 {
     std::vector<const RestoreRow*> left;
     for (const RestoreRow& row : rows) {
@@ -199,27 +200,27 @@ std::vector<const RestoreRow*> RestorePlan::unmapped() const
     return left;
 }
 
-std::vector<const RestoreRow*> leftOut(const RestorePlan& plan)
+std::vector<const RestoreRow*> omittedRows(const RestorePlan& plan)
 {
-    constexpr RestoreReasons notMissing =
+    constexpr RestoreReasons presentReasons =
         RestoreReasons(RestoreReason::Same) | RestoreReason::NotInFile | RestoreReason::NotChosen;
     constexpr RestoreReasons expected = RestoreReasons(RestoreReason::Identity) |
                                         RestoreReason::Live | RestoreReason::ReadOnly |
                                         RestoreReason::Factory;
     std::vector<const RestoreRow*> left;
     for (const RestoreRow& row : plan.rows) {
-        const bool misses = !row.ticked && !(row.reasons & notMissing);
-        if (misses && (row.asked || !(row.reasons & expected)))
+        const bool isOmitted = !row.selected && !(row.reasons & presentReasons);
+        if (isOmitted && (row.isRequested || !(row.reasons & expected)))
             left.push_back(&row);
     }
     return left;
 }
 
-std::vector<const RestoreRow*> alarmsToCome(const RestorePlan& plan)
+std::vector<const RestoreRow*> predictedAlarms(const RestorePlan& plan)
 {
     std::vector<const RestoreRow*> rows;
     for (const RestoreRow& row : plan.rows) {
-        if (!row.alarm.isEmpty() && row.mayTick)
+        if (!row.alarm.isEmpty() && row.isSelectable)
             rows.push_back(&row);
     }
     return rows;
@@ -227,35 +228,35 @@ std::vector<const RestoreRow*> alarmsToCome(const RestorePlan& plan)
 
 int RestorePlan::count(RestoreReason reason) const
 {
-    return static_cast<int>(
-        std::count_if(rows.begin(), rows.end(), [&](const auto& row) { return has(row, reason); }));
+    return static_cast<int>(std::count_if(rows.begin(), rows.end(),
+                                          [&](const auto& row) { return hasReason(row, reason); }));
 }
 
 RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snapshot,
                         const RestoreChoice& choice)
 {
     const catalog::Profile& profile = *servo.profile;
-    const Kinship kinship = kinshipOf(servo, snapshot);
+    const Compatibility compatibility = compatibilityOf(servo, snapshot);
     RestorePlan plan;
     plan.id = servo.id;
     plan.servo = servo;
-    plan.otherMap = !kinship.sameMap;
-    plan.otherModel = kinship.otherModel;
+    plan.otherMap = !compatibility.sameMap;
+    plan.otherModel = compatibility.otherModel;
     plan.sourceModel = snapshot.servo.model;
     plan.otherFirmware = snapshot.servo.firmware != profile.identity.firmware();
     plan.isTemplate = snapshot.isTemplate;
     for (const catalog::Register& reg : profile.registers) {
         if (!snapshot.isTemplate || snapshot.find(reg.key) != nullptr)
-            plan.rows.push_back(rowOf(servo, reg, snapshot, kinship, choice));
+            plan.rows.push_back(makeRow(servo, reg, snapshot, compatibility, choice));
     }
     for (const record::SnapshotRegister& file : snapshot.registers) {
         if (profile.find(file.key) == nullptr)
-            plan.rows.push_back(foreignRow(file, snapshot, choice));
+            plan.rows.push_back(unmatchedRow(file, snapshot, choice));
     }
-    std::stable_sort(plan.rows.begin(), plan.rows.end(),
-                     [](const RestoreRow& a, const RestoreRow& b) {
-                         return std::pair(place(a), a.address) < std::pair(place(b), b.address);
-                     });
+    std::stable_sort(
+        plan.rows.begin(), plan.rows.end(), [](const RestoreRow& a, const RestoreRow& b) {
+            return std::pair(sortRank(a), a.address) < std::pair(sortRank(b), b.address);
+        });
     return plan;
 }
 
@@ -263,28 +264,28 @@ RestorePlan planRestore(const device::Context& context, const device::Servo& ser
                         const record::Snapshot& snapshot, const RestoreChoice& choice)
 {
     RestorePlan plan = planRestore(servo, snapshot, choice);
-    plan.positionSpeed = device::rememberedSpeed(context.journal, servo).value_or(std::nullopt);
-    tickTemporary(context, plan, choice.dangerous);
+    plan.positionSpeed = device::savedSpeed(context.journal, servo).value_or(std::nullopt);
+    selectTemporary(context, plan, choice.dangerous);
     return plan;
 }
 
-void tickTemporary(const device::Context& context, RestorePlan& plan, bool dangerous)
+void selectTemporary(const device::Context& context, RestorePlan& plan, bool dangerous)
 {
     if (const auto temporary = device::temporaryValues(context.journal, plan.servo))
-        tickTemporary(plan, *temporary, dangerous);
+        selectTemporary(plan, *temporary, dangerous);
 }
 
-void tickTemporary(RestorePlan& plan, const device::TemporaryValues& temporary, bool dangerous)
+void selectTemporary(RestorePlan& plan, const device::TemporaryValues& temporary, bool dangerous)
 {
     for (RestoreRow& row : plan.rows) {
-        if (!has(row, RestoreReason::Same) || has(row, RestoreReason::Identity) ||
+        if (!hasReason(row, RestoreReason::Same) || hasReason(row, RestoreReason::Identity) ||
             !device::mayBeTemporary(temporary, row.key, row.now))
             continue;
         row.reasons.setFlag(RestoreReason::Same, false);
         row.reasons |= RestoreReason::OnlyTemporary;
-        row.mayTick = tickable(row, *plan.servo.profile);
-        row.ticked = row.mayTick && !has(row, RestoreReason::NotChosen) &&
-                     (!has(row, RestoreReason::NeedsConsent) || dangerous);
+        row.isSelectable = canBeSelected(row, *plan.servo.profile);
+        row.selected = row.isSelectable && !hasReason(row, RestoreReason::NotChosen) &&
+                       (!hasReason(row, RestoreReason::NeedsConsent) || dangerous);
     }
 }
 } // namespace jobs

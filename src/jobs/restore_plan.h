@@ -14,13 +14,13 @@
 #include <QFlags>
 
 namespace jobs {
-/// Why a row is as it is. Several may hold. text::restoreReasonWords has the words.
+/// Why a row is as it is. Several may hold. text::restoreReasonText has the words.
 enum class RestoreReason : std::uint32_t {
-    Same = 1U << 0U,           ///< nothing to write
-    Identity = 1U << 1U,       ///< ID, rate: off unless asked; written last, as jobs of their own
-    Live = 1U << 2U,           ///< torque, goals, lock …: saved for the record, never restored
-    OffUnlessAsked = 1U << 3U, ///< lost at power-off (41, 48): may be ticked
-    MovesShaft = 1U << 4U,     ///< turns the shaft or shifts its zero (31, LX offset)
+    Same = 1U << 0U,       ///< nothing to write
+    Identity = 1U << 1U,   ///< ID, rate: off unless asked; written last, as jobs of their own
+    Live = 1U << 2U,       ///< torque, goals, lock …: saved for the record, never restored
+    OptIn = 1U << 3U,      ///< lost at power-off (41, 48): may be ticked
+    MovesShaft = 1U << 4U, ///< turns the shaft or shifts its zero (31, LX offset)
     ReadOnly = 1U << 5U,
     Factory = 1U << 6U,        ///< belongs to the factory values
     NeedsConsent = 1U << 7U,   ///< dangerous: may be ticked, is off without the user's consent
@@ -60,15 +60,15 @@ struct RestoreRow {
     QString key;
     int address = 0; ///< here; the file's where this servo has no such register
     std::optional<std::int64_t> now{};
-    std::optional<std::int64_t> wanted{}; ///< in this servo's raw numbers; none: cannot be mapped
+    std::optional<std::int64_t> newRaw{}; ///< in this servo's raw numbers; none: cannot be mapped
     std::optional<std::int64_t> fileRaw{};
     std::optional<double> fileValue{};
     QString fileUnit{};
     RestoreReasons reasons{};
     RestoreStage stage = RestoreStage::Rest;
-    bool mayTick = false;
-    bool ticked = false;
-    bool asked = false; ///< by name: a row of a template, or of RestoreChoice::only
+    bool isSelectable = false;
+    bool selected = false;
+    bool isRequested = false; ///< by name: a row of a template, or of RestoreChoice::only
     /// The fault that this value would cause now ("voltage", "temperature", "current",
     /// "overload"); empty: none. And the reading that says so.
     QString alarm{};
@@ -95,23 +95,23 @@ struct RestorePlan {
     bool otherFirmware = false;
     bool otherMap = false;
     bool isTemplate = false;
-    /// Kept in the journal; put back with a position mode (device::rememberedSpeed).
+    /// Kept in the journal; put back with a position mode (device::savedSpeed).
     std::optional<std::int64_t> positionSpeed{};
 
     const RestoreRow* find(const QString& key) const;
     /// False when it may not be ticked; nothing happens then.
-    bool tick(const QString& key, bool on);
+    bool setSelected(const QString& key, bool on);
     /// A ticked row is dangerous: write only with the user's consent.
     bool needsConsent() const;
     /// Rows that differ or might and cannot be written here, for the list of what is left out.
-    std::vector<const RestoreRow*> unmapped() const;
+    std::vector<const RestoreRow*> unmappedRows() const;
     int count(RestoreReason reason) const;
 };
 
 /// What keeps the servo from being as the file has it once the plan is carried out: rows that
 /// differ, or might, and are not written, whatever the reason. What nobody expects is not among
 /// them unless asked for by name: identity, live, read-only and factory rows. Owned by the plan.
-std::vector<const RestoreRow*> leftOut(const RestorePlan& plan);
+std::vector<const RestoreRow*> omittedRows(const RestorePlan& plan);
 
 /// `servo`: its whole table read (device::readAll). Ticks are set as the choice says.
 RestorePlan planRestore(const device::Servo& servo, const record::Snapshot& snapshot,
@@ -123,12 +123,12 @@ RestorePlan planRestore(const device::Context& context, const device::Servo& ser
 
 /// Of the rows that need nothing but to be kept: marks them, and ticks those that may be ticked by
 /// themselves. For a plan that was made without the journal.
-void tickTemporary(RestorePlan& plan, const device::TemporaryValues& temporary, bool dangerous);
+void selectTemporary(RestorePlan& plan, const device::TemporaryValues& temporary, bool dangerous);
 /// As the journal knows them; none where it cannot be read.
-void tickTemporary(const device::Context& context, RestorePlan& plan, bool dangerous);
+void selectTemporary(const device::Context& context, RestorePlan& plan, bool dangerous);
 
 /// Rows that would put the servo into an alarm it is not in now, ticked or not. Owned by the plan.
-std::vector<const RestoreRow*> alarmsToCome(const RestorePlan& plan);
+std::vector<const RestoreRow*> predictedAlarms(const RestorePlan& plan);
 
 /// One register write to come.
 struct RestoreWrite {
@@ -137,19 +137,19 @@ struct RestoreWrite {
     std::optional<std::int64_t> from{};
     std::int64_t to = 0;
     RestoreStage stage = RestoreStage::Rest;
-    bool again = false; ///< the servo has the value, perhaps until power-off only
+    bool isRewrite = false; ///< the servo has the value, perhaps until power-off only
     bool operator==(const RestoreWrite&) const = default;
 };
 /// Exactly the ticked rows that differ or are not kept, in the order of writing. Empty: a restore
 /// says nothing on the wire that could change the servo.
-std::vector<RestoreWrite> writesOf(const RestorePlan& plan);
+std::vector<RestoreWrite> plannedWrites(const RestorePlan& plan);
 
 /// All that will happen, for --dry-run and the window.
 enum class RestoreStepKind : std::uint8_t {
     TorqueOff, ///< and it stays off
     Unlock,
     Write,
-    Settle, ///< another mode: a command that comes to rest, before anything can turn
+    Neutralize, ///< another mode: a command that comes to rest, before anything can turn
     Lock,
     SetId,
     SetBaud,
@@ -161,7 +161,7 @@ struct RestoreStep {
     std::optional<std::int64_t> to{};
     bool operator==(const RestoreStep&) const = default;
 };
-std::vector<RestoreStep> stepsOf(const RestorePlan& plan);
+std::vector<RestoreStep> plannedSteps(const RestorePlan& plan);
 QString restoreStepName(RestoreStepKind kind); ///< "torque-off", "unlock", "write" …
 } // namespace jobs
 

@@ -6,7 +6,7 @@ namespace jobs {
 QString verdictName(RestoreVerdict verdict)
 {
     switch (verdict) {
-    case RestoreVerdict::AlreadySo:
+    case RestoreVerdict::AlreadySet:
         return QStringLiteral("already-so");
     case RestoreVerdict::Done:
         return QStringLiteral("done");
@@ -18,8 +18,8 @@ QString verdictName(RestoreVerdict verdict)
     return {};
 }
 
-record::RestoreResult resultOf(const RestoreOutcome& outcome, const device::Servo& servo,
-                               const QString& source, const QString& program)
+record::RestoreResult toRestoreResult(const RestoreOutcome& outcome, const device::Servo& servo,
+                                      const QString& source, const QString& program)
 {
     const catalog::Profile& profile = *servo.profile;
     record::RestoreResult result;
@@ -41,11 +41,11 @@ record::RestoreResult resultOf(const RestoreOutcome& outcome, const device::Serv
         line.key = row.write.key;
         line.address = row.write.address;
         line.before = row.write.oldRaw;
-        line.wanted = row.write.newRaw;
+        line.newRaw = row.write.newRaw;
         line.readBack = row.write.readBack;
         if (const catalog::Register* reg = profile.find(line.key)) {
-            const catalog::Meaning meaning = servo.meaning(*reg);
-            line.wantedValue = catalog::toPhysical(line.wanted, meaning);
+            const catalog::ValueFormat meaning = servo.meaning(*reg);
+            line.newValue = catalog::toPhysical(line.newRaw, meaning);
             line.unit = meaning.unit;
         }
         line.outcome = device::outcomeName(row.write.outcome);

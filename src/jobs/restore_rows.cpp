@@ -15,23 +15,23 @@ using catalog::Role;
 namespace {
 bool isLive(const catalog::Register& reg)
 {
-    const bool ofTheMoment = reg.area == Area::Sram || reg.area == Area::Feedback;
-    return reg.writable() && ofTheMoment && (reg.motion || reg.role == Role::Lock);
+    const bool isVolatile = reg.area == Area::Sram || reg.area == Area::Feedback;
+    return reg.writable() && isVolatile && (reg.motion || reg.role == Role::Lock);
 }
 
 /// The file's number is `scale` times its raw one here as well.
-bool scaleAgrees(const record::SnapshotRegister& file, const catalog::Meaning& meaning)
+bool hasSameScale(const record::SnapshotRegister& file, const catalog::ValueFormat& meaning)
 {
     if (file.unit != meaning.unit)
         return false;
     if (!file.value)
         return true;
     constexpr double noise = 1e-6; // of one step; files keep twelve digits
-    const double here = catalog::toPhysical(*file.raw, meaning);
-    return std::abs(here - *file.value) <= noise * std::abs(meaning.scale);
+    const double physicalValue = catalog::toPhysical(*file.raw, meaning);
+    return std::abs(physicalValue - *file.value) <= noise * std::abs(meaning.scale);
 }
 
-std::optional<std::int64_t> rateCode(const catalog::Register& reg, int baud)
+std::optional<std::int64_t> baudCodeOf(const catalog::Register& reg, int baud)
 {
     for (const catalog::NamedValue& value : reg.values) {
         if (value.key == QString::number(baud))
@@ -40,25 +40,26 @@ std::optional<std::int64_t> rateCode(const catalog::Register& reg, int baud)
     return std::nullopt;
 }
 
-bool isNamed(Encoding encoding)
+bool isEnumeration(Encoding encoding)
 {
     return encoding == Encoding::Enum || encoding == Encoding::Bits;
 }
 
 /// From another family or firmware: by what the value stands for.
-std::optional<std::int64_t> translated(RestoreRow& row, const catalog::Register& reg,
-                                       const catalog::Meaning& meaning,
-                                       const record::SnapshotRegister& file, const Kinship& kinship)
+std::optional<std::int64_t> convertedValue(RestoreRow& row, const catalog::Register& reg,
+                                           const catalog::ValueFormat& meaning,
+                                           const record::SnapshotRegister& file,
+                                           const Compatibility& compatibility)
 {
     if (reg.role == Role::BaudRate)
-        return kinship.sameMap ? *file.raw : rateCode(reg, kinship.fileBaud);
-    if (kinship.sameMap && scaleAgrees(file, meaning))
+        return compatibility.sameMap ? *file.raw : baudCodeOf(reg, compatibility.fileBaud);
+    if (compatibility.sameMap && hasSameScale(file, meaning))
         return file.raw;
     if (reg.role == Role::Id)
         return file.raw;
-    if (!kinship.sameMap && isNamed(meaning.encoding))
+    if (!compatibility.sameMap && isEnumeration(meaning.encoding))
         return std::nullopt; // the file has their numbers only, and each family numbers them itself
-    if (scaleAgrees(file, meaning)) {
+    if (hasSameScale(file, meaning)) {
         if (meaning.unit.isEmpty())
             row.reasons |= RestoreReason::PlainNumber;
         return file.raw;
@@ -69,17 +70,17 @@ std::optional<std::int64_t> translated(RestoreRow& row, const catalog::Register&
     return catalog::toRaw(*file.value, meaning);
 }
 
-bool fits(std::int64_t raw, const catalog::Register& reg, const catalog::Meaning& meaning,
-          std::optional<std::int64_t> now)
+bool isAllowedValue(std::int64_t raw, const catalog::Register& reg,
+                    const catalog::ValueFormat& meaning, std::optional<std::int64_t> now)
 {
-    const auto range = catalog::representable(reg.size, meaning.encoding, meaning.signBit);
+    const auto range = catalog::representableRange(reg.size, meaning.encoding, meaning.signBit);
     if (raw < range.min || raw > range.max)
         return false;
     return !reg.writable() || catalog::checkNewValue(raw, reg, meaning, now).has_value();
 }
 } // namespace
 
-RestoreReasons natureOf(const catalog::Register& reg)
+RestoreReasons registerReasons(const catalog::Register& reg)
 {
     RestoreReasons reasons;
     reasons.setFlag(RestoreReason::ReadOnly, !reg.writable());
@@ -89,7 +90,7 @@ RestoreReasons natureOf(const catalog::Register& reg)
     reasons.setFlag(RestoreReason::MovesShaft, reg.role == Role::PositionOffset);
     if (!reg.writable())
         return reasons;
-    reasons.setFlag(RestoreReason::OffUnlessAsked, reg.area == Area::Sram && !isLive(reg));
+    reasons.setFlag(RestoreReason::OptIn, reg.area == Area::Sram && !isLive(reg));
     reasons.setFlag(RestoreReason::NeedsConsent, reg.dangerous && !reg.identity);
     return reasons;
 }
@@ -112,42 +113,43 @@ bool isProtectionLimit(const catalog::Register& reg)
 }
 
 namespace {
-struct Watched {
+struct ProtectionLimit {
     Role limit;
     Role reading;
     bool lower; ///< the limit is the least that is allowed
     const char* fault;
 };
 
-constexpr std::array watchedLimits{
-    Watched{Role::MinVoltage, Role::PresentVoltage, true, "voltage"},
-    Watched{Role::MaxVoltage, Role::PresentVoltage, false, "voltage"},
-    Watched{Role::MaxTemperature, Role::PresentTemperature, false, "temperature"},
-    Watched{Role::ProtectionCurrent, Role::PresentCurrent, false, "current"},
-    Watched{Role::OverloadTorque, Role::PresentLoad, false, "overload"},
+constexpr std::array protectionLimits{
+    ProtectionLimit{Role::MinVoltage, Role::PresentVoltage, true, "voltage"},
+    ProtectionLimit{Role::MaxVoltage, Role::PresentVoltage, false, "voltage"},
+    ProtectionLimit{Role::MaxTemperature, Role::PresentTemperature, false, "temperature"},
+    ProtectionLimit{Role::ProtectionCurrent, Role::PresentCurrent, false, "current"},
+    ProtectionLimit{Role::OverloadTorque, Role::PresentLoad, false, "overload"},
 };
 } // namespace
 
 void predictAlarm(RestoreRow& row, const device::Servo& servo, const catalog::Register& reg)
 {
-    const auto watched = std::find_if(watchedLimits.begin(), watchedLimits.end(),
-                                      [&](const Watched& one) { return one.limit == reg.role; });
+    const auto protection =
+        std::find_if(protectionLimits.begin(), protectionLimits.end(),
+                     [&](const ProtectionLimit& one) { return one.limit == reg.role; });
     const catalog::Register* measured =
-        watched != watchedLimits.end() ? servo.profile->byRole(watched->reading) : nullptr;
+        protection != protectionLimits.end() ? servo.profile->byRole(protection->reading) : nullptr;
     const auto raw = measured != nullptr ? servo.raw(*measured) : std::nullopt;
-    if (!raw || !row.wanted)
+    if (!raw || !row.newRaw)
         return;
-    const catalog::Meaning meaning = servo.meaning(*measured);
-    const catalog::Meaning limit = servo.meaning(reg);
+    const catalog::ValueFormat meaning = servo.meaning(*measured);
+    const catalog::ValueFormat limit = servo.meaning(reg);
     const double reading = std::abs(catalog::toPhysical(*raw, meaning));
     const auto outside = [&](std::int64_t value) {
         const double bound = catalog::toPhysical(value, limit);
-        return watched->lower ? reading < bound : reading > bound;
+        return protection->lower ? reading < bound : reading > bound;
     };
-    if (meaning.unit != limit.unit || !outside(*row.wanted) || (row.now && outside(*row.now)))
+    if (meaning.unit != limit.unit || !outside(*row.newRaw) || (row.now && outside(*row.now)))
         return;
     row.reasons |= RestoreReason::WouldAlarm;
-    row.alarm = QLatin1String(watched->fault);
+    row.alarm = QLatin1String(protection->fault);
     row.reading = reading;
     row.readingUnit = meaning.unit;
 }
@@ -187,27 +189,31 @@ RestoreStage stageOf(const catalog::Register& reg)
     }
 }
 
-Kinship kinshipOf(const device::Servo& servo, const record::Snapshot& snapshot)
+Compatibility compatibilityOf(const device::Servo& servo, const record::Snapshot& snapshot)
 {
     const catalog::Profile& profile = *servo.profile;
-    Kinship kinship;
-    kinship.sameMap = snapshot.servo.map == profile.mapKey;
-    kinship.sameKind = kinship.sameMap && snapshot.servo.modelId == profile.identity.modelId() &&
-                       snapshot.servo.firmware == profile.identity.firmware();
-    kinship.otherModel = !kinship.sameMap || snapshot.servo.modelId != profile.identity.modelId();
-    kinship.fileBaud = snapshot.baud;
-    return kinship;
+    Compatibility compatibility;
+    compatibility.sameMap = snapshot.servo.map == profile.mapKey;
+    compatibility.isSameKind = compatibility.sameMap &&
+                               snapshot.servo.modelId == profile.identity.modelId() &&
+                               snapshot.servo.firmware == profile.identity.firmware();
+    compatibility.otherModel =
+        !compatibility.sameMap || snapshot.servo.modelId != profile.identity.modelId();
+    compatibility.fileBaud = snapshot.baud;
+    return compatibility;
 }
 
 void mapValue(RestoreRow& row, const device::Servo& servo, const catalog::Register& reg,
-              const record::SnapshotRegister& file, const Kinship& kinship)
+              const record::SnapshotRegister& file, const Compatibility& compatibility)
 {
-    const catalog::Meaning meaning = servo.meaning(reg);
-    const auto wanted = kinship.sameKind ? file.raw : translated(row, reg, meaning, file, kinship);
-    if (!wanted)
+    const catalog::ValueFormat meaning = servo.meaning(reg);
+    const auto newRaw = compatibility.isSameKind
+                            ? file.raw
+                            : convertedValue(row, reg, meaning, file, compatibility);
+    if (!newRaw)
         row.reasons |= RestoreReason::OtherMeaning;
-    else if (!fits(*wanted, reg, meaning, row.now))
+    else if (!isAllowedValue(*newRaw, reg, meaning, row.now))
         row.reasons |= RestoreReason::OutsideRange;
-    row.wanted = wanted;
+    row.newRaw = newRaw;
 }
 } // namespace jobs

@@ -7,7 +7,7 @@
 
 namespace jobs {
 /// The reasons that lie in the register itself, whatever its values are.
-RestoreReasons natureOf(const catalog::Register& reg);
+RestoreReasons registerReasons(const catalog::Register& reg);
 
 /// A limit of voltage, temperature, current or torque, which belongs to a model.
 bool isProtectionLimit(const catalog::Register& reg);
@@ -20,15 +20,15 @@ void predictAlarm(RestoreRow& row, const device::Servo& servo, const catalog::Re
 RestoreStage stageOf(const catalog::Register& reg);
 
 /// How near the file's servo is to this one.
-struct Kinship {
+struct Compatibility {
     bool sameMap = false;
-    bool sameKind = false; ///< map, model and firmware: raw numbers mean the same for certain
+    bool isSameKind = false; ///< map, model and firmware: raw numbers mean the same for certain
     bool otherModel = false;
     int fileBaud = 0;
 };
-Kinship kinshipOf(const device::Servo& servo, const record::Snapshot& snapshot);
+Compatibility compatibilityOf(const device::Servo& servo, const record::Snapshot& snapshot);
 
 /// Fills in `wanted` and says why it is empty or not the file's own number.
 void mapValue(RestoreRow& row, const device::Servo& servo, const catalog::Register& reg,
-              const record::SnapshotRegister& file, const Kinship& kinship);
+              const record::SnapshotRegister& file, const Compatibility& compatibility);
 } // namespace jobs

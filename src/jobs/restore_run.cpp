@@ -16,21 +16,21 @@ using device::NoticeCode;
 using device::WriteOutcome;
 using device::WriteResult;
 
-bool isOwnJob(const RestoreWrite& write)
+bool needsOwnJob(const RestoreWrite& write)
 {
     return write.stage == RestoreStage::Id || write.stage == RestoreStage::Baud;
 }
 
-bool lockStandsOpen(const device::Servo& servo)
+bool isLockOpen(const device::Servo& servo)
 {
     const auto lock = servo.raw(catalog::Role::Lock);
-    return lock && device::isOpen(*lock);
+    return lock && device::isLockOpen(*lock);
 }
 
 namespace {
 const QString operation = QStringLiteral("restore");
 
-bool took(const WriteResult& result)
+bool isAccepted(const WriteResult& result)
 {
     return !result.error &&
            (result.outcome == WriteOutcome::Kept || result.outcome == WriteOutcome::Temporary);
@@ -38,13 +38,13 @@ bool took(const WriteResult& result)
 
 /// The values now are what the journal will call the values before: read afresh, since the plan may
 /// have been looked at for an hour.
-base::Result<void> readNow(const device::Context& context, device::Servo& servo,
-                           const std::vector<RestoreWrite>& writes)
+base::Result<void> readFresh(const device::Context& context, device::Servo& servo,
+                             const std::vector<RestoreWrite>& writes)
 {
     std::vector<const catalog::Register*> registers;
     for (const RestoreWrite& write : writes) {
         const catalog::Register* reg = servo.profile->find(write.key);
-        servo.image.forget(reg->offset, reg->size);
+        servo.image.invalidate(reg->offset, reg->size);
         registers.push_back(reg);
     }
     return device::read(context, servo, registers);
@@ -53,7 +53,7 @@ base::Result<void> readNow(const device::Context& context, device::Servo& servo,
 } // namespace
 
 /// What a row had before it was begun is what it had before the first try.
-void Restorer::take(const device::WriteReport& report)
+void RestoreRunner::addResults(const device::WriteReport& report)
 {
     for (const WriteResult& result : report.writes) {
         const auto known =
@@ -70,24 +70,24 @@ void Restorer::take(const device::WriteReport& report)
     m_outcome.lock = report.lock;
 }
 
-bool Restorer::good() const
+bool RestoreRunner::isSuccessful() const
 {
     return std::all_of(m_outcome.rows.begin(), m_outcome.rows.end(),
-                       [](const RestoreRowResult& row) { return took(row.write); }) &&
+                       [](const RestoreRowResult& row) { return isAccepted(row.write); }) &&
            m_outcome.lock != device::LockState::Open &&
            m_outcome.lock != device::LockState::Unknown;
 }
 
 /// Where it cannot even be begun, the ordinary way is left, and the intent stays open.
-bool Restorer::finishEarlier(const std::vector<base::Intent>& intents)
+bool RestoreRunner::finishInterrupted(const std::vector<base::Intent>& intents)
 {
     const int baud = m_context.bus.baud();
     for (const base::Intent& intent : intents) {
-        const auto one = recoverOne(m_context, intent, RecoverAction::Finish);
-        if (m_context.bus.hasBaud())
+        const auto one = recoverIntent(m_context, intent, RecoveryAction::Finish);
+        if (m_context.bus.canSetBaud())
             (void)m_context.bus.setBaud(baud);
         if (one && one->report)
-            take(*one->report);
+            addResults(*one->report);
         if (one && one->done)
             continue;
         m_unfinished = one ? one->error : one.error();
@@ -105,20 +105,20 @@ bool Restorer::finishEarlier(const std::vector<base::Intent>& intents)
 }
 
 /// What the servo shows already may have to be kept; finishing an earlier try may have done that.
-bool Restorer::isOwed(const RestoreWrite& write) const
+bool RestoreRunner::isStillToWrite(const RestoreWrite& write) const
 {
     const bool kept =
         std::any_of(m_outcome.rows.begin(), m_outcome.rows.end(), [&](const auto& row) {
             return row.write.key == write.key && row.write.outcome == WriteOutcome::Kept;
         });
-    return m_servo.raw(write.key) != write.to || (write.again && !kept);
+    return m_servo.raw(write.key) != write.to || (write.isRewrite && !kept);
 }
 
-base::Result<void> Restorer::writeRegisters(const std::vector<RestoreWrite>& writes)
+base::Result<void> RestoreRunner::writeRegisters(const std::vector<RestoreWrite>& writes)
 {
     std::vector<device::WriteItem> items;
     for (const RestoreWrite& write : writes) {
-        if (!isOwnJob(write) && isOwed(write))
+        if (!needsOwnJob(write) && isStillToWrite(write))
             items.push_back({write.key, write.to});
     }
     if (items.empty())
@@ -127,18 +127,18 @@ base::Result<void> Restorer::writeRegisters(const std::vector<RestoreWrite>& wri
     options.dangerous = m_options.dangerous;
     options.kind = base::IntentKind::Restore;
     options.torqueOff = true;
-    options.inOrder = true;
-    options.stopAtFailure = true;
+    options.keepOrder = true;
+    options.stopOnFailure = true;
     const auto report = device::write(m_context, m_servo, items, options);
     if (!report)
         return tl::unexpected(report.error());
     if (!report->openIntent.isEmpty())
         m_openIntents << report->openIntent;
-    take(*report);
+    addResults(*report);
     return {};
 }
 
-base::Result<device::WriteReport> Restorer::change(const RestoreWrite& write)
+base::Result<device::WriteReport> RestoreRunner::changeIdentity(const RestoreWrite& write)
 {
     if (write.stage == RestoreStage::Id)
         return changeId(m_context, m_servo, static_cast<int>(write.to));
@@ -149,7 +149,7 @@ base::Result<device::WriteReport> Restorer::change(const RestoreWrite& write)
     return base::fail(ErrorCode::OutOfRange, operation, QString::number(write.to), m_servo.id);
 }
 
-void Restorer::refuse(const RestoreWrite& write, const base::Error& why)
+void RestoreRunner::addRefused(const RestoreWrite& write, const base::Error& why)
 {
     m_outcome.rows.push_back({{write.key,
                                write.address,
@@ -160,56 +160,58 @@ void Restorer::refuse(const RestoreWrite& write, const base::Error& why)
                                why}});
 }
 
-base::Error Restorer::afterFailure(const QString& key) const
+base::Error RestoreRunner::skippedAfterFailure(const QString& key) const
 {
     return {ErrorCode::Stopped, operation, QStringLiteral("after-failure"), m_servo.id, key};
 }
 
 /// All that no result tells of yet.
-void Restorer::refuseRest(const std::vector<RestoreWrite>& writes, const base::Error& why)
+void RestoreRunner::addAllRefused(const std::vector<RestoreWrite>& writes, const base::Error& why)
 {
     for (const RestoreWrite& write : writes) {
-        const bool told = std::any_of(m_outcome.rows.begin(), m_outcome.rows.end(),
-                                      [&](const auto& row) { return row.write.key == write.key; });
-        if (!told)
-            refuse(write, why);
+        const bool isReported =
+            std::any_of(m_outcome.rows.begin(), m_outcome.rows.end(),
+                        [&](const auto& row) { return row.write.key == write.key; });
+        if (!isReported)
+            addRefused(write, why);
     }
 }
 
-void Restorer::writeIdentity(const std::vector<RestoreWrite>& writes)
+void RestoreRunner::writeIdentity(const std::vector<RestoreWrite>& writes)
 {
     for (const RestoreWrite& write : writes) {
-        if (!isOwnJob(write))
+        if (!needsOwnJob(write))
             continue;
-        if (!good()) {
-            refuse(write, afterFailure(write.key));
+        if (!isSuccessful()) {
+            addRefused(write, skippedAfterFailure(write.key));
             continue;
         }
-        const auto report = change(write);
+        const auto report = changeIdentity(write);
         if (report)
-            take(*report);
+            addResults(*report);
         else
-            refuse(write, report.error());
+            addRefused(write, report.error());
     }
 }
 
 /// Somebody left it open, or a restore was broken off before its last step.
-void Restorer::closeOpenLock()
+void RestoreRunner::closeOpenLock()
 {
-    if (!lockStandsOpen(m_servo))
+    if (!isLockOpen(m_servo))
         return;
     m_outcome.lock = device::closeLock(m_context, m_servo);
     if (m_outcome.lock == device::LockState::Closed)
         m_context.note(NoticeCode::LockClosed, m_servo.id);
 }
 
-base::Result<void> Restorer::writeAll(const std::vector<RestoreWrite>& writes)
+base::Result<void> RestoreRunner::writeAll(const std::vector<RestoreWrite>& writes)
 {
-    if (const auto fresh = readNow(m_context, m_servo, writes); !fresh)
+    if (const auto fresh = readFresh(m_context, m_servo, writes); !fresh)
         return fresh;
-    const bool owed = std::any_of(writes.begin(), writes.end(),
-                                  [&](const RestoreWrite& write) { return isOwed(write); });
-    if (!owed) {
+    const bool isAnythingToWrite =
+        std::any_of(writes.begin(), writes.end(),
+                    [&](const RestoreWrite& write) { return isStillToWrite(write); });
+    if (!isAnythingToWrite) {
         closeOpenLock();
         return {};
     }
@@ -219,58 +221,58 @@ base::Result<void> Restorer::writeAll(const std::vector<RestoreWrite>& writes)
     return {};
 }
 
-base::Result<void> Restorer::run(const std::vector<base::Intent>& earlier,
-                                 const std::vector<RestoreWrite>& writes)
+base::Result<void> RestoreRunner::run(const std::vector<base::Intent>& earlier,
+                                      const std::vector<RestoreWrite>& writes)
 {
     forgetTorque();
-    if (finishEarlier(earlier)) {
+    if (finishInterrupted(earlier)) {
         const auto written = writeAll(writes);
         if (!written && m_outcome.rows.empty())
             return written;
         if (!written)
-            refuseRest(writes, written.error());
+            addAllRefused(writes, written.error());
     } else {
-        refuseRest(writes, afterFailure({}));
+        addAllRefused(writes, skippedAfterFailure({}));
     }
-    const bool nothing = m_outcome.rows.empty();
-    if (nothing && m_unfinished)
+    const bool hasNoRows = m_outcome.rows.empty();
+    if (hasNoRows && m_unfinished)
         return tl::unexpected(*m_unfinished);
-    if (!good())
+    if (!isSuccessful())
         m_outcome.verdict = RestoreVerdict::Failed;
     else
-        m_outcome.verdict = nothing ? RestoreVerdict::AlreadySo : RestoreVerdict::Done;
-    if (nothing)
+        m_outcome.verdict = hasNoRows ? RestoreVerdict::AlreadySet : RestoreVerdict::Done;
+    if (hasNoRows)
         return {};
-    if (!good() && m_options.onFailure == OnFailure::RollBack)
+    if (!isSuccessful() && m_options.onFailure == OnFailure::RollBack)
         rollBack();
     noteTorque();
     return {};
 }
 
 /// So that only what is read from now on counts.
-void Restorer::forgetTorque()
+void RestoreRunner::forgetTorque()
 {
     if (const auto* torque = m_servo.profile->byRole(catalog::Role::TorqueSwitch))
-        m_servo.image.forget(torque->offset, torque->size);
+        m_servo.image.invalidate(torque->offset, torque->size);
 }
 
 /// Said of a servo that has shown it.
-void Restorer::noteTorque()
+void RestoreRunner::noteTorque()
 {
     const catalog::Register* torque = m_servo.profile->byRole(catalog::Role::TorqueSwitch);
     if (torque == nullptr)
         return;
-    auto shown = m_servo.raw(*torque);
-    if (!shown) {
+    auto torqueRaw = m_servo.raw(*torque);
+    if (!torqueRaw) {
         if (const auto now = device::readRegister(m_context, m_servo, *torque))
-            shown = *now;
+            torqueRaw = *now;
     }
-    if (shown == 0)
+    if (torqueRaw == 0)
         m_context.note(NoticeCode::TorqueStaysOff, m_servo.id);
 }
 
 /// What may not be as before any more. A register that refused has proved that it is.
-std::vector<device::WriteItem> Restorer::itemsBefore() const
+std::vector<device::WriteItem> RestoreRunner::previousItems() const
 {
     std::vector<device::WriteItem> items;
     for (const RestoreRowResult& row : m_outcome.rows) {
@@ -284,9 +286,9 @@ std::vector<device::WriteItem> Restorer::itemsBefore() const
 }
 
 /// How the journal has the rows of what is undone: none was kept.
-std::vector<base::ItemEnd> Restorer::endsUndone() const
+std::vector<base::ItemResult> RestoreRunner::revertedItemEnds() const
 {
-    std::vector<base::ItemEnd> ends;
+    std::vector<base::ItemResult> ends;
     for (const RestoreRowResult& row : m_outcome.rows) {
         ends.push_back(
             {row.write.key, row.write.readBack,
@@ -295,48 +297,48 @@ std::vector<base::ItemEnd> Restorer::endsUndone() const
     return ends;
 }
 
-void Restorer::rollBack()
+void RestoreRunner::rollBack()
 {
     // Ending the restore is one of the ways to fail, so the way back does not end by it.
-    const base::Stop unstopped;
+    const base::StopToken neverStop;
     const device::Context context{m_context.bus,  m_context.catalog, m_context.journal,
-                                  unstopped,      m_context.notices, m_context.priority,
+                                  neverStop,      m_context.notices, m_context.priority,
                                   m_context.hold, m_context.epoch};
-    const auto items = itemsBefore();
+    const auto items = previousItems();
     device::WriteReport report;
     report.lock = m_outcome.lock;
     if (!items.empty()) {
         device::WriteOptions options;
         options.dangerous = true; // they had these values a moment ago
-        options.asBefore = true;
+        options.allowPreviousValues = true;
         options.kind = base::IntentKind::Restore;
         options.torqueOff = true;
         const auto written = device::write(context, m_servo, items, options);
         if (!written) {
             for (const device::WriteItem& item : items)
-                m_outcome.notPutBack << item.key;
-            m_outcome.changeOpen = !m_openIntents.isEmpty();
+                m_outcome.notReverted << item.key;
+            m_outcome.isChangeOpen = !m_openIntents.isEmpty();
             return;
         }
         report = *written;
-        m_outcome.changeOpen = !m_openIntents.isEmpty() || !report.openIntent.isEmpty();
+        m_outcome.isChangeOpen = !m_openIntents.isEmpty() || !report.openIntent.isEmpty();
     }
     m_outcome.lock = report.lock;
     for (RestoreRowResult& row : m_outcome.rows) {
         const auto back =
             std::find_if(report.writes.begin(), report.writes.end(),
                          [&](const WriteResult& result) { return result.key == row.write.key; });
-        row.rolledBack = back != report.writes.end() && took(*back);
+        row.rolledBack = back != report.writes.end() && isAccepted(*back);
         if (back != report.writes.end())
             row.write.readBack = back->readBack;
         if (back != report.writes.end() && !row.rolledBack)
-            m_outcome.notPutBack << row.write.key;
+            m_outcome.notReverted << row.write.key;
     }
-    if (!report.allGood())
+    if (!report.isSuccessful())
         return;
-    m_outcome.changeOpen = false;
+    m_outcome.isChangeOpen = false;
     m_outcome.verdict = RestoreVerdict::RolledBack;
     for (const QString& uuid : std::as_const(m_openIntents))
-        m_context.record(uuid, m_servo.id, {QStringLiteral("undone"), {}, endsUndone()});
+        m_context.record(uuid, m_servo.id, {QStringLiteral("undone"), {}, revertedItemEnds()});
 }
 } // namespace jobs

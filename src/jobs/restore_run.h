@@ -8,13 +8,13 @@
 
 namespace jobs {
 /// An ID or a rate: a job of its own.
-bool isOwnJob(const RestoreWrite& write);
-bool lockStandsOpen(const device::Servo& servo);
+bool needsOwnJob(const RestoreWrite& write);
+bool isLockOpen(const device::Servo& servo);
 
-class Restorer {
+class RestoreRunner {
 public:
-    Restorer(const device::Context& context, device::Servo& servo, const RestoreOptions& options,
-             RestoreOutcome& outcome)
+    RestoreRunner(const device::Context& context, device::Servo& servo,
+                  const RestoreOptions& options, RestoreOutcome& outcome)
         : m_context(context)
         , m_servo(servo)
         , m_options(options)
@@ -28,25 +28,25 @@ public:
 
 private:
     /// False: a row of it did not take its value, so nothing more is to be written.
-    bool finishEarlier(const std::vector<base::Intent>& intents);
+    bool finishInterrupted(const std::vector<base::Intent>& intents);
     /// Registers, then ID and rate; nothing where everything is so already. Errors: nothing was
     /// written.
     base::Result<void> writeAll(const std::vector<RestoreWrite>& writes);
     /// The registers, in one transaction. Errors: nothing was written.
-    bool isOwed(const RestoreWrite& write) const;
+    bool isStillToWrite(const RestoreWrite& write) const;
     base::Result<void> writeRegisters(const std::vector<RestoreWrite>& writes);
     /// ID and rate, each as a job of its own.
     void writeIdentity(const std::vector<RestoreWrite>& writes);
     void closeOpenLock();
     void rollBack();
-    bool good() const;
-    void take(const device::WriteReport& report);
-    void refuse(const RestoreWrite& write, const base::Error& why);
-    void refuseRest(const std::vector<RestoreWrite>& writes, const base::Error& why);
-    base::Error afterFailure(const QString& key) const;
-    base::Result<device::WriteReport> change(const RestoreWrite& write);
-    std::vector<device::WriteItem> itemsBefore() const;
-    std::vector<base::ItemEnd> endsUndone() const;
+    bool isSuccessful() const;
+    void addResults(const device::WriteReport& report);
+    void addRefused(const RestoreWrite& write, const base::Error& why);
+    void addAllRefused(const std::vector<RestoreWrite>& writes, const base::Error& why);
+    base::Error skippedAfterFailure(const QString& key) const;
+    base::Result<device::WriteReport> changeIdentity(const RestoreWrite& write);
+    std::vector<device::WriteItem> previousItems() const;
+    std::vector<base::ItemResult> revertedItemEnds() const;
     void forgetTorque();
     void noteTorque();
 

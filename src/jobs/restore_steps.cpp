@@ -16,7 +16,7 @@ namespace {
 /// Those the lock does not keep come after all that it keeps, so that it is opened for those only.
 int areaRank(const catalog::Register& reg)
 {
-    if (reg.area == Area::Factory && device::keepingOf(reg) != device::Keeping::Lock)
+    if (reg.area == Area::Factory && device::retentionOf(reg) != device::Retention::Lock)
         return 2;
     switch (reg.area) {
     case Area::Factory:
@@ -30,8 +30,8 @@ int areaRank(const catalog::Register& reg)
     return 2;
 }
 
-std::tuple<bool, int, RestoreStage, int> orderOf(const RestoreWrite& write,
-                                                 const catalog::Profile& profile)
+std::tuple<bool, int, RestoreStage, int> sortKeyOf(const RestoreWrite& write,
+                                                   const catalog::Profile& profile)
 {
     const catalog::Register& reg = *profile.find(write.key);
     const bool last = write.stage == RestoreStage::Id || write.stage == RestoreStage::Baud;
@@ -48,7 +48,7 @@ QString restoreStepName(RestoreStepKind kind)
         return QStringLiteral("unlock");
     case RestoreStepKind::Write:
         return QStringLiteral("write");
-    case RestoreStepKind::Settle:
+    case RestoreStepKind::Neutralize:
         return QStringLiteral("settle");
     case RestoreStepKind::Lock:
         return QStringLiteral("lock");
@@ -60,25 +60,25 @@ QString restoreStepName(RestoreStepKind kind)
     return {};
 }
 
-std::vector<RestoreWrite> writesOf(const RestorePlan& plan)
+std::vector<RestoreWrite> plannedWrites(const RestorePlan& plan)
 {
     std::vector<RestoreWrite> writes;
     for (const RestoreRow& row : plan.rows) {
-        const bool again = row.reasons.testFlag(RestoreReason::OnlyTemporary);
-        if (row.ticked && row.wanted && (again || row.now != row.wanted))
-            writes.push_back({row.key, row.address, row.now, *row.wanted, row.stage, again});
+        const bool isRewrite = row.reasons.testFlag(RestoreReason::OnlyTemporary);
+        if (row.selected && row.newRaw && (isRewrite || row.now != row.newRaw))
+            writes.push_back({row.key, row.address, row.now, *row.newRaw, row.stage, isRewrite});
     }
     std::sort(writes.begin(), writes.end(), [&](const RestoreWrite& a, const RestoreWrite& b) {
-        return orderOf(a, *plan.servo.profile) < orderOf(b, *plan.servo.profile);
+        return sortKeyOf(a, *plan.servo.profile) < sortKeyOf(b, *plan.servo.profile);
     });
     return writes;
 }
 
 namespace {
 /// The writes with everything around them.
-class StepList {
+class RestoreStepBuilder {
 public:
-    explicit StepList(const RestorePlan& plan)
+    explicit RestoreStepBuilder(const RestorePlan& plan)
         : m_servo(plan.servo)
         , m_positionSpeed(plan.positionSpeed)
     {
@@ -91,8 +91,8 @@ public:
         const RestoreStepKind kind = kindOf(write);
         const bool own = kind != RestoreStepKind::Write;
         if (own)
-            settle();
-        const bool needsLock = device::keepingOf(reg) == device::Keeping::Lock;
+            addNeutralCommands();
+        const bool needsLock = device::retentionOf(reg) == device::Retention::Lock;
         if (m_open != nullptr && (own || (needsLock && m_open->area != reg.area)))
             lock(); // what is kept without it goes out meanwhile
         if (m_open == nullptr && needsLock) {
@@ -106,7 +106,7 @@ public:
 
     std::vector<RestoreStep> finish()
     {
-        settle();
+        addNeutralCommands();
         if (m_open != nullptr)
             lock();
         return std::move(m_steps);
@@ -140,14 +140,15 @@ private:
     }
 
     /// Once the last register is written, before the lock is closed.
-    void settle()
+    void addNeutralCommands()
     {
-        auto also = device::settledBySwitch(m_servo, m_items);
-        if (auto speed = device::speedPutBack(m_servo, m_items, m_positionSpeed))
-            also.push_back(std::move(*speed));
-        for (const device::WriteItem& item : also)
-            m_steps.push_back({RestoreStepKind::Settle, item.key, m_servo.raw(item.key), item.raw});
-        if (!also.empty())
+        auto neutralItems = device::extraWritesOfSwitch(m_servo, m_items);
+        if (auto speed = device::restoredSpeed(m_servo, m_items, m_positionSpeed))
+            neutralItems.push_back(std::move(*speed));
+        for (const device::WriteItem& item : neutralItems)
+            m_steps.push_back(
+                {RestoreStepKind::Neutralize, item.key, m_servo.raw(item.key), item.raw});
+        if (!neutralItems.empty())
             torqueOff({}); // a command may have switched it on
         m_items.clear();
     }
@@ -162,22 +163,22 @@ private:
 
 namespace {
 /// A lock that was left open is closed even if nothing else is to be done.
-std::vector<RestoreStep> lockAlone(const device::Servo& servo)
+std::vector<RestoreStep> lockOnlySteps(const device::Servo& servo)
 {
     const catalog::Register* lock = servo.profile->byRole(Role::Lock);
     const auto flag = lock != nullptr ? servo.raw(*lock) : std::nullopt;
-    if (!flag || !device::isOpen(*flag))
+    if (!flag || !device::isLockOpen(*flag))
         return {};
     return {{RestoreStepKind::Lock, lock->key}};
 }
 } // namespace
 
-std::vector<RestoreStep> stepsOf(const RestorePlan& plan)
+std::vector<RestoreStep> plannedSteps(const RestorePlan& plan)
 {
-    const std::vector<RestoreWrite> writes = writesOf(plan);
+    const std::vector<RestoreWrite> writes = plannedWrites(plan);
     if (writes.empty())
-        return lockAlone(plan.servo);
-    StepList steps(plan);
+        return lockOnlySteps(plan.servo);
+    RestoreStepBuilder steps(plan);
     for (const RestoreWrite& write : writes)
         steps.add(write);
     return steps.finish();

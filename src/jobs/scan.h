@@ -5,7 +5,7 @@
 // at once. Quick searches go ahead of slow ones. A late reply counts for the ID it names; IDs heard
 // late are confirmed singly with long patience. The bus ends at the rate it had before.
 // Errors: LinkLost, Preempted, Held; RateUnsupported when the old rate cannot be set again.
-// Notice: FamiliesMixed.
+// Notice: MixedFamilies.
 #pragma once
 
 #include "device/servo.h"
@@ -31,29 +31,29 @@ struct ScanSpec {
     std::vector<ExpectedServo> expected{};
 };
 
-struct Found {
+struct FoundServo {
     device::Servo servo; ///< profile null when it answered and could not be identified
     /// Checksums failed repeatedly, more replies came than were asked for, or repeated reads
     /// disagreed. False proves nothing: twins in the same state sound like one servo.
-    bool twinsSuspected = false;
-    bool heardLate = false;
+    bool duplicateSuspected = false;
+    bool lateReplySeen = false;
 };
 
 struct ScanReport {
     QString port;
-    std::vector<Found> found; ///< by rate as searched, then ID; each language has its own IDs
+    std::vector<FoundServo> found; ///< by rate as searched, then ID; each language has its own IDs
     base::Duration elapsed{};
     int lateReplies = 0;
-    bool slowPassAdvised = false; ///< two or more replies came late: silent IDs may exist
-    bool garbledHeard = false;    ///< noise or broken frames came where no servo was proven
+    bool slowPassAdvised = false;   ///< two or more replies came late: silent IDs may exist
+    bool hasGarbledReplies = false; ///< noise or broken frames came where no servo was proven
     bool stopped = false;
-    std::vector<int> rates;        ///< searched
-    std::vector<int> ratesRefused; ///< the adapter cannot
-    std::vector<int> ratesBusy;    ///< the line never fell silent, so servos may have been missed
+    std::vector<int> rates;            ///< searched
+    std::vector<int> unsupportedRates; ///< the adapter cannot
+    std::vector<int> busyRates; ///< the line never fell silent, so servos may have been missed
 };
 
 /// Duration of a scan that finds nothing, for telling the user before it starts.
-base::Duration scanEstimate(const device::Context& context, const ScanSpec& spec);
+base::Duration estimateScanTime(const device::Context& context, const ScanSpec& spec);
 
 /// LineBusy where that is why nothing was found. `onFound` comes for each servo as soon as it is
 /// known, and again when more is known about it (twins, late answers). The report may hold fewer:
@@ -61,5 +61,5 @@ base::Duration scanEstimate(const device::Context& context, const ScanSpec& spec
 /// rate only.
 base::Result<ScanReport> scan(const device::Context& context, const ScanSpec& spec,
                               const ProgressFn& progress = {},
-                              const std::function<void(const Found&)>& onFound = {});
+                              const std::function<void(const FoundServo&)>& onFound = {});
 } // namespace jobs

@@ -8,10 +8,10 @@
 namespace jobs {
 namespace {
 // A receiver takes a rate that is up to this far off, so 250000 is also heard at 256000.
-constexpr double rateTolerance = 0.04;
+constexpr double baudTolerance = 0.04;
 
 /// The rate its own baud register names, 0 if that is not known.
-int ownRate(const device::Servo& servo)
+int storedRate(const device::Servo& servo)
 {
     const catalog::Register* reg =
         servo.profile ? servo.profile->byRole(catalog::Role::BaudRate) : nullptr;
@@ -30,41 +30,42 @@ bool sameServo(const device::Servo& a, const device::Servo& b)
     return a.id == b.id && a.protocol == b.protocol;
 }
 
-bool isNeighbourOf(const device::Servo& weak, const device::Servo& strong)
+bool isNeighborRate(const device::Servo& weak, const device::Servo& strong)
 {
     const int apart = std::abs(strong.baud - weak.baud);
-    return sameServo(weak, strong) && apart != 0 && apart <= rateTolerance * strong.baud &&
-           ownRate(strong) == strong.baud && ownRate(weak) != weak.baud;
+    return sameServo(weak, strong) && apart != 0 && apart <= baudTolerance * strong.baud &&
+           storedRate(strong) == strong.baud && storedRate(weak) != weak.baud;
 }
 } // namespace
 
-void dropNeighbourRates(std::vector<Found>& found)
+void dropNeighborRates(std::vector<FoundServo>& found)
 {
-    const auto heardElsewhere = [&](const Found& weak) {
-        return std::any_of(found.begin(), found.end(), [&](const Found& strong) {
-            return isNeighbourOf(weak.servo, strong.servo);
+    const auto isFoundElsewhere = [&](const FoundServo& weak) {
+        return std::any_of(found.begin(), found.end(), [&](const FoundServo& strong) {
+            return isNeighborRate(weak.servo, strong.servo);
         });
     };
-    std::vector<Found> kept;
+    std::vector<FoundServo> kept;
     std::copy_if(found.begin(), found.end(), std::back_inserter(kept),
-                 [&](const Found& one) { return !heardElsewhere(one); });
+                 [&](const FoundServo& one) { return !isFoundElsewhere(one); });
     found = std::move(kept);
 }
 
-void sortFound(std::vector<Found>& found, const std::vector<int>& rates)
+void sortFound(std::vector<FoundServo>& found, const std::vector<int>& rates)
 {
-    const auto place = [&](const Found& one) {
+    const auto sortKeyOf = [&](const FoundServo& one) {
         const auto rate = std::find(rates.begin(), rates.end(), one.servo.baud);
         return std::tuple(rate - rates.begin(), one.servo.id, one.servo.protocol);
     };
-    std::sort(found.begin(), found.end(),
-              [&](const Found& a, const Found& b) { return place(a) < place(b); });
+    std::sort(found.begin(), found.end(), [&](const FoundServo& a, const FoundServo& b) {
+        return sortKeyOf(a) < sortKeyOf(b);
+    });
 }
 
-bool familiesMixed(const std::vector<Found>& found)
+bool familiesMixed(const std::vector<FoundServo>& found)
 {
     const auto has = [&](base::ByteOrder order) {
-        return std::any_of(found.begin(), found.end(), [order](const Found& one) {
+        return std::any_of(found.begin(), found.end(), [order](const FoundServo& one) {
             return one.servo.protocol == base::Protocol::Feetech && one.servo.profile &&
                    !one.servo.profile->series.isEmpty() && one.servo.profile->byteOrder == order;
         });

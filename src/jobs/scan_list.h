@@ -6,11 +6,11 @@
 
 namespace jobs {
 /// One servo heard at two rates a few per cent apart is kept once, at the rate it names itself.
-void dropNeighbourRates(std::vector<Found>& found);
+void dropNeighborRates(std::vector<FoundServo>& found);
 
 /// By rate as searched, then ID.
-void sortFound(std::vector<Found>& found, const std::vector<int>& rates);
+void sortFound(std::vector<FoundServo>& found, const std::vector<int>& rates);
 
 /// Families of different byte order on one Feetech line: the vendor advises against it.
-bool familiesMixed(const std::vector<Found>& found);
+bool familiesMixed(const std::vector<FoundServo>& found);
 } // namespace jobs

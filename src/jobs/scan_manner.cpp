@@ -11,16 +11,16 @@ using std::chrono::milliseconds;
 
 constexpr int bitsPerByte = 10;
 // What the bus allows every servo at most (SMS, reply delay 254).
-constexpr base::Duration longestReplyDelay{508};
+constexpr base::Duration maxReplyDelay{508};
 
-constexpr Manner feetech{0, 253, milliseconds(4), 12, {}, false};
+constexpr ScanProfile feetech{0, 253, milliseconds(4), 12, {}, false};
 // How long an LX servo takes to turn round is not published; 20 ms and more are in use.
-constexpr Manner lx{0, 253, milliseconds(25), 13, {}, true};
-constexpr Manner modbus{1, 247, milliseconds(25), 21, microseconds(1750), true};
+constexpr ScanProfile lx{0, 253, milliseconds(25), 13, {}, true};
+constexpr ScanProfile modbus{1, 247, milliseconds(25), 21, microseconds(1750), true};
 constexpr std::size_t modbusIdentity = 9; ///< byte count and four registers
 } // namespace
 
-const Manner& mannerOf(Protocol protocol)
+const ScanProfile& scanProfileOf(Protocol protocol)
 {
     switch (protocol) {
     case Protocol::Lx:
@@ -33,19 +33,19 @@ const Manner& mannerOf(Protocol protocol)
     return feetech;
 }
 
-IdRange idsToAsk(const ScanSpec& spec, Protocol protocol)
+IdRange idsToScan(const ScanSpec& spec, Protocol protocol)
 {
-    const Manner& manner = mannerOf(protocol);
-    return {std::max(spec.firstId, manner.firstId), std::min(spec.lastId, manner.lastId)};
+    const ScanProfile& scanProfile = scanProfileOf(protocol);
+    return {std::max(spec.firstId, scanProfile.firstId), std::min(spec.lastId, scanProfile.lastId)};
 }
 
-base::Duration askTime(const Manner& manner, int baud, base::Duration patience)
+base::Duration pingTime(const ScanProfile& scanProfile, int baud, base::Duration timeout)
 {
-    return base::Duration(std::int64_t{manner.wireBytes} * bitsPerByte * 1'000'000 / baud) +
-           longestReplyDelay + manner.pause + patience;
+    return base::Duration(std::int64_t{scanProfile.wireBytes} * bitsPerByte * 1'000'000 / baud) +
+           maxReplyDelay + scanProfile.pause + timeout;
 }
 
-bool answersQuestion(Protocol protocol, const bus::Stray& stray)
+bool isPingReply(Protocol protocol, const bus::UnexpectedFrame& stray)
 {
     switch (protocol) {
     case Protocol::Lx:
@@ -59,9 +59,9 @@ bool answersQuestion(Protocol protocol, const bus::Stray& stray)
     return stray.data.empty();
 }
 
-bool readsLikeEcho(const bus::Bus& bus, Protocol protocol, const bus::Stray& stray)
+bool looksLikeEcho(const bus::Bus& bus, Protocol protocol, const bus::UnexpectedFrame& stray)
 {
     constexpr std::uint8_t pingInstruction = 1;
-    return protocol == Protocol::Feetech && bus.echoes() && stray.status == pingInstruction;
+    return protocol == Protocol::Feetech && bus.hasEcho() && stray.status == pingInstruction;
 }
 } // namespace jobs

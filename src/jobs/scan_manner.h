@@ -7,15 +7,15 @@
 #include "jobs/scan.h"
 
 namespace jobs {
-struct Manner {
+struct ScanProfile {
     int firstId = 0;
     int lastId = 0;
-    base::Duration patience{}; ///< beyond wire time, for an ID that may not exist
-    int wireBytes = 0;         ///< question and answer
-    base::Duration pause{};    ///< silence the language keeps between frames
-    bool asksAll = false;      ///< one question to everybody finds a servo that is alone
+    base::Duration timeout{};       ///< beyond wire time, for an ID that may not exist
+    int wireBytes = 0;              ///< question and answer
+    base::Duration pause{};         ///< silence the language keeps between frames
+    bool supportsBroadcast = false; ///< one question to everybody finds a servo that is alone
 };
-const Manner& mannerOf(base::Protocol protocol);
+const ScanProfile& scanProfileOf(base::Protocol protocol);
 
 /// The IDs of the spec that exist in this language; empty when `first` > `last`.
 struct IdRange {
@@ -24,15 +24,15 @@ struct IdRange {
     int count() const { return last < first ? 0 : last - first + 1; }
     bool contains(int id) const { return id >= first && id <= last; }
 };
-IdRange idsToAsk(const ScanSpec& spec, base::Protocol protocol);
+IdRange idsToScan(const ScanSpec& spec, base::Protocol protocol);
 
 /// Time one absent ID takes.
-base::Duration askTime(const Manner& manner, int baud, base::Duration patience);
+base::Duration pingTime(const ScanProfile& scanProfile, int baud, base::Duration timeout);
 
 /// Is this a late answer to the question a scan asks, not to another one?
-bool answersQuestion(base::Protocol protocol, const bus::Stray& stray);
+bool isPingReply(base::Protocol protocol, const bus::UnexpectedFrame& stray);
 
 /// The echo of a PING is the reply of a servo with a voltage alarm, byte for byte. The bus strips
 /// echoes that come in time.
-bool readsLikeEcho(const bus::Bus& bus, base::Protocol protocol, const bus::Stray& stray);
+bool looksLikeEcho(const bus::Bus& bus, base::Protocol protocol, const bus::UnexpectedFrame& stray);
 } // namespace jobs

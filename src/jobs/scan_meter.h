@@ -8,40 +8,41 @@
 #include <algorithm>
 
 namespace jobs {
-class ScanMeter {
+class ScanProgress {
 public:
-    ScanMeter(const ProgressFn& report, base::Clock& clock, base::Duration total)
+    ScanProgress(const ProgressFn& report, base::Clock& clock, base::Duration total)
         : m_report(report)
         , m_clock(clock)
         , m_total(total)
     {}
 
     /// `heard`: servos of the present search that are not counted as found yet.
-    void add(base::Duration planned, int heard)
+    void add(base::Duration planned, int foundCount)
     {
-        m_now.found = m_found + heard;
+        m_progress.found = m_found + foundCount;
         m_done = std::min(m_total, m_done + planned);
         if (m_clock.now() - m_reportedAt >= interval)
-            tell();
+            notify();
     }
 
     void startSearch(int baud, base::Protocol protocol)
     {
-        m_now.baud = baud;
-        m_now.protocol = protocol;
-        tell();
+        m_progress.baud = baud;
+        m_progress.protocol = protocol;
+        notify();
     }
     void skip(base::Duration planned) { m_total -= planned; }
-    void countFound() { m_now.found = ++m_found; }
+    void countFound() { m_progress.found = ++m_found; }
 
-    void tell()
+    void notify()
     {
         if (!m_report)
             return;
         m_reportedAt = m_clock.now();
-        m_now.fraction = m_total.count() > 0 ? double(m_done.count()) / double(m_total.count()) : 1;
-        m_now.remaining = m_total - m_done;
-        m_report(m_now);
+        m_progress.fraction =
+            m_total.count() > 0 ? double(m_done.count()) / double(m_total.count()) : 1;
+        m_progress.remaining = m_total - m_done;
+        m_report(m_progress);
     }
 
 private:
@@ -53,6 +54,6 @@ private:
     base::Duration m_done{};
     base::Duration m_reportedAt{};
     int m_found = 0;
-    Progress m_now;
+    Progress m_progress;
 };
 } // namespace jobs

@@ -9,7 +9,7 @@ namespace jobs {
 using base::ErrorCode;
 using base::Protocol;
 
-std::vector<int> ratesToSearch(const ScanSpec& spec, int presentBaud)
+std::vector<int> ratesToScan(const ScanSpec& spec, int currentBaud)
 {
     std::vector<int> rates;
     for (const int baud : spec.bauds) {
@@ -17,26 +17,27 @@ std::vector<int> ratesToSearch(const ScanSpec& spec, int presentBaud)
             rates.push_back(baud);
     }
     if (rates.empty())
-        rates.push_back(presentBaud);
+        rates.push_back(currentBaud);
     return rates;
 }
 
-std::vector<Protocol> languagesAt(const device::Context& context, const ScanSpec& spec, int baud)
+std::vector<Protocol> protocolsToScan(const device::Context& context, const ScanSpec& spec,
+                                      int baud)
 {
     if (!spec.protocols.empty())
         return spec.protocols;
     // A bridge has no rate of its own to judge by.
-    if (!context.bus.hasBaud())
+    if (!context.bus.canSetBaud())
         return {base::allProtocols.begin(), base::allProtocols.end()};
     return context.catalog.protocolsAt(baud);
 }
 
-base::Duration estimateAt(const device::Context& context, const ScanSpec& spec, int baud)
+base::Duration estimateRate(const device::Context& context, const ScanSpec& spec, int baud)
 {
     base::Duration total{};
-    for (const Protocol protocol : languagesAt(context, spec, baud)) {
-        if (idsToAsk(spec, protocol).count() > 0)
-            total += questionEstimate(baud, protocol) + sweepEstimate(spec, baud, protocol);
+    for (const Protocol protocol : protocolsToScan(context, spec, baud)) {
+        if (idsToScan(spec, protocol).count() > 0)
+            total += broadcastEstimate(baud, protocol) + idScanEstimate(spec, baud, protocol);
     }
     return total;
 }
@@ -52,20 +53,20 @@ base::Result<void> checkSpec(const device::Context& context, const ScanSpec& spe
         std::all_of(spec.bauds.begin(), spec.bauds.end(), [](int baud) { return baud > 0; });
     if (!idsGood || !ratesGood)
         return refuse(QStringLiteral("IDs 0 to 253, rates above 0"));
-    for (const int baud : ratesToSearch(spec, context.bus.baud())) {
-        for (const Protocol protocol : languagesAt(context, spec, baud)) {
-            if (idsToAsk(spec, protocol).count() > 0)
+    for (const int baud : ratesToScan(spec, context.bus.baud())) {
+        for (const Protocol protocol : protocolsToScan(context, spec, baud)) {
+            if (idsToScan(spec, protocol).count() > 0)
                 return {};
         }
     }
     return refuse(QStringLiteral("Modbus stations are 1 to 247"));
 }
 
-base::Duration scanEstimate(const device::Context& context, const ScanSpec& spec)
+base::Duration estimateScanTime(const device::Context& context, const ScanSpec& spec)
 {
     base::Duration total{};
-    for (const int baud : ratesToSearch(spec, context.bus.baud()))
-        total += estimateAt(context, spec, baud);
+    for (const int baud : ratesToScan(spec, context.bus.baud()))
+        total += estimateRate(context, spec, baud);
     return total;
 }
 } // namespace jobs

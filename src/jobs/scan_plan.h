@@ -9,10 +9,10 @@ namespace jobs {
 /// BadArgument when there is nothing to ask, or no such rate or ID.
 base::Result<void> checkSpec(const device::Context& context, const ScanSpec& spec);
 
-std::vector<int> ratesToSearch(const ScanSpec& spec, int presentBaud);
-std::vector<base::Protocol> languagesAt(const device::Context& context, const ScanSpec& spec,
-                                        int baud);
+std::vector<int> ratesToScan(const ScanSpec& spec, int currentBaud);
+std::vector<base::Protocol> protocolsToScan(const device::Context& context, const ScanSpec& spec,
+                                            int baud);
 
 /// Of everything at one rate.
-base::Duration estimateAt(const device::Context& context, const ScanSpec& spec, int baud);
+base::Duration estimateRate(const device::Context& context, const ScanSpec& spec, int baud);
 } // namespace jobs

@@ -11,21 +11,21 @@ namespace jobs {
 namespace {
 using catalog::Role;
 
-constexpr int cleanReadsWanted = 2;
+constexpr int requiredCleanReads = 2;
 constexpr int maxFailures = 5;
-constexpr int brokenReadsSuspicious = 2;
-constexpr base::Duration readsApart = std::chrono::milliseconds(1);
+constexpr int suspiciousBrokenReads = 2;
+constexpr base::Duration readInterval = std::chrono::milliseconds(1);
 
-class TwinCheck {
+class DuplicateIdCheck {
 public:
-    TwinCheck(const device::Context& context, device::Servo& servo)
+    DuplicateIdCheck(const device::Context& context, device::Servo& servo)
         : m_context(context)
         , m_servo(servo)
     {}
 
     base::Result<bool> run()
     {
-        m_context.bus.takeStrays();
+        m_context.bus.takeUnexpectedFrames();
         const auto feedback = readFeedback();
         if (!feedback || *feedback || m_failures == 0)
             return feedback;
@@ -35,22 +35,22 @@ public:
     }
 
 private:
-    enum class Read { Clean, Broken, Silent };
+    enum class ReadResult { Clean, Broken, Silent };
 
     base::Result<bool> readIdentity()
     {
         const auto spans = identitySpans();
-        device::Servo again = m_servo;
-        const auto clean = readUntilClean(again, spans);
+        device::Servo rereadServo = m_servo;
+        const auto clean = readUntilClean(rereadServo, spans);
         if (!clean)
             return tl::unexpected(clean.error());
         // What was not read before says nothing.
         const bool changed =
             std::any_of(spans.begin(), spans.end(), [&](const bus::PollSpan& span) {
                 const auto before = m_servo.image.bytes(span.address, span.count);
-                return before && again.image.bytes(span.address, span.count) != before;
+                return before && rereadServo.image.bytes(span.address, span.count) != before;
             });
-        return suspicious() || (*clean && changed);
+        return isSuspicious() || (*clean && changed);
     }
 
     /// What device::identify() reads, and what tells one servo from another.
@@ -71,16 +71,16 @@ private:
         const auto spans = feedbackSpans();
         std::optional<device::Servo> earlier;
         base::Duration earlierAt{};
-        for (int i = 0; i < cleanReadsWanted && !spans.empty(); ++i) {
+        for (int i = 0; i < requiredCleanReads && !spans.empty(); ++i) {
             const auto clean = readUntilClean(m_servo, spans);
             if (!clean)
                 return tl::unexpected(clean.error());
-            if (suspicious())
+            if (isSuspicious())
                 return true;
             if (!*clean)
                 break;
             const base::Duration now = m_context.bus.clock().now();
-            if (earlier && !device::couldBeOneServo(*earlier, m_servo, now - earlierAt))
+            if (earlier && !device::canBeOneServo(*earlier, m_servo, now - earlierAt))
                 return true;
             earlier = m_servo;
             earlierAt = now;
@@ -98,31 +98,31 @@ private:
         return device::planSpans(*m_servo.profile, registers);
     }
 
-    bool suspicious() const { return m_broken >= brokenReadsSuspicious || m_secondReply; }
+    bool isSuspicious() const { return m_brokenReads >= suspiciousBrokenReads || m_secondReply; }
 
     /// False: no clean read within the tries left, or already suspicious.
     base::Result<bool> readUntilClean(device::Servo& servo, const std::vector<bus::PollSpan>& spans)
     {
-        while (m_failures < maxFailures && !suspicious()) {
-            if (m_context.stop.requested())
+        while (m_failures < maxFailures && !isSuspicious()) {
+            if (m_context.stop.isRequested())
                 return base::fail(base::ErrorCode::Stopped, QStringLiteral("scan"));
-            if (const auto listened = m_context.bus.listen(readsApart); !listened)
+            if (const auto listened = m_context.bus.listen(readInterval); !listened)
                 return tl::unexpected(listened.error());
             bool allClean = true;
             for (const bus::PollSpan& span : spans) {
                 const auto outcome = readOnce(servo, span);
                 if (!outcome)
                     return tl::unexpected(outcome.error());
-                allClean = allClean && *outcome == Read::Clean;
+                allClean = allClean && *outcome == ReadResult::Clean;
             }
             if (allClean)
-                return !suspicious();
+                return !isSuspicious();
             ++m_failures;
         }
         return false;
     }
 
-    base::Result<Read> readOnce(device::Servo& servo, const bus::PollSpan& span)
+    base::Result<ReadResult> readOnce(device::Servo& servo, const bus::PollSpan& span)
     {
         bus::Transaction transaction;
         transaction.request =
@@ -135,32 +135,32 @@ private:
         if (!outcome)
             return failedRead(outcome.error());
         for (const bus::Fault& fault : outcome->faults)
-            m_broken += fault.kind == bus::FaultKind::BadCheck ? 1 : 0;
-        const auto strays = m_context.bus.takeStrays();
+            m_brokenReads += fault.kind == bus::FaultKind::BadChecksum ? 1 : 0;
+        const auto strays = m_context.bus.takeUnexpectedFrames();
         // After a time-out a stray is the late reply to the read before.
         m_secondReply =
-            m_secondReply ||
-            (!m_timedOut && std::any_of(strays.begin(), strays.end(), [&](const bus::Stray& stray) {
-                return stray.id == servo.id;
-            }));
+            m_secondReply || (!m_timedOut && std::any_of(strays.begin(), strays.end(),
+                                                         [&](const bus::UnexpectedFrame& stray) {
+                                                             return stray.id == servo.id;
+                                                         }));
         if (servo.repliesCarryStatus())
             servo.status = outcome->status();
         servo.image.store(span.address, outcome->data(), outcome->sentAt + outcome->roundTrip);
-        device::takeStatus(servo, span.address, span.count);
-        return Read::Clean;
+        device::updateStatus(servo, span.address, span.count);
+        return ReadResult::Clean;
     }
 
-    base::Result<Read> failedRead(const base::Error& error)
+    base::Result<ReadResult> failedRead(const base::Error& error)
     {
         switch (error.code) {
         case base::ErrorCode::Garbled:
-        case base::ErrorCode::WrongAnswer:
-            ++m_broken;
-            return Read::Broken;
+        case base::ErrorCode::UnexpectedReply:
+            ++m_brokenReads;
+            return ReadResult::Broken;
         case base::ErrorCode::Refused: // a Modbus station without this register
-        case base::ErrorCode::NoAnswer:
+        case base::ErrorCode::NoReply:
             m_timedOut = true;
-            return Read::Silent;
+            return ReadResult::Silent;
         default:
             return tl::unexpected(error);
         }
@@ -169,15 +169,15 @@ private:
     const device::Context& m_context;
     device::Servo& m_servo;
     int m_failures = 0;
-    int m_broken = 0;
+    int m_brokenReads = 0;
     bool m_timedOut = false;
     bool m_secondReply = false;
 };
 
 } // namespace
 
-base::Result<bool> suspectTwins(const device::Context& context, device::Servo& servo)
+base::Result<bool> suspectDuplicateId(const device::Context& context, device::Servo& servo)
 {
-    return TwinCheck(context, servo).run();
+    return DuplicateIdCheck(context, servo).run();
 }
 } // namespace jobs

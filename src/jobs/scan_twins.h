@@ -11,5 +11,5 @@
 namespace jobs {
 /// True: suspected. False proves nothing. `servo` has been identified and gets the feedback read.
 /// Stopped, LinkLost, Preempted, Held.
-base::Result<bool> suspectTwins(const device::Context& context, device::Servo& servo);
+base::Result<bool> suspectDuplicateId(const device::Context& context, device::Servo& servo);
 } // namespace jobs

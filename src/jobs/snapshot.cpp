@@ -19,7 +19,7 @@ record::Snapshot snapshotOf(const device::Servo& servo, const QString& program)
                       profile.mapKey,
                       base::protocolName(profile.protocol)};
     for (const catalog::Register& reg : profile.registers) {
-        const catalog::Meaning meaning = servo.meaning(reg);
+        const catalog::ValueFormat meaning = servo.meaning(reg);
         const auto raw = servo.raw(reg);
         record::SnapshotRegister row;
         row.key = reg.key;

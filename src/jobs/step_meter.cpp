@@ -16,14 +16,14 @@ using namespace std::chrono_literals;
 using Samples = std::vector<StepSample>;
 
 namespace {
-constexpr Duration longestStretch = 50ms; ///< between two readings, to be interpolated
-constexpr int ordinaryStretches = 4;      ///< so many of them in one are missing readings
-constexpr Duration closeReadings = 5ms;   ///< near enough to tell noise from motion
-constexpr double leastGone = 3;           ///< steps
-constexpr double goneShare = 0.01;
-constexpr double leastSwing = 6; ///< steps, from one extreme to the other
-constexpr double noiseSwing = 8; ///< standard deviations
-constexpr std::size_t swingsForRate = 3;
+constexpr Duration maxInterpolationGap = 50ms; ///< between two readings, to be interpolated
+constexpr int maxGapFactor = 4;                ///< so many of them in one are missing readings
+constexpr Duration maxNoiseInterval = 5ms;     ///< near enough to tell noise from motion
+constexpr double minTravel = 3;                ///< steps
+constexpr double travelFraction = 0.01;
+constexpr double minSwing = 6;         ///< steps, from one extreme to the other
+constexpr double swingNoiseFactor = 8; ///< standard deviations
+constexpr std::size_t minSwingsForFrequency = 3;
 
 double inMilliseconds(Duration span)
 {
@@ -31,14 +31,14 @@ double inMilliseconds(Duration span)
 }
 
 /// Steps from where it stood, positive towards its target.
-class Way {
+class StepAxis {
 public:
-    explicit Way(const record::SweepLeg& leg)
+    explicit StepAxis(const record::SweepLeg& leg)
         : m_start(leg.start)
         , m_sign(leg.target < leg.start ? -1 : 1)
         , m_length(std::abs(leg.target - leg.start))
     {}
-    double gone(double position) const { return m_sign * (position - m_start); }
+    double travel(double position) const { return m_sign * (position - m_start); }
     double length() const { return m_length; }
 
 private:
@@ -48,76 +48,77 @@ private:
 };
 
 /// When it had first gone so far.
-struct Crossing {
+struct ThresholdCrossing {
     Duration at{};
     std::size_t reading = 0; ///< the first one beyond
 };
 
-std::optional<Crossing> firstBeyond(const Samples& samples, const Way& way, double level,
-                                    bool stays = false)
+std::optional<ThresholdCrossing> firstCrossing(const Samples& samples, const StepAxis& way,
+                                               double level, bool mustStay = false)
 {
     Duration before{};
     double from = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        const double gone = way.gone(samples[i].position);
+        const double travel = way.travel(samples[i].position);
         const bool single =
-            stays && i + 1 < samples.size() && way.gone(samples[i + 1].position) < level;
-        if (gone >= level && !single) {
-            if (samples[i].at - before > longestStretch)
+            mustStay && i + 1 < samples.size() && way.travel(samples[i + 1].position) < level;
+        if (travel >= level && !single) {
+            if (samples[i].at - before > maxInterpolationGap)
                 return std::nullopt;
-            return Crossing{crossing(before, from, samples[i].at, gone, level), i};
+            return ThresholdCrossing{crossingTime(before, from, samples[i].at, travel, level), i};
         }
         before = samples[i].at;
-        from = std::min(gone, level);
+        from = std::min(travel, level);
     }
     return std::nullopt;
 }
 
-std::optional<double> riseTime(const Samples& samples, const Way& way)
+std::optional<double> riseTime(const Samples& samples, const StepAxis& way)
 {
-    const auto low = firstBeyond(samples, way, 0.1 * way.length());
-    const auto high = firstBeyond(samples, way, 0.9 * way.length());
+    const auto low = firstCrossing(samples, way, 0.1 * way.length());
+    const auto high = firstCrossing(samples, way, 0.9 * way.length());
     if (!low || !high || high->reading == low->reading)
         return std::nullopt;
     return inMilliseconds(high->at - low->at);
 }
 
 /// What single readings scatter about a smooth curve; 0 where they are too far apart to tell.
-double noiseOf(const Samples& samples, std::size_t first)
+double estimateNoise(const Samples& samples, std::size_t first)
 {
     double sum = 0;
     int count = 0;
     for (std::size_t i = first + 1; i + 1 < samples.size(); ++i) {
-        if (samples[i + 1].at - samples[i - 1].at > 2 * closeReadings)
+        if (samples[i + 1].at - samples[i - 1].at > 2 * maxNoiseInterval)
             continue;
-        const double bend =
+        const double curvature =
             samples[i - 1].position - 2 * samples[i].position + samples[i + 1].position;
-        sum += bend * bend;
+        sum += curvature * curvature;
         ++count;
     }
     return count > 0 ? std::sqrt(sum / count / 6) : 0;
 }
 
-struct Turn {
+struct TurningPoint {
     Duration at{};
     double position = 0;
 };
 
 /// Where it turned round by more than `least`, from `first` on. It comes in the direction of its
 /// way.
-std::vector<Turn> turnsOf(const Samples& samples, std::size_t first, const Way& way, double least)
+std::vector<TurningPoint> findTurningPoints(const Samples& samples, std::size_t first,
+                                            const StepAxis& way, double minTurn)
 {
-    std::vector<Turn> turns;
+    std::vector<TurningPoint> turns;
     bool ahead = true;
-    Turn extreme{samples[first].at, way.gone(samples[first].position)};
+    TurningPoint extreme{samples[first].at, way.travel(samples[first].position)};
     for (std::size_t i = first + 1; i < samples.size(); ++i) {
-        const double gone = way.gone(samples[i].position);
-        const double back = ahead ? extreme.position - gone : gone - extreme.position;
+        const double travel = way.travel(samples[i].position);
+        const double back = ahead ? extreme.position - travel : travel - extreme.position;
         if (back < 0) {
-            extreme = {samples[i].at, gone};
-        } else if (back >= least) {
+            extreme = {samples[i].at, travel};
+        } else if (back >= minTurn) {
             turns.push_back(extreme);
-            extreme = {samples[i].at, gone};
+            extreme = {samples[i].at, travel};
             ahead = !ahead;
         }
     }
@@ -125,7 +126,7 @@ std::vector<Turn> turnsOf(const Samples& samples, std::size_t first, const Way& 
 }
 
 void findSwings(record::StepFigures& figures, const Samples& samples, const record::SweepLeg& leg,
-                const Way& way)
+                const StepAxis& way)
 {
     if (!leg.timeToTarget)
         return;
@@ -135,8 +136,8 @@ void findSwings(record::StepFigures& figures, const Samples& samples, const reco
     if (arrived == samples.end())
         return;
     const auto first = std::size_t(arrived - samples.begin());
-    const double least = std::max(leastSwing, noiseSwing * noiseOf(samples, first));
-    const std::vector<Turn> turns = turnsOf(samples, first, way, least);
+    const double minTurn = std::max(minSwing, swingNoiseFactor * estimateNoise(samples, first));
+    const std::vector<TurningPoint> turns = findTurningPoints(samples, first, way, minTurn);
     figures.swings = double(turns.size());
     if (turns.size() < 2)
         return;
@@ -145,33 +146,33 @@ void findSwings(record::StepFigures& figures, const Samples& samples, const reco
         longest = std::max(longest, std::abs(turns[i].position - turns[i - 1].position));
     figures.swingAmplitude = longest / 2;
     const double span = inMilliseconds(turns.back().at - turns.front().at);
-    if (turns.size() >= swingsForRate && span > 0)
+    if (turns.size() >= minSwingsForFrequency && span > 0)
         figures.swingFrequency = double(turns.size() - 1) / 2 / span * 1000;
 }
 
-std::optional<double> reportedSpeed(const Samples& samples)
+std::optional<double> peakReportedSpeed(const Samples& samples)
 {
-    std::optional<double> most;
+    std::optional<double> maxSpeed;
     for (const StepSample& sample : samples) {
         if (sample.speed)
-            most = std::max(most.value_or(0), std::abs(*sample.speed));
+            maxSpeed = std::max(maxSpeed.value_or(0), std::abs(*sample.speed));
     }
-    return most;
+    return maxSpeed;
 }
 } // namespace
 
-bool seenThroughout(const Samples& samples, const record::SweepLeg& leg, Duration end)
+bool isFullySampled(const Samples& samples, const record::SweepLeg& leg, Duration end)
 {
-    std::vector<Duration> stretches;
+    std::vector<Duration> intervals;
     Duration before{};
     for (const StepSample& sample : samples)
-        stretches.push_back(sample.at - std::exchange(before, sample.at));
-    if (stretches.empty())
+        intervals.push_back(sample.at - std::exchange(before, sample.at));
+    if (intervals.empty())
         return false;
-    const auto middle = stretches.begin() + std::ptrdiff_t(stretches.size() / 2);
-    std::nth_element(stretches.begin(), middle, stretches.end());
+    const auto middle = intervals.begin() + std::ptrdiff_t(intervals.size() / 2);
+    std::nth_element(intervals.begin(), middle, intervals.end());
     const Duration longest =
-        std::min(std::max(longestStretch, ordinaryStretches * *middle), SweepRunner::gapFrom);
+        std::min(std::max(maxInterpolationGap, maxGapFactor * *middle), SweepRunner::minGap);
     const Duration over =
         leg.timeToTarget ? *leg.timeToTarget + leg.settling.value_or(Duration(0)) : end;
     before = {};
@@ -185,7 +186,7 @@ bool seenThroughout(const Samples& samples, const record::SweepLeg& leg, Duratio
     return end - before <= longest;
 }
 
-void forgetMotion(record::StepFigures& figures)
+void clearMotionFigures(record::StepFigures& figures)
 {
     for (const auto figure :
          {&record::StepFigures::deadTime, &record::StepFigures::riseTime,
@@ -196,7 +197,7 @@ void forgetMotion(record::StepFigures& figures)
         (figures.*figure).reset();
 }
 
-record::StepFigures stepFigures(const Samples& samples, const record::SweepLeg& leg)
+record::StepFigures measureStep(const Samples& samples, const record::SweepLeg& leg)
 {
     record::StepFigures figures;
     figures.timeToTarget = record::inMs(leg.timeToTarget);
@@ -206,13 +207,13 @@ record::StepFigures stepFigures(const Samples& samples, const record::SweepLeg& 
     figures.steadyError = leg.steadyError;
     figures.peakCurrent = leg.currentPeak;
     figures.peakLoad = leg.loadPeak;
-    const auto reported = reportedSpeed(samples);
+    const auto reported = peakReportedSpeed(samples);
     figures.peakSpeed = leg.topSpeed ? leg.topSpeed : reported;
-    const Way way(leg);
-    const double start = std::max(leastGone, goneShare * way.length());
+    const StepAxis way(leg);
+    const double start = std::max(minTravel, travelFraction * way.length());
     if (way.length() <= 2 * start)
         return figures;
-    if (const auto moved = firstBeyond(samples, way, start, true))
+    if (const auto moved = firstCrossing(samples, way, start, true))
         figures.deadTime = inMilliseconds(moved->at);
     figures.riseTime = riseTime(samples, way);
     findSwings(figures, samples, leg, way);

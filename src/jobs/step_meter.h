@@ -17,14 +17,14 @@
 #include "record/step_run.h"
 
 namespace jobs {
-record::StepFigures stepFigures(const std::vector<record::StepSample>& samples,
+record::StepFigures measureStep(const std::vector<record::StepSample>& samples,
                                 const record::SweepLeg& leg);
 
 /// Until it had settled (`end`, if it never did) no two readings were further apart than 50 ms, or
 /// than four times what is ordinary in this response if that is more; never 300 ms.
-bool seenThroughout(const std::vector<record::StepSample>& samples, const record::SweepLeg& leg,
+bool isFullySampled(const std::vector<record::StepSample>& samples, const record::SweepLeg& leg,
                     base::Duration end);
 
 /// What is not known of a response that was not.
-void forgetMotion(record::StepFigures& figures);
+void clearMotionFigures(record::StepFigures& figures);
 } // namespace jobs

@@ -20,27 +20,27 @@ namespace {
 const QString operation = QStringLiteral("step");
 
 /// Readings of every response are kept.
-constexpr int mostRepeats = 50;
-constexpr Duration longestHold = 10s;
+constexpr int maxRepeats = 50;
+constexpr Duration maxHold = 10s;
 
-constexpr Duration leastHold = 500ms;
-constexpr Duration calmAfter = 400ms; ///< what swings and rest are judged by
+constexpr Duration minHold = 500ms;
+constexpr Duration settleTime = 400ms; ///< what swings and rest are judged by
 
 /// Where no speed is known: half a turn a second, which slow servos do, and a start.
-constexpr double slowTurns = 0.5;
-constexpr Duration slowStart = 300ms;
-constexpr Duration holdUnit = 100ms;
+constexpr double assumedTurnsPerSecond = 0.5;
+constexpr Duration assumedStartTime = 300ms;
+constexpr Duration holdStep = 100ms;
 
-constexpr double leastTolerance = 3;
-constexpr double toleranceOfStep = 0.1; ///< of short steps, where the usual one is too wide
+constexpr double minTolerance = 3;
+constexpr double toleranceFraction = 0.1; ///< of short steps, where the usual one is too wide
 
 constexpr std::array loopRoles{Role::PositionP,  Role::PositionD,   Role::PositionI,
                                Role::SpeedP,     Role::SpeedI,      Role::StartupForce,
                                Role::CwDeadZone, Role::CcwDeadZone, Role::IntegralLimit};
 
-class Planner {
+class StepPlanner {
 public:
-    Planner(const device::Context& context, device::Servo& servo, const record::StepSpec& spec)
+    StepPlanner(const device::Context& context, device::Servo& servo, const record::StepSpec& spec)
         : m_context(context)
         , m_servo(servo)
         , m_spec(spec)
@@ -56,11 +56,11 @@ private:
                                           goal != nullptr ? goal->key : QString()});
     }
     base::Result<std::int64_t> goalRaw(const QString& text) const;
-    base::Result<std::int64_t> here();
-    base::Result<void> takePlaces();
-    base::Result<std::int64_t> placeWithRoom(std::int64_t size);
-    void takeRates();
-    base::Result<void> takeHold();
+    base::Result<std::int64_t> currentGoalRaw();
+    base::Result<void> planPositions();
+    base::Result<std::int64_t> startWithRoom(std::int64_t size);
+    void planSpeeds();
+    base::Result<void> planHold();
 
     const device::Context& m_context;
     device::Servo& m_servo;
@@ -69,7 +69,7 @@ private:
 };
 
 /// In the units of the goal register.
-base::Result<std::int64_t> Planner::goalRaw(const QString& text) const
+base::Result<std::int64_t> StepPlanner::goalRaw(const QString& text) const
 {
     const catalog::Register& goal = *m_servo.profile->byRole(Role::GoalPosition);
     const auto raw = catalog::parseValue(text, goal, m_servo.meaning(goal));
@@ -83,13 +83,13 @@ base::Result<std::int64_t> Planner::goalRaw(const QString& text) const
 }
 
 /// Where it stands, as a goal.
-base::Result<std::int64_t> Planner::here()
+base::Result<std::int64_t> StepPlanner::currentGoalRaw()
 {
     if (const auto fresh = device::readRoles(m_context, m_servo, {Role::PresentPosition}); !fresh)
         return tl::unexpected(fresh.error());
     const auto present = m_servo.raw(Role::PresentPosition);
     const bool turns = device::goalKind(m_servo) == device::GoalKind::Turns;
-    if (!present || (turns && !device::turnBasis(m_servo).countsItself))
+    if (!present || (turns && !device::turnBasis(m_servo).countsTurns))
         return refuse(ErrorCode::TurnsUnknown, QStringLiteral("from"));
     const catalog::Register& goal = *m_servo.profile->byRole(Role::GoalPosition);
     const double factor =
@@ -100,9 +100,9 @@ base::Result<std::int64_t> Planner::here()
 }
 
 /// Where it stands, or as near to that as leaves room for the step.
-base::Result<std::int64_t> Planner::placeWithRoom(std::int64_t size)
+base::Result<std::int64_t> StepPlanner::startWithRoom(std::int64_t size)
 {
-    const auto present = here();
+    const auto present = currentGoalRaw();
     if (!present)
         return present;
     const auto range = device::goalRange(m_servo);
@@ -116,14 +116,14 @@ base::Result<std::int64_t> Planner::placeWithRoom(std::int64_t size)
                       range->max - std::max<std::int64_t>(0, size));
 }
 
-base::Result<void> Planner::takePlaces()
+base::Result<void> StepPlanner::planPositions()
 {
     const auto size = goalRaw(m_spec.size);
     if (!size)
         return tl::unexpected(size.error());
     if (*size == 0)
         return refuse(ErrorCode::BadArgument, QStringLiteral("no-size"));
-    const auto from = m_spec.from.isEmpty() ? placeWithRoom(*size) : goalRaw(m_spec.from);
+    const auto from = m_spec.from.isEmpty() ? startWithRoom(*size) : goalRaw(m_spec.from);
     if (!from)
         return tl::unexpected(from.error());
     m_plan.sweep.range = {QString::number(*from), QString::number(*from + *size)};
@@ -131,7 +131,7 @@ base::Result<void> Planner::takePlaces()
 }
 
 /// As fast as it may, unless somebody wants it otherwise: what slows a step down hides its loop.
-void Planner::takeRates()
+void StepPlanner::planSpeeds()
 {
     const device::MoveFieldSet fields = device::moveFields(m_servo);
     m_plan.sweep.speed = m_spec.speed;
@@ -140,31 +140,31 @@ void Planner::takeRates()
         m_plan.sweep.acceleration = QStringLiteral("0");
     if (!m_spec.speed.isEmpty() || !fields.speed)
         return;
-    const auto most = device::topSpeed(m_servo);
-    if (most)
-        m_plan.sweep.speed = QString::number(*most);
+    const auto maxSpeed = device::maxGoalSpeed(m_servo);
+    if (maxSpeed)
+        m_plan.sweep.speed = QString::number(*maxSpeed);
     else if (device::zeroSpeed(m_servo) == device::ZeroSpeed::Fastest)
         m_plan.sweep.speed = QStringLiteral("0");
 }
 
-base::Result<void> Planner::takeHold()
+base::Result<void> StepPlanner::planHold()
 {
     const double way = std::abs(m_plan.to - m_plan.from);
     const double turns = way / jobs::stepsPerTurn(m_servo);
-    const Duration needed =
-        m_plan.travel.value_or(slowStart + Duration(std::llround(turns / slowTurns * 1e6)));
-    if (m_spec.hold < Duration::zero() || m_spec.hold > longestHold)
+    const Duration needed = m_plan.travel.value_or(
+        assumedStartTime + Duration(std::llround(turns / assumedTurnsPerSecond * 1e6)));
+    if (m_spec.hold < Duration::zero() || m_spec.hold > maxHold)
         return refuse(ErrorCode::BadArgument, QStringLiteral("no-hold"));
-    const Duration proposed = std::max(leastHold, 2 * needed + calmAfter);
+    const Duration proposed = std::max(minHold, 2 * needed + settleTime);
     m_plan.hold = m_spec.hold > Duration::zero()
                       ? m_spec.hold
-                      : std::min(longestHold, (proposed + holdUnit - 1us) / holdUnit * holdUnit);
-    m_plan.holdShort = way > 0 && m_plan.travel && m_plan.hold < *m_plan.travel + leastHold / 2;
+                      : std::min(maxHold, (proposed + holdStep - 1us) / holdStep * holdStep);
+    m_plan.isHoldTooShort = way > 0 && m_plan.travel && m_plan.hold < *m_plan.travel + minHold / 2;
     m_plan.sweep.pause = m_plan.hold;
     return {};
 }
 
-base::Result<StepPlan> Planner::plan()
+base::Result<StepPlan> StepPlanner::plan()
 {
     if (const auto fresh = device::readSettings(m_context, m_servo); !fresh)
         return tl::unexpected(fresh.error());
@@ -180,23 +180,23 @@ base::Result<StepPlan> Planner::plan()
                                           QStringLiteral("not-position"), m_servo.id,
                                           mode != nullptr ? mode->key : QString()});
     }
-    if (m_spec.repeats < 1 || m_spec.repeats > mostRepeats)
+    if (m_spec.repeats < 1 || m_spec.repeats > maxRepeats)
         return refuse(ErrorCode::BadArgument, QStringLiteral("no-repeats"));
-    if (const auto placed = takePlaces(); !placed)
-        return tl::unexpected(placed.error());
-    takeRates();
+    if (const auto planned = planPositions(); !planned)
+        return tl::unexpected(planned.error());
+    planSpeeds();
     m_plan.sweep.cycles = m_spec.repeats;
-    m_plan.sweep.pause = leastHold; // until it is known
+    m_plan.sweep.pause = minHold; // until it is known
     auto axis = sweepAxis(m_context, m_servo, m_plan.sweep, m_plan.limits);
     if (!axis)
         return tl::unexpected(axis.error());
     m_plan.from = axis->from;
     m_plan.to = axis->to;
     const double way = std::abs(axis->to - axis->from);
-    m_plan.limits.tolerance = std::clamp(toleranceOfStep * way, leastTolerance,
-                                         std::max(leastTolerance, axis->tolerance));
+    m_plan.limits.tolerance =
+        std::clamp(toleranceFraction * way, minTolerance, std::max(minTolerance, axis->tolerance));
     m_plan.travel = travelTime(way, *axis);
-    if (const auto held = takeHold(); !held)
+    if (const auto held = planHold(); !held)
         return tl::unexpected(held.error());
     m_plan.sweep.operatorName = m_spec.operatorName;
     m_plan.sweep.note = m_spec.note;
@@ -207,10 +207,10 @@ base::Result<StepPlan> Planner::plan()
 base::Result<StepPlan> planStep(const device::Context& context, device::Servo& servo,
                                 const record::StepSpec& spec)
 {
-    return Planner(context, servo, spec).plan();
+    return StepPlanner(context, servo, spec).plan();
 }
 
-std::vector<const catalog::Register*> stepRegisters(const catalog::Profile& profile)
+std::vector<const catalog::Register*> loopRegisters(const catalog::Profile& profile)
 {
     std::vector<const catalog::Register*> found;
     for (const Role role : loopRoles) {

@@ -28,7 +28,7 @@ std::vector<device::WriteItem> itemsOf(const std::vector<record::StepGain>& gain
 base::Result<void> checkTrial(const device::Servo& servo,
                               const std::vector<record::StepGain>& trial)
 {
-    const auto known = stepRegisters(*servo.profile);
+    const auto known = loopRegisters(*servo.profile);
     for (const record::StepGain& gain : trial) {
         const bool good =
             std::any_of(known.begin(), known.end(),
@@ -41,10 +41,10 @@ base::Result<void> checkTrial(const device::Servo& servo,
     return {};
 }
 
-base::Result<std::vector<record::StepGain>> gainsOf(const device::Context& context,
-                                                    device::Servo& servo)
+base::Result<std::vector<record::StepGain>> readStepGains(const device::Context& context,
+                                                          device::Servo& servo)
 {
-    const auto registers = stepRegisters(*servo.profile);
+    const auto registers = loopRegisters(*servo.profile);
     if (const auto known = device::read(context, servo, registers); !known)
         return tl::unexpected(known.error());
     std::vector<record::StepGain> gains;
@@ -56,12 +56,13 @@ base::Result<std::vector<record::StepGain>> gainsOf(const device::Context& conte
 }
 
 /// The speed and the acceleration a servo had before, which are in its RAM only.
-class Rates {
+class SpeedSettings {
 public:
     /// `speed` false: in the servo's own mode it is no limit, but the command.
-    static base::Result<Rates> of(const device::Context& context, device::Servo& servo, bool speed)
+    static base::Result<SpeedSettings> of(const device::Context& context, device::Servo& servo,
+                                          bool speed)
     {
-        Rates rates;
+        SpeedSettings rates;
         std::vector<Role> roles{Role::Acceleration};
         if (speed)
             roles.push_back(Role::GoalSpeed);
@@ -77,10 +78,10 @@ public:
     }
 
     /// As far as the servo answers; who is without torque stays so.
-    void putBack(const device::Context& outer, device::Servo& servo) const
+    void revert(const device::Context& outer, device::Servo& servo) const
     {
-        const base::Stop unstopped;
-        const device::Context last{outer.bus,     outer.catalog,  outer.journal, unstopped,
+        const base::StopToken neverStop;
+        const device::Context last{outer.bus,     outer.catalog,  outer.journal, neverStop,
                                    outer.notices, outer.priority, outer.hold,    outer.epoch};
         const device::Owned owned = device::own(last, {servo.id});
         const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
@@ -106,35 +107,35 @@ private:
 /// One run: collects what the sweep reads, leg by leg.
 class StepJob {
 public:
-    StepJob(const device::Context& context, device::Servo& servo, const StepOrder& order,
-            const StepWatch& watch)
+    StepJob(const device::Context& context, device::Servo& servo, const StepRequest& request,
+            const StepCallbacks& callbacks)
         : m_context(context)
         , m_servo(servo)
-        , m_order(order)
-        , m_watch(watch)
+        , m_request(request)
+        , m_callbacks(callbacks)
     {}
 
     base::Result<record::StepRun> run();
 
 private:
-    base::Result<record::StepRun> ride();
-    base::Result<void> drive();
+    base::Result<record::StepRun> runInMode();
+    base::Result<void> runSweep();
     base::Result<void> checkGains();
-    SweepWatch watch();
-    void take(const SweepSample& sample, int leg);
-    void close(const record::SweepLeg& leg);
+    SweepCallbacks callbacks();
+    void addSample(const SweepSample& sample, int leg);
+    void finishResponse(const record::SweepLeg& leg);
 
     const device::Context& m_context;
     device::Servo& m_servo;
-    const StepOrder& m_order;
-    const StepWatch& m_watch;
+    const StepRequest& m_request;
+    const StepCallbacks& m_callbacks;
     record::StepRun m_run;
     std::vector<record::StepSample> m_samples; ///< of the present response
     base::Duration m_goalAt{};
     int m_leg = 0;
 };
 
-void StepJob::take(const SweepSample& sample, int leg)
+void StepJob::addSample(const SweepSample& sample, int leg)
 {
     if (leg == 0 || leg != m_leg || !sample.answered || !sample.position || sample.at < m_goalAt)
         return;
@@ -142,7 +143,7 @@ void StepJob::take(const SweepSample& sample, int leg)
         {sample.at - m_goalAt, *sample.position, sample.speed, sample.load, sample.current});
 }
 
-void StepJob::close(const record::SweepLeg& leg)
+void StepJob::finishResponse(const record::SweepLeg& leg)
 {
     record::StepResponse response;
     response.number = leg.number;
@@ -151,61 +152,61 @@ void StepJob::close(const record::SweepLeg& leg)
     response.missed = leg.missed;
     response.lost = leg.lost;
     response.alarms = leg.alarms;
-    response.figures = stepFigures(m_samples, leg);
-    response.seen = seenThroughout(m_samples, leg, leg.span);
+    response.figures = measureStep(m_samples, leg);
+    response.seen = isFullySampled(m_samples, leg, leg.span);
     if (!response.seen)
-        forgetMotion(response.figures);
+        clearMotionFigures(response.figures);
     response.samples = std::exchange(m_samples, {});
-    if (m_watch.onResponse)
-        m_watch.onResponse(response);
+    if (m_callbacks.onResponse)
+        m_callbacks.onResponse(response);
     m_run.responses.push_back(std::move(response));
 }
 
-SweepWatch StepJob::watch()
+SweepCallbacks StepJob::callbacks()
 {
-    SweepWatch watch;
-    watch.onGoal = [this](std::size_t, int leg, base::Duration at) {
+    SweepCallbacks callbacks;
+    callbacks.onGoal = [this](std::size_t, int leg, base::Duration at) {
         m_leg = leg;
         m_goalAt = at;
         m_samples.clear();
     };
-    watch.onSample = [this](std::size_t, const SweepSample& sample, double, int leg) {
-        take(sample, leg);
+    callbacks.onSample = [this](std::size_t, const SweepSample& sample, double, int leg) {
+        addSample(sample, leg);
     };
-    watch.onLeg = [this](std::size_t, const record::SweepLeg& leg) { close(leg); };
-    watch.onProgress = m_watch.onProgress;
-    watch.onTorqueLeft = m_watch.onTorqueLeft;
-    return watch;
+    callbacks.onLeg = [this](std::size_t, const record::SweepLeg& leg) { finishResponse(leg); };
+    callbacks.onProgress = m_callbacks.onProgress;
+    callbacks.onUnreleasedTorque = m_callbacks.onUnreleasedTorque;
+    return callbacks;
 }
 
-base::Result<void> StepJob::drive()
+base::Result<void> StepJob::runSweep()
 {
-    const auto plan = planStep(m_context, m_servo, m_order.spec);
+    const auto plan = planStep(m_context, m_servo, m_request.spec);
     if (!plan)
         return tl::unexpected(plan.error());
-    const auto trial = TemporarySettings::set(m_context, m_servo, itemsOf(m_order.spec.trial));
+    const auto trial = TemporarySettings::set(m_context, m_servo, itemsOf(m_request.spec.trial));
     if (!trial)
         return tl::unexpected(trial.error());
-    if (m_watch.onTrial)
-        m_watch.onTrial((*trial)->items());
-    auto gains = gainsOf(m_context, m_servo);
+    if (m_callbacks.onTrial)
+        m_callbacks.onTrial((*trial)->items());
+    auto gains = readStepGains(m_context, m_servo);
     if (!gains)
         return tl::unexpected(gains.error());
     m_run.gains = std::move(*gains);
-    SweepOrder order;
-    order.spec = plan->sweep;
-    order.limits = {plan->limits};
-    order.program = m_order.program;
-    order.simulated = m_order.simulated;
+    SweepRequest request;
+    request.spec = plan->sweep;
+    request.limits = {plan->limits};
+    request.program = m_request.program;
+    request.simulated = m_request.simulated;
     std::vector<device::Servo> servos{m_servo};
-    auto done = sweep(m_context, servos, order, watch());
+    auto done = sweep(m_context, servos, request, callbacks());
     m_servo = servos.front();
-    m_context.bus.awaitReturn(SweepRunner::mostSilence); // the sweep's has ended with it
+    m_context.bus.setReconnectTimeout(SweepRunner::maxSilence); // the sweep's has ended with it
     if (done && done->end == record::SweepEnd::Finished) {
         if (const auto same = checkGains(); !same)
             done = tl::unexpected(same.error());
     }
-    m_run.putBack = (*trial)->putBack().has_value();
+    m_run.isReverted = (*trial)->revert().has_value();
     if (!done)
         return tl::unexpected(done.error());
     // A leg that lost its torque on the way is none of the run's.
@@ -226,7 +227,7 @@ base::Result<void> StepJob::drive()
 /// of others has brought is not known then.
 base::Result<void> StepJob::checkGains()
 {
-    const auto now = gainsOf(m_context, m_servo);
+    const auto now = readStepGains(m_context, m_servo);
     if (!now || *now == m_run.gains)
         return {};
     for (std::size_t i = 0; i < now->size() && i < m_run.gains.size(); ++i) {
@@ -241,35 +242,35 @@ base::Result<void> StepJob::checkGains()
 base::Result<record::StepRun> StepJob::run()
 {
     // A plug that is pulled may be put back, also while settings are written.
-    const bus::LinkPatience patience(m_context.bus, SweepRunner::mostSilence);
-    return ride();
+    const bus::ReconnectScope reconnect(m_context.bus, SweepRunner::maxSilence);
+    return runInMode();
 }
 
-base::Result<record::StepRun> StepJob::ride()
+base::Result<record::StepRun> StepJob::runInMode()
 {
-    m_run.program = m_order.program;
-    m_run.simulated = m_order.simulated;
-    m_run.spec = m_order.spec;
-    if (const auto good = checkTrial(m_servo, m_order.spec.trial); !good)
+    m_run.program = m_request.program;
+    m_run.simulated = m_request.simulated;
+    m_run.spec = m_request.spec;
+    if (const auto good = checkTrial(m_servo, m_request.spec.trial); !good)
         return tl::unexpected(good.error());
     std::unique_ptr<TemporarySettings> mode;
-    if (m_order.switchMode) {
+    if (m_request.switchMode) {
         auto switched = TemporarySettings::positionMode(m_context, m_servo);
         if (!switched)
             return tl::unexpected(switched.error());
         mode = std::move(*switched);
     }
-    const auto rates = Rates::of(m_context, m_servo, mode == nullptr);
+    const auto rates = SpeedSettings::of(m_context, m_servo, mode == nullptr);
     if (!rates)
         return tl::unexpected(rates.error());
-    const auto driven = drive();
-    waitWhileAway(m_context.bus);
+    const auto ran = runSweep();
+    waitForReconnection(m_context.bus);
     if (m_run.end != record::SweepEnd::Emergency && !m_context.bus.lost())
-        rates->putBack(m_context, m_servo);
-    if (mode && !mode->putBack())
-        m_run.putBack = false;
-    if (!driven)
-        return tl::unexpected(driven.error());
+        rates->revert(m_context, m_servo);
+    if (mode && !mode->revert())
+        m_run.isReverted = false;
+    if (!ran)
+        return tl::unexpected(ran.error());
     m_run.mean = record::meanOf(m_run.responses);
     return std::move(m_run);
 }
@@ -277,19 +278,19 @@ base::Result<record::StepRun> StepJob::ride()
 
 namespace {
 /// What an interrupted trial has left in the servo is none of its own values: they go back first.
-base::Result<void> endEarlierTrials(const device::Context& context, const device::Servo& servo)
+base::Result<void> revertEarlierTrials(const device::Context& context, const device::Servo& servo)
 {
     const auto open = context.journal.open();
     if (!open)
         return tl::unexpected(open.error());
-    const base::ServoIdentity who = servo.identity();
+    const base::ServoIdentity identity = servo.identity();
     const int baud = context.bus.baud();
     for (const base::Intent& intent : *open) {
-        if (intent.kind != base::IntentKind::Trial || intent.servo.id != who.id ||
-            intent.servo.port != who.port || !intent.servo.sameKind(who))
+        if (intent.kind != base::IntentKind::Trial || intent.servo.id != identity.id ||
+            intent.servo.port != identity.port || !intent.servo.isSameKind(identity))
             continue;
-        const auto back = recoverOne(context, intent, RecoverAction::Undo);
-        if (context.bus.hasBaud())
+        const auto back = recoverIntent(context, intent, RecoveryAction::Undo);
+        if (context.bus.canSetBaud())
             (void)context.bus.setBaud(baud);
         if (!back)
             return tl::unexpected(back.error());
@@ -301,18 +302,19 @@ base::Result<void> endEarlierTrials(const device::Context& context, const device
 } // namespace
 
 base::Result<record::StepRun> stepResponse(const device::Context& outer, device::Servo& servo,
-                                           const StepOrder& order, const StepWatch& watch)
+                                           const StepRequest& request,
+                                           const StepCallbacks& callbacks)
 {
     // Nothing of it may follow an emergency stop.
     const device::Context context{outer.bus,     outer.catalog,
                                   outer.journal, outer.stop,
                                   outer.notices, outer.priority,
-                                  outer.hold,    outer.epoch.value_or(outer.bus.emergencies())};
+                                  outer.hold,    outer.epoch.value_or(outer.bus.emergencyCount())};
     const auto may = device::beginWriting(context, servo, QStringLiteral("step-response"));
     if (!may)
         return tl::unexpected(may.error());
-    if (const auto ended = endEarlierTrials(context, servo); !ended)
+    if (const auto ended = revertEarlierTrials(context, servo); !ended)
         return tl::unexpected(ended.error());
-    return StepJob(context, servo, order, watch).run();
+    return StepJob(context, servo, request, callbacks).run();
 }
 } // namespace jobs

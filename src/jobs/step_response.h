@@ -15,20 +15,20 @@
 #include "record/step_run.h"
 
 namespace jobs {
-struct StepOrder {
+struct StepRequest {
     record::StepSpec spec{};
     QString program{}; ///< name and version, for the report
     bool simulated = false;
-    bool switchMode = false; ///< as SweepOrder's
+    bool switchMode = false; ///< as SweepRequest's
 };
 
 /// Called on the job's thread while it runs; each may be empty.
-struct StepWatch {
+struct StepCallbacks {
     /// What a trial has changed; it is in force now.
     std::function<void(const std::vector<base::JournalItem>&)> onTrial{};
     std::function<void(const record::StepResponse&)> onResponse{}; ///< complete
     std::function<void(const SweepProgress&)> onProgress{};
-    std::function<void(const TorqueLeft&)> onTorqueLeft{}; ///< as SweepWatch's
+    std::function<void(const UnreleasedTorque&)> onUnreleasedTorque{}; ///< as SweepCallbacks's
 };
 
 /// The step in the servo's terms, as it will be.
@@ -37,7 +37,7 @@ struct StepPlan {
     double to = 0;
     base::Duration hold{};
     std::optional<base::Duration> travel{}; ///< as planned; none: no speed is known
-    bool holdShort = false;                 ///< it will turn round before it has arrived
+    bool isHoldTooShort = false;            ///< it will turn round before it has arrived
     record::SweepSpec sweep{};
     record::SweepLimits limits{};
 };
@@ -47,8 +47,9 @@ base::Result<StepPlan> planStep(const device::Context& context, device::Servo& s
                                 const record::StepSpec& spec);
 
 /// What the loop of this family has to set, in the order of its table: gains first.
-std::vector<const catalog::Register*> stepRegisters(const catalog::Profile& profile);
+std::vector<const catalog::Register*> loopRegisters(const catalog::Profile& profile);
 
 base::Result<record::StepRun> stepResponse(const device::Context& context, device::Servo& servo,
-                                           const StepOrder& order, const StepWatch& watch);
+                                           const StepRequest& request,
+                                           const StepCallbacks& callbacks);
 } // namespace jobs

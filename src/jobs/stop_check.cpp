@@ -8,14 +8,14 @@
 namespace jobs {
 using base::ErrorCode;
 using catalog::Role;
-using Torque = StopVerdict::Torque;
+using Torque = StopCheckResult::Torque;
 
 namespace {
 /// How often one that is still on is told.
 constexpr int tries = 4;
 
 /// Concerns the whole bus, or the user: nobody else need be asked.
-bool endsAll(const base::Error& error)
+bool endsJob(const base::Error& error)
 {
     return error.code == ErrorCode::LinkLost || error.code == ErrorCode::Stopped ||
            error.code == ErrorCode::Preempted;
@@ -32,7 +32,7 @@ bus::PollSpan torqueSwitch(const device::Servo& servo)
     return servo.protocol == base::Protocol::Feetech ? everyFeetech : bus::PollSpan{};
 }
 
-base::Result<Torque> switchOff(const device::Context& context, device::Servo& servo)
+base::Result<Torque> ensureTorqueOff(const device::Context& context, device::Servo& servo)
 {
     const bus::PollSpan place = torqueSwitch(servo);
     if (place.count == 0)
@@ -49,36 +49,37 @@ base::Result<Torque> switchOff(const device::Context& context, device::Servo& se
             return Torque::Off;
         if (attempt == tries)
             return Torque::On;
-        const auto told = writeBlock(context, servo, patch, protocol::Repeat::Safe);
-        if (!told && !device::answerLost(told.error()))
-            return tl::unexpected(told.error());
+        const auto sent = writeBlock(context, servo, patch, protocol::Repeat::Safe);
+        if (!sent && !device::isReplyLost(sent.error()))
+            return tl::unexpected(sent.error());
     }
 }
 
 } // namespace
 
-base::Result<std::vector<StopVerdict>> checkStopped(const device::Context& outer,
-                                                    const std::vector<device::Servo*>& servos)
+base::Result<std::vector<StopCheckResult>>
+verifyEmergencyStop(const device::Context& outer, const std::vector<device::Servo*>& servos)
 {
     device::Context stopping = outer;
     stopping.emergencyStop = true;
-    waitWhileAway(outer.bus); // the stop itself is said when the line is back, before all else
-    std::vector<StopVerdict> verdicts(servos.size());
+    waitForReconnection(
+        outer.bus); // the stop itself is said when the line is back, before all else
+    std::vector<StopCheckResult> verdicts(servos.size());
     // Torque of all of them first: what waits in one of them does nothing by itself.
     for (std::size_t i = 0; i < servos.size(); ++i) {
         const device::Owned owned = device::own(stopping, {servos[i]->id});
-        const auto torque = switchOff(owned.context, *servos[i]);
-        if (!torque && endsAll(torque.error()))
+        const auto torque = ensureTorqueOff(owned.context, *servos[i]);
+        if (!torque && endsJob(torque.error()))
             return tl::unexpected(torque.error());
         verdicts[i].torque = torque.value_or(Torque::Unknown);
     }
     for (std::size_t i = 0; i < servos.size(); ++i) {
         if (verdicts[i].torque == Torque::Unknown)
             continue;
-        const auto held = device::disarm(stopping, *servos[i]);
-        if (!held && endsAll(held.error()))
+        const auto held = device::cancelHeldGoal(stopping, *servos[i]);
+        if (!held && endsJob(held.error()))
             return tl::unexpected(held.error());
-        verdicts[i].mayHold = held.value_or(true);
+        verdicts[i].mayHavePendingGoal = held.value_or(true);
     }
     return verdicts;
 }

@@ -9,13 +9,13 @@
 #include "device/servo.h"
 
 namespace jobs {
-struct StopVerdict {
+struct StopCheckResult {
     enum class Torque : std::uint8_t { Off, On, Unknown };
     Torque torque = Torque::Unknown;
-    bool mayHold = false; ///< a goal may still wait in it
+    bool mayHavePendingGoal = false; ///< a goal may still wait in it
 };
 
 /// One verdict a servo, in their order. All answer at the bus' present rate.
-base::Result<std::vector<StopVerdict>> checkStopped(const device::Context& context,
-                                                    const std::vector<device::Servo*>& servos);
+base::Result<std::vector<StopCheckResult>>
+verifyEmergencyStop(const device::Context& context, const std::vector<device::Servo*>& servos);
 } // namespace jobs

@@ -16,16 +16,17 @@ using Modes = std::vector<std::unique_ptr<TemporarySettings>>;
 
 /// What a servo is, and what the test means for it. `modes` takes what must be put back.
 base::Result<record::SweepServo> prepare(const device::Context& context, device::Servo& servo,
-                                         const SweepOrder& order, std::size_t place, Modes& modes)
+                                         const SweepRequest& request, std::size_t place,
+                                         Modes& modes)
 {
     record::SweepServo prepared;
-    prepared.limits = order.limits.at(place);
-    auto axis = sweepAxis(context, servo, order.spec, prepared.limits);
+    prepared.limits = request.limits.at(place);
+    auto axis = sweepAxis(context, servo, request.spec, prepared.limits);
     const bool otherMode = !axis && axis.error().detail == QLatin1StringView("not-position");
-    if (!axis && !(otherMode && order.switchMode))
+    if (!axis && !(otherMode && request.switchMode))
         return tl::unexpected(axis.error());
     // The table as the servo keeps it, not as the test has set it.
-    auto table = takeSnapshot(context, servo, order.program);
+    auto table = takeSnapshot(context, servo, request.program);
     if (!table)
         return tl::unexpected(table.error());
     prepared.parameters = std::move(*table);
@@ -34,7 +35,7 @@ base::Result<record::SweepServo> prepare(const device::Context& context, device:
         if (!mode)
             return tl::unexpected(mode.error());
         modes.push_back(std::move(*mode));
-        axis = sweepAxis(context, servo, order.spec, prepared.limits);
+        axis = sweepAxis(context, servo, request.spec, prepared.limits);
     }
     if (!axis)
         return tl::unexpected(axis.error());
@@ -43,18 +44,18 @@ base::Result<record::SweepServo> prepare(const device::Context& context, device:
 }
 
 base::Result<record::SweepRun> prepare(const device::Context& context,
-                                       std::vector<device::Servo>& servos, const SweepOrder& order,
-                                       Modes& modes)
+                                       std::vector<device::Servo>& servos,
+                                       const SweepRequest& request, Modes& modes)
 {
     record::SweepRun run;
-    run.program = order.program;
+    run.program = request.program;
     run.at = QDateTime::currentDateTimeUtc();
     run.port = context.bus.portName();
-    run.baud = context.bus.hasBaud() ? context.bus.baud() : 0;
-    run.simulated = order.simulated;
-    run.spec = order.spec;
+    run.baud = context.bus.canSetBaud() ? context.bus.baud() : 0;
+    run.simulated = request.simulated;
+    run.spec = request.spec;
     for (std::size_t i = 0; i < servos.size(); ++i) {
-        auto servo = prepare(context, servos[i], order, i, modes);
+        auto servo = prepare(context, servos[i], request, i, modes);
         if (!servo)
             return tl::unexpected(servo.error());
         run.servos.push_back(std::move(*servo));
@@ -62,21 +63,21 @@ base::Result<record::SweepRun> prepare(const device::Context& context,
     return run;
 }
 /// No goal may follow an emergency stop, not even one between two legs.
-device::Context endedByEmergency(const device::Context& outer)
+device::Context withEmergencyEpoch(const device::Context& outer)
 {
     return {outer.bus,     outer.catalog,
             outer.journal, outer.stop,
             outer.notices, outer.priority,
-            outer.hold,    outer.epoch.value_or(outer.bus.emergencies())};
+            outer.hold,    outer.epoch.value_or(outer.bus.emergencyCount())};
 }
 } // namespace
 
 base::Result<record::SweepRun> sweep(const device::Context& outer,
-                                     std::vector<device::Servo>& servos, const SweepOrder& order,
-                                     const SweepWatch& watch)
+                                     std::vector<device::Servo>& servos,
+                                     const SweepRequest& request, const SweepCallbacks& callbacks)
 {
-    const device::Context context = endedByEmergency(outer);
-    if (servos.empty() || order.limits.size() != servos.size())
+    const device::Context context = withEmergencyEpoch(outer);
+    if (servos.empty() || request.limits.size() != servos.size())
         return base::fail(ErrorCode::BadArgument, QStringLiteral("sweep"),
                           QStringLiteral("no servo"));
     for (const device::Servo& servo : servos) {
@@ -85,11 +86,11 @@ base::Result<record::SweepRun> sweep(const device::Context& outer,
             return tl::unexpected(may.error());
     }
     Modes modes; // go back when this ends, however it does
-    auto run = prepare(context, servos, order, modes);
+    auto run = prepare(context, servos, request, modes);
     if (!run)
         return tl::unexpected(run.error());
-    if (const auto refusal = watch.onBegin ? watch.onBegin(*run) : std::nullopt)
+    if (const auto refusal = callbacks.onBegin ? callbacks.onBegin(*run) : std::nullopt)
         return tl::unexpected(*refusal);
-    return SweepRunner(context, servos, std::move(*run), watch).run();
+    return SweepRunner(context, servos, std::move(*run), callbacks).run();
 }
 } // namespace jobs

@@ -14,7 +14,7 @@
 #include "jobs/leg_meter.h"
 
 namespace jobs {
-struct SweepOrder {
+struct SweepRequest {
     record::SweepSpec spec{};
     std::vector<record::SweepLimits> limits{}; ///< one a servo
     QString program{};                         ///< name and version, for the report
@@ -37,14 +37,14 @@ struct SweepProgress {
 };
 
 /// How a servo was to be left at the end of a test, which could not be proved.
-struct TorqueLeft {
+struct UnreleasedTorque {
     int id = -1;
     bool holding = false; ///< stopped, holding where it is; else without torque
     base::Error error{};
 };
 
 /// Called on the job's thread while it runs; each may be empty.
-struct SweepWatch {
+struct SweepCallbacks {
     /// In time order for each servo; `goal` in steps, `leg` 0 outside of the measured part and
     /// while goals are being sent.
     std::function<void(std::size_t servo, const SweepSample&, double goal, int leg)> onSample{};
@@ -56,12 +56,12 @@ struct SweepWatch {
     /// keeps it from beginning and becomes the job's.
     std::function<std::optional<base::Error>(const record::SweepRun&)> onBegin{};
     /// At the end, for each servo that could not be left as it was to be.
-    std::function<void(const TorqueLeft&)> onTorqueLeft{};
+    std::function<void(const UnreleasedTorque&)> onUnreleasedTorque{};
 };
 
 /// All servos on one bus; their settings are read. What is in `servos` afterwards is what the job
 /// knows of them.
 base::Result<record::SweepRun> sweep(const device::Context& outer,
-                                     std::vector<device::Servo>& servos, const SweepOrder& order,
-                                     const SweepWatch& watch);
+                                     std::vector<device::Servo>& servos,
+                                     const SweepRequest& request, const SweepCallbacks& callbacks);
 } // namespace jobs

@@ -18,12 +18,12 @@ const QString operation = QStringLiteral("sweep");
 
 /// Settings that are this fresh are not read again for a goal: nobody else writes to a servo that
 /// is being tested.
-constexpr Duration settingsMayBe = std::chrono::hours(24);
+constexpr Duration maxSettingsAge = std::chrono::hours(24);
 
 /// Friction leaves up to 8 of 4096 steps without I (error-diagnosis row 14); a little more has
 /// arrived.
-constexpr double toleranceShare = 12.0 / 4096;
-constexpr double leastTolerance = 3;
+constexpr double defaultToleranceFraction = 12.0 / 4096;
+constexpr double minTolerance = 3;
 
 tl::unexpected<base::Error> refuse(ErrorCode code, const device::Servo& servo, QString detail,
                                    QString key = {})
@@ -39,9 +39,9 @@ double goalFactor(const device::Servo& servo)
     return scaled ? double(std::max<std::int64_t>(1, servo.raw(goal->scaleBy).value_or(1))) : 1.0;
 }
 
-class AxisMaker {
+class AxisBuilder {
 public:
-    AxisMaker(const device::Context& context, device::Servo& servo, const record::SweepSpec& spec)
+    AxisBuilder(const device::Context& context, device::Servo& servo, const record::SweepSpec& spec)
         : m_context(context)
         , m_servo(servo)
         , m_spec(spec)
@@ -50,15 +50,15 @@ public:
     base::Result<record::SweepAxis> make(const record::SweepLimits& limits);
 
 private:
-    base::Result<void> needMode();
-    base::Result<void> needTimes() const;
-    base::Result<void> takeRange();
-    base::Result<void> takeStep();
-    base::Result<void> takePoints();
-    base::Result<void> takeRates();
-    base::Result<void> tryGoal(double target);
-    base::Result<double> steps(const QString& text, bool way = false) const;
-    std::optional<double> rate(Role role, const QString& text) const;
+    base::Result<void> requirePositionMode();
+    base::Result<void> requireTimes() const;
+    base::Result<void> parseRange();
+    base::Result<void> parseStep();
+    base::Result<void> parsePoints();
+    base::Result<void> readSpeeds();
+    base::Result<void> checkGoalAllowed(double target);
+    base::Result<double> parseSteps(const QString& text, bool way = false) const;
+    std::optional<double> parseRate(Role role, const QString& text) const;
 
     const device::Context& m_context;
     device::Servo& m_servo;
@@ -67,7 +67,7 @@ private:
 };
 
 /// Goals that stay where they are put: not relative ones, not a speed.
-base::Result<void> AxisMaker::needMode()
+base::Result<void> AxisBuilder::requirePositionMode()
 {
     const auto kind = device::goalKind(m_servo);
     if (kind == device::GoalKind::Position || kind == device::GoalKind::Turns)
@@ -77,7 +77,7 @@ base::Result<void> AxisMaker::needMode()
                   mode != nullptr ? mode->key : QString());
 }
 
-base::Result<void> AxisMaker::needTimes() const
+base::Result<void> AxisBuilder::requireTimes() const
 {
     const bool waves = m_spec.shape == SweepShape::Sine;
     if (waves && m_spec.period <= Duration::zero())
@@ -90,7 +90,7 @@ base::Result<void> AxisMaker::needTimes() const
 }
 
 /// A place; or with `way` a distance, which has no zero of its own.
-base::Result<double> AxisMaker::steps(const QString& text, bool way) const
+base::Result<double> AxisBuilder::parseSteps(const QString& text, bool way) const
 {
     const catalog::Register& goal = *m_servo.profile->byRole(Role::GoalPosition);
     const auto raw = catalog::parseValue(text, goal, m_servo.meaning(goal));
@@ -106,23 +106,23 @@ base::Result<double> AxisMaker::steps(const QString& text, bool way) const
 }
 
 /// What the device layer would say to this goal, without a byte that moves anything.
-base::Result<void> AxisMaker::tryGoal(double target)
+base::Result<void> AxisBuilder::checkGoalAllowed(double target)
 {
-    const device::MoveOrder order = sweepMove(m_servo, m_spec, target);
+    const device::MoveCommand order = makeSweepMove(m_servo, m_spec, target);
     const auto plan = device::planMove(m_context, order);
     if (!plan)
         return tl::unexpected(plan.error());
     return {};
 }
 
-base::Result<void> AxisMaker::takeRange()
+base::Result<void> AxisBuilder::parseRange()
 {
     const auto own = m_spec.ranges.find(m_servo.id);
     const record::SweepRange& range = own != m_spec.ranges.end() ? own->second : m_spec.range;
-    const auto from = steps(range.from);
+    const auto from = parseSteps(range.from);
     if (!from)
         return tl::unexpected(from.error());
-    const auto to = steps(range.to);
+    const auto to = parseSteps(range.to);
     if (!to)
         return tl::unexpected(to.error());
     if (*from == *to)
@@ -130,17 +130,17 @@ base::Result<void> AxisMaker::takeRange()
     m_axis.from = *from;
     m_axis.to = *to;
     for (const double end : {*from, *to}) {
-        if (const auto good = tryGoal(end); !good)
+        if (const auto good = checkGoalAllowed(end); !good)
             return good;
     }
     return {};
 }
 
-base::Result<void> AxisMaker::takeStep()
+base::Result<void> AxisBuilder::parseStep()
 {
     if (m_spec.step.trimmed().startsWith(u'-'))
         return refuse(ErrorCode::BadArgument, m_servo, QStringLiteral("negative-step"));
-    const auto step = steps(m_spec.step, true);
+    const auto step = parseSteps(m_spec.step, true);
     if (!step)
         return tl::unexpected(step.error());
     if (*step == 0)
@@ -151,15 +151,15 @@ base::Result<void> AxisMaker::takeStep()
     return {};
 }
 
-base::Result<void> AxisMaker::takePoints()
+base::Result<void> AxisBuilder::parsePoints()
 {
     if (m_spec.points.size() < 2)
         return refuse(ErrorCode::BadArgument, m_servo, QStringLiteral("no-points"));
     for (const record::SweepPoint& point : m_spec.points) {
-        const auto place = steps(point.target);
+        const auto place = parseSteps(point.target);
         if (!place)
             return tl::unexpected(place.error());
-        if (const auto good = tryGoal(*place); !good)
+        if (const auto good = checkGoalAllowed(*place); !good)
             return good;
         m_axis.points.push_back(*place);
     }
@@ -172,12 +172,12 @@ base::Result<void> AxisMaker::takePoints()
 }
 
 /// In steps/s or steps/s²; none: the servo's own limit is not known, or there is none.
-std::optional<double> AxisMaker::rate(Role role, const QString& text) const
+std::optional<double> AxisBuilder::parseRate(Role role, const QString& text) const
 {
     const catalog::Register* reg = m_servo.profile->byRole(role);
     if (reg == nullptr)
         return std::nullopt;
-    const catalog::Meaning meaning = m_servo.meaning(*reg);
+    const catalog::ValueFormat meaning = m_servo.meaning(*reg);
     std::optional<std::int64_t> raw = m_servo.raw(*reg);
     if (!text.isEmpty()) {
         const auto typed = catalog::parseValue(text, *reg, meaning);
@@ -185,20 +185,20 @@ std::optional<double> AxisMaker::rate(Role role, const QString& text) const
     }
     if (!raw || *raw == 0)
         return std::nullopt;
-    return stepsOf(std::abs(catalog::toPhysical(*raw, meaning)), meaning.unit, m_axis.stepsPerTurn);
+    return toSteps(std::abs(catalog::toPhysical(*raw, meaning)), meaning.unit, m_axis.stepsPerTurn);
 }
 
 /// Whether the fields can be written was found out with the first goal.
-base::Result<void> AxisMaker::takeRates()
+base::Result<void> AxisBuilder::readSpeeds()
 {
-    m_axis.speed = rate(Role::GoalSpeed, m_spec.speed);
-    m_axis.acceleration = rate(Role::Acceleration, m_spec.acceleration);
-    const auto fastest = device::topSpeed(m_servo);
+    m_axis.speed = parseRate(Role::GoalSpeed, m_spec.speed);
+    m_axis.acceleration = parseRate(Role::Acceleration, m_spec.acceleration);
+    const auto fastest = device::maxGoalSpeed(m_servo);
     const catalog::Register* speed = m_servo.profile->byRole(Role::GoalSpeed);
     if (fastest && speed != nullptr) {
-        const catalog::Meaning meaning = m_servo.meaning(*speed);
+        const catalog::ValueFormat meaning = m_servo.meaning(*speed);
         const auto top =
-            stepsOf(catalog::toPhysical(*fastest, meaning), meaning.unit, m_axis.stepsPerTurn);
+            toSteps(catalog::toPhysical(*fastest, meaning), meaning.unit, m_axis.stepsPerTurn);
         if (top && m_axis.speed)
             m_axis.speed = std::min(*m_axis.speed, *top);
     }
@@ -212,7 +212,7 @@ base::Result<void> AxisMaker::takeRates()
     return {};
 }
 
-base::Result<record::SweepAxis> AxisMaker::make(const record::SweepLimits& limits)
+base::Result<record::SweepAxis> AxisBuilder::make(const record::SweepLimits& limits)
 {
     if (const auto fresh = device::readSettings(m_context, m_servo); !fresh)
         return tl::unexpected(fresh.error());
@@ -221,21 +221,21 @@ base::Result<record::SweepAxis> AxisMaker::make(const record::SweepLimits& limit
     if (!rates)
         return tl::unexpected(rates.error());
     m_axis.stepsPerTurn = stepsPerTurn(m_servo);
-    if (const auto mode = needMode(); !mode)
+    if (const auto mode = requirePositionMode(); !mode)
         return tl::unexpected(mode.error());
-    if (const auto times = needTimes(); !times)
+    if (const auto times = requireTimes(); !times)
         return tl::unexpected(times.error());
     const bool listed = m_spec.shape == SweepShape::Points;
-    if (const auto range = listed ? takePoints() : takeRange(); !range)
+    if (const auto range = listed ? parsePoints() : parseRange(); !range)
         return tl::unexpected(range.error());
     if (m_spec.shape == SweepShape::Stairs) {
-        if (const auto step = takeStep(); !step)
+        if (const auto step = parseStep(); !step)
             return tl::unexpected(step.error());
     }
-    if (const auto rated = takeRates(); !rated)
+    if (const auto rated = readSpeeds(); !rated)
         return tl::unexpected(rated.error());
-    m_axis.tolerance =
-        limits.tolerance.value_or(std::max(leastTolerance, m_axis.stepsPerTurn * toleranceShare));
+    m_axis.tolerance = limits.tolerance.value_or(
+        std::max(minTolerance, m_axis.stepsPerTurn * defaultToleranceFraction));
     return m_axis;
 }
 } // namespace
@@ -244,10 +244,10 @@ base::Result<record::SweepAxis> sweepAxis(const device::Context& context, device
                                           const record::SweepSpec& spec,
                                           const record::SweepLimits& limits)
 {
-    return AxisMaker(context, servo, spec).make(limits);
+    return AxisBuilder(context, servo, spec).make(limits);
 }
 
-std::optional<double> stepsOf(double physical, const QString& unit, double stepsPerTurn)
+std::optional<double> toSteps(double physical, const QString& unit, double stepsPerTurn)
 {
     if (unit == QLatin1StringView("rpm"))
         return physical / 60 * stepsPerTurn;
@@ -269,18 +269,19 @@ double stepsPerTurn(const device::Servo& servo)
                                : servo.profile->stepsPerTurn;
 }
 
-device::MoveOrder sweepMove(device::Servo& servo, const record::SweepSpec& spec, double& target)
+device::MoveCommand makeSweepMove(device::Servo& servo, const record::SweepSpec& spec,
+                                  double& target)
 {
     const auto raw = std::llround(target / goalFactor(servo));
     target = double(raw) * goalFactor(servo);
-    device::MoveOrder order{&servo, QString::number(raw)};
+    device::MoveCommand order{&servo, QString::number(raw)};
     const auto given = [](const QString& text) {
         return text.isEmpty() ? std::nullopt : std::optional(text);
     };
     order.speed = given(spec.speed);
     order.acceleration = given(spec.acceleration);
     order.time = given(spec.time);
-    order.settingsMayBe = settingsMayBe;
+    order.maxSettingsAge = maxSettingsAge;
     return order;
 }
 } // namespace jobs

@@ -18,10 +18,11 @@ base::Result<record::SweepAxis> sweepAxis(const device::Context& context, device
 
 /// The order of a move to `target` (steps of the feedback). Its goal is the nearest the register
 /// can say; `target` becomes that.
-device::MoveOrder sweepMove(device::Servo& servo, const record::SweepSpec& spec, double& target);
+device::MoveCommand makeSweepMove(device::Servo& servo, const record::SweepSpec& spec,
+                                  double& target);
 
 /// Of a position unit or a rate of one in steps: "deg", "rpm", "step/s"; nullopt: no known unit.
-std::optional<double> stepsOf(double physical, const QString& unit, double stepsPerTurn);
+std::optional<double> toSteps(double physical, const QString& unit, double stepsPerTurn);
 /// Steps of a turn of its position feedback.
 double stepsPerTurn(const device::Servo& servo);
 } // namespace jobs

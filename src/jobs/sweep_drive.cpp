@@ -13,13 +13,13 @@ using record::SweepEnd;
 
 namespace {
 /// One packet where all of them can share it, else one by one.
-device::MoveHow howFor(const std::vector<device::Servo>& servos)
+device::MoveMethod moveMethodFor(const std::vector<device::Servo>& servos)
 {
     const bool together =
         servos.size() > 1 && std::all_of(servos.begin(), servos.end(), [](const auto& servo) {
-            return device::offers(servo, device::MoveHow::Sync);
+            return device::supports(servo, device::MoveMethod::Sync);
         });
-    return together ? device::MoveHow::Sync : device::MoveHow::Write;
+    return together ? device::MoveMethod::Sync : device::MoveMethod::Write;
 }
 } // namespace
 
@@ -30,7 +30,7 @@ base::Result<void> sendSweepGoals(const device::Context& context,
     std::vector<device::MovePlan> plans;
     std::vector<int> ids;
     for (std::size_t i = 0; i < servos.size(); ++i) {
-        auto plan = device::planMove(context, sweepMove(servos[i], spec, targets[i]));
+        auto plan = device::planMove(context, makeSweepMove(servos[i], spec, targets[i]));
         if (!plan)
             return tl::unexpected(plan.error());
         plans.push_back(std::move(*plan));
@@ -39,12 +39,12 @@ base::Result<void> sendSweepGoals(const device::Context& context,
     // Within a hold it is not asked again who they are: that was done when the test began. Polling
     // rests as long as it is held, so not while the moves are planned.
     const device::Owned owned = device::own(context, ids);
-    return device::sendMoves(owned.context, plans, howFor(servos));
+    return device::sendMoves(owned.context, plans, moveMethodFor(servos));
 }
 
 namespace {
 /// A goal may have reached it before it was known as another one.
-base::Result<void> releaseStranger(const device::Context& context, device::Servo& servo)
+base::Result<void> releaseReplacedServo(const device::Context& context, device::Servo& servo)
 {
     const catalog::Register* torque = servo.profile->byRole(catalog::Role::TorqueSwitch);
     if (torque == nullptr)
@@ -57,23 +57,25 @@ base::Result<void> releaseStranger(const device::Context& context, device::Servo
 }
 
 /// What could not be proved. All are told to stop before the first one is watched.
-std::vector<TorqueLeft> leave(const device::Context& context, std::vector<device::Servo>& servos,
-                              const record::SweepRun& run, const std::vector<Leaving>& how)
+std::vector<UnreleasedTorque> applyEndStates(const device::Context& context,
+                                             std::vector<device::Servo>& servos,
+                                             const record::SweepRun& run,
+                                             const std::vector<ServoEndState>& endStates)
 {
-    std::vector<TorqueLeft> left;
-    const auto note = [&](const device::Servo& servo, const base::Result<void>& off) {
+    std::vector<UnreleasedTorque> unconfirmed;
+    const auto addUnconfirmed = [&](const device::Servo& servo, const base::Result<void>& off) {
         if (!off)
-            left.push_back({servo.id, false, off.error()});
+            unconfirmed.push_back({servo.id, false, off.error()});
     };
     const auto release = [&](device::Servo& servo) {
-        note(servo, device::setTorque(context, servo, device::Torque::Off));
+        addUnconfirmed(servo, device::setTorque(context, servo, device::Torque::Off));
     };
     std::vector<device::Servo*> others;
     for (std::size_t i = 0; i < servos.size(); ++i) {
-        if (how[i] == Leaving::Released)
+        if (endStates[i] == ServoEndState::TorqueOff)
             release(servos[i]);
-        else if (how[i] == Leaving::Alone)
-            note(servos[i], releaseStranger(context, servos[i]));
+        else if (endStates[i] == ServoEndState::Untouched)
+            addUnconfirmed(servos[i], releaseReplacedServo(context, servos[i]));
         else
             others.push_back(&servos[i]);
     }
@@ -81,35 +83,35 @@ std::vector<TorqueLeft> leave(const device::Context& context, std::vector<device
         const auto halted = device::haltAll(context, others);
         for (std::size_t i = 0; i < others.size(); ++i) {
             if (!halted[i] && !run.spec.releaseAtEnd)
-                left.push_back({others[i]->id, true, halted[i].error()});
+                unconfirmed.push_back({others[i]->id, true, halted[i].error()});
         }
     }
     if (run.spec.releaseAtEnd) {
         for (device::Servo* servo : others)
             release(*servo);
     }
-    return left;
+    return unconfirmed;
 }
 } // namespace
 
-void leaveSafe(const device::Context& context, std::vector<device::Servo>& servos,
-               const record::SweepRun& run, const std::vector<Leaving>& how,
-               const SweepWatch& watch)
+void leaveServosSafe(const device::Context& context, std::vector<device::Servo>& servos,
+                     const record::SweepRun& run, const std::vector<ServoEndState>& endStates,
+                     const SweepCallbacks& callbacks)
 {
     if (run.end == SweepEnd::Emergency)
         return;
     // The user's stop has ended the test, not what makes its end safe.
-    const base::Stop unstopped;
-    const device::Context last{context.bus,     context.catalog,  context.journal, unstopped,
+    const base::StopToken neverStop;
+    const device::Context last{context.bus,     context.catalog,  context.journal, neverStop,
                                context.notices, context.priority, context.hold,    context.epoch};
-    std::vector<TorqueLeft> left;
+    std::vector<UnreleasedTorque> unconfirmed;
     do {
-        waitWhileAway(context.bus);
-        left = leave(last, servos, run, how);
-    } while (context.bus.away()); // pulled in the middle of it
-    for (const TorqueLeft& one : left) {
-        if (watch.onTorqueLeft)
-            watch.onTorqueLeft(one);
+        waitForReconnection(context.bus);
+        unconfirmed = applyEndStates(last, servos, run, endStates);
+    } while (context.bus.isReconnecting()); // pulled in the middle of it
+    for (const UnreleasedTorque& one : unconfirmed) {
+        if (callbacks.onUnreleasedTorque)
+            callbacks.onUnreleasedTorque(one);
     }
 }
 } // namespace jobs

@@ -12,15 +12,15 @@ base::Result<void> sendSweepGoals(const device::Context& context,
                                   std::vector<double>& targets);
 
 /// How a servo is left.
-enum class Leaving : std::uint8_t {
-    AsOrdered, ///< holding, or without torque, as the order says
-    Released,  ///< without torque: it is what ended the test
-    Alone,     ///< it is another one: not written to, but for torque that a goal has given it
+enum class ServoEndState : std::uint8_t {
+    AsRequested, ///< holding, or without torque, as the order says
+    TorqueOff,   ///< without torque: it is what ended the test
+    Untouched,   ///< it is another one: not written to, but for torque that a goal has given it
 };
 
 /// After the last leg or an early end; `how`: one a servo. Does what it can when servos do not
-/// answer, and tells SweepWatch::onTorqueLeft of the rest.
-void leaveSafe(const device::Context& context, std::vector<device::Servo>& servos,
-               const record::SweepRun& run, const std::vector<Leaving>& how,
-               const SweepWatch& watch);
+/// answer, and tells SweepCallbacks::onUnreleasedTorque of the rest.
+void leaveServosSafe(const device::Context& context, std::vector<device::Servo>& servos,
+                     const record::SweepRun& run, const std::vector<ServoEndState>& endStates,
+                     const SweepCallbacks& callbacks);
 } // namespace jobs

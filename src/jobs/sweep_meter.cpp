@@ -15,10 +15,10 @@ namespace {
 using Legs = std::vector<SweepLeg>;
 using Values = std::vector<double>;
 
-constexpr double tenths = 10;  ///< targets that differ by less are one
-constexpr double leastWay = 1; ///< a shorter one comes from neither side
+constexpr double targetResolution = 10; ///< targets that differ by less are one
+constexpr double minDistance = 1;       ///< a shorter one comes from neither side
 
-enum class Judged : std::uint8_t { Mean, Highest, Lowest, Largest };
+enum class Aggregate : std::uint8_t { Mean, Highest, Lowest, Largest };
 
 double mean(const Values& values)
 {
@@ -26,7 +26,7 @@ double mean(const Values& values)
 }
 
 /// min and max drop a NaN that is not their first argument; nobody may lose one here.
-double extreme(const Values& values, const std::function<bool(double, double)>& before)
+double findExtreme(const Values& values, const std::function<bool(double, double)>& before)
 {
     double best = values.front();
     for (const double value : values) {
@@ -38,25 +38,25 @@ double extreme(const Values& values, const std::function<bool(double, double)>& 
     return best;
 }
 
-void fill(SweepMetric& metric, const Values& values, Judged judged)
+void fill(SweepMetric& metric, const Values& values, Aggregate aggregate)
 {
     metric.count = values.size();
     if (values.empty())
         return;
     metric.mean = mean(values);
-    metric.min = extreme(values, std::less<>());
-    metric.max = extreme(values, std::greater<>());
-    switch (judged) {
-    case Judged::Mean:
+    metric.min = findExtreme(values, std::less<>());
+    metric.max = findExtreme(values, std::greater<>());
+    switch (aggregate) {
+    case Aggregate::Mean:
         metric.value = metric.mean;
         break;
-    case Judged::Highest:
+    case Aggregate::Highest:
         metric.value = metric.max;
         break;
-    case Judged::Lowest:
+    case Aggregate::Lowest:
         metric.value = metric.min;
         break;
-    case Judged::Largest:
+    case Aggregate::Largest:
         metric.value = std::max(std::abs(*metric.min), std::abs(*metric.max));
     }
 }
@@ -72,7 +72,7 @@ double asNumber(base::Duration span)
 }
 
 template <typename T>
-Values every(const Legs& legs, std::optional<T> SweepLeg::*member)
+Values collect(const Legs& legs, std::optional<T> SweepLeg::*member)
 {
     Values values;
     for (const SweepLeg& leg : legs) {
@@ -93,9 +93,9 @@ std::map<std::int64_t, Approaches> approaches(const Legs& legs)
     std::map<std::int64_t, Approaches> targets;
     for (const SweepLeg& leg : legs) {
         const double way = leg.target - leg.start;
-        if (!leg.steadyError || !(std::abs(way) >= leastWay))
+        if (!leg.steadyError || !(std::abs(way) >= minDistance))
             continue;
-        Approaches& target = targets[std::llround(leg.target * tenths)];
+        Approaches& target = targets[std::llround(leg.target * targetResolution)];
         (way > 0 ? target.below : target.above).push_back(*leg.steadyError);
     }
     return targets;
@@ -122,29 +122,29 @@ double sigma(const Values& values)
 
 double range(const Values& values)
 {
-    return extreme(values, std::greater<>()) - extreme(values, std::less<>());
+    return findExtreme(values, std::greater<>()) - findExtreme(values, std::less<>());
 }
 
 Values repeatability(const Legs& legs, double (*spread)(const Values&))
 {
     Values values;
     for (const auto& [target, sides] : approaches(legs)) {
-        Values both;
+        Values sideSpreads;
         for (const Values* side : {&sides.below, &sides.above}) {
             if (side->size() >= 2)
-                both.push_back(spread(*side));
+                sideSpreads.push_back(spread(*side));
         }
-        if (!both.empty())
-            values.push_back(extreme(both, std::greater<>()));
+        if (!sideSpreads.empty())
+            values.push_back(findExtreme(sideSpreads, std::greater<>()));
     }
     return values;
 }
 
-Values rises(const Legs& legs, std::optional<double> startCelsius)
+Values temperatureRises(const Legs& legs, std::optional<double> startCelsius)
 {
     if (!startCelsius)
         return {};
-    Values values = every(legs, &SweepLeg::temperatureMax);
+    Values values = collect(legs, &SweepLeg::temperatureMax);
     for (double& value : values)
         value -= *startCelsius;
     return values;
@@ -161,16 +161,16 @@ void countLegs(SweepMetric& metric, const Legs& legs, Known known, Counted count
         }));
 }
 
-using Fill = std::function<void(SweepMetric&)>;
+using MetricFiller = std::function<void(SweepMetric&)>;
 
 struct Run {
     const Legs& legs;
     const record::SweepErrors& errors;
     std::optional<double> startCelsius;
-    FollowedPath path;
+    ReferencePath path;
 };
 
-bool seenOften(const SweepLeg& leg)
+bool isSampledEnough(const SweepLeg& leg)
 {
     return 2 * leg.samples >= record::minReadingsPerPeriod;
 }
@@ -182,7 +182,7 @@ Values relativeErrors(const Run& run)
     if (!run.path.scale)
         return values;
     for (const SweepLeg& leg : run.legs) {
-        if (leg.followingError && (!run.path.isSine || seenOften(leg)))
+        if (leg.followingError && (!run.path.isSine || isSampledEnough(leg)))
             values.push_back(*leg.followingError / *run.path.scale * 100);
     }
     return values;
@@ -192,7 +192,7 @@ Values phaseLags(const Run& run)
 {
     Values values;
     for (const SweepLeg& leg : run.legs) {
-        if (leg.phaseLag && seenOften(leg))
+        if (leg.phaseLag && isSampledEnough(leg))
             values.push_back(*leg.phaseLag);
     }
     return values;
@@ -209,57 +209,57 @@ Values readingsPerPeriod(const Run& run)
     return values;
 }
 
-void addFollowing(std::map<QString, Fill>& fills, const Run& run)
+void addFollowing(std::map<QString, MetricFiller>& fillers, const Run& run)
 {
-    const auto of = [&](const char* key, Values (*values)(const Run&), Judged judged) {
-        fills[QString::fromLatin1(key)] = [run, values, judged](SweepMetric& metric) {
-            fill(metric, values(run), judged);
+    const auto of = [&](const char* key, Values (*values)(const Run&), Aggregate aggregate) {
+        fillers[QString::fromLatin1(key)] = [run, values, aggregate](SweepMetric& metric) {
+            fill(metric, values(run), aggregate);
         };
     };
-    of("following_error_relative", relativeErrors, Judged::Highest);
-    of("phase_lag", phaseLags, Judged::Largest);
-    of("readings_per_period", readingsPerPeriod, Judged::Lowest);
+    of("following_error_relative", relativeErrors, Aggregate::Highest);
+    of("phase_lag", phaseLags, Aggregate::Largest);
+    of("readings_per_period", readingsPerPeriod, Aggregate::Lowest);
 }
 
-void addFigures(std::map<QString, Fill>& fills, const Run& run)
+void addFigures(std::map<QString, MetricFiller>& fillers, const Run& run)
 {
-    const auto of = [&](const char* key, auto member, Judged judged) {
-        fills[QString::fromLatin1(key)] = [run, member, judged](SweepMetric& metric) {
-            fill(metric, every(run.legs, member), judged);
+    const auto of = [&](const char* key, auto member, Aggregate aggregate) {
+        fillers[QString::fromLatin1(key)] = [run, member, aggregate](SweepMetric& metric) {
+            fill(metric, collect(run.legs, member), aggregate);
         };
     };
-    of("time_to_target", &SweepLeg::timeToTarget, Judged::Mean);
-    of("settling", &SweepLeg::settling, Judged::Highest);
-    of("overshoot", &SweepLeg::overshoot, Judged::Highest);
-    of("steady_error", &SweepLeg::steadyError, Judged::Largest);
-    of("following_error", &SweepLeg::followingError, Judged::Highest);
-    of("mean_speed", &SweepLeg::meanSpeed, Judged::Mean);
-    of("top_speed", &SweepLeg::topSpeed, Judged::Mean);
-    of("current_peak", &SweepLeg::currentPeak, Judged::Highest);
-    of("current_mean", &SweepLeg::currentMean, Judged::Highest);
-    of("load_peak", &SweepLeg::loadPeak, Judged::Highest);
-    of("load_mean", &SweepLeg::loadMean, Judged::Highest);
-    of("voltage_min", &SweepLeg::voltageMin, Judged::Lowest);
-    of("temperature_max", &SweepLeg::temperatureMax, Judged::Highest);
+    of("time_to_target", &SweepLeg::timeToTarget, Aggregate::Mean);
+    of("settling", &SweepLeg::settling, Aggregate::Highest);
+    of("overshoot", &SweepLeg::overshoot, Aggregate::Highest);
+    of("steady_error", &SweepLeg::steadyError, Aggregate::Largest);
+    of("following_error", &SweepLeg::followingError, Aggregate::Highest);
+    of("mean_speed", &SweepLeg::meanSpeed, Aggregate::Mean);
+    of("top_speed", &SweepLeg::topSpeed, Aggregate::Mean);
+    of("current_peak", &SweepLeg::currentPeak, Aggregate::Highest);
+    of("current_mean", &SweepLeg::currentMean, Aggregate::Highest);
+    of("load_peak", &SweepLeg::loadPeak, Aggregate::Highest);
+    of("load_mean", &SweepLeg::loadMean, Aggregate::Highest);
+    of("voltage_min", &SweepLeg::voltageMin, Aggregate::Lowest);
+    of("temperature_max", &SweepLeg::temperatureMax, Aggregate::Highest);
 }
 
-void addTargets(std::map<QString, Fill>& fills, const Run& run)
+void addTargets(std::map<QString, MetricFiller>& fillers, const Run& run)
 {
     const auto of = [&](const char* key, auto values) {
-        fills[QString::fromLatin1(key)] = [values](SweepMetric& metric) {
-            fill(metric, values(), Judged::Highest);
+        fillers[QString::fromLatin1(key)] = [values](SweepMetric& metric) {
+            fill(metric, values(), Aggregate::Highest);
         };
     };
     of("hysteresis", [run] { return hysteresis(run.legs); });
     of("repeatability_sigma", [run] { return repeatability(run.legs, sigma); });
     of("repeatability_range", [run] { return repeatability(run.legs, range); });
-    of("temperature_rise", [run] { return rises(run.legs, run.startCelsius); });
+    of("temperature_rise", [run] { return temperatureRises(run.legs, run.startCelsius); });
 }
 
-void addNumbers(std::map<QString, Fill>& fills, const Run& run)
+void addNumbers(std::map<QString, MetricFiller>& fillers, const Run& run)
 {
     const auto of = [&](const char* key, auto known, auto counted) {
-        fills[QString::fromLatin1(key)] = [run, known, counted](SweepMetric& metric) {
+        fillers[QString::fromLatin1(key)] = [run, known, counted](SweepMetric& metric) {
             countLegs(metric, run.legs, known, counted);
         };
     };
@@ -275,36 +275,36 @@ void addNumbers(std::map<QString, Fill>& fills, const Run& run)
     of(
         "alarms", [](const SweepLeg& leg) { return leg.samples > 0; },
         [](const SweepLeg& leg) { return leg.alarms != 0; });
-    fills[QStringLiteral("communication_errors")] = [run](SweepMetric& metric) {
+    fillers[QStringLiteral("communication_errors")] = [run](SweepMetric& metric) {
         const record::SweepErrors& errors = run.errors;
         metric.count = errors.asked;
         if (errors.asked > 0)
             metric.value =
-                double(errors.timeOuts + errors.badChecks + errors.foreign + errors.late);
+                double(errors.timeouts + errors.badChecksums + errors.foreign + errors.late);
     };
 }
 } // namespace
 
 std::vector<SweepMetric> sweepMetrics(const Legs& legs, const record::SweepErrors& errors,
-                                      std::optional<double> startCelsius, const FollowedPath& path)
+                                      std::optional<double> startCelsius, const ReferencePath& path)
 {
-    std::map<QString, Fill> fills;
+    std::map<QString, MetricFiller> fillers;
     const Run run{legs, errors, startCelsius, path};
-    addFigures(fills, run);
-    addFollowing(fills, run);
-    addTargets(fills, run);
-    addNumbers(fills, run);
+    addFigures(fillers, run);
+    addFollowing(fillers, run);
+    addTargets(fillers, run);
+    addNumbers(fillers, run);
     std::vector<SweepMetric> metrics;
     for (const record::SweepMetricKind& kind : record::sweepMetricKinds()) {
         SweepMetric metric{kind.key, kind.unit};
-        if (const auto found = fills.find(kind.key); found != fills.end())
+        if (const auto found = fillers.find(kind.key); found != fillers.end())
             found->second(metric);
         metrics.push_back(metric);
     }
     return metrics;
 }
 
-FollowedPath followedPath(const record::SweepSpec& spec, const record::SweepAxis& axis)
+ReferencePath referencePath(const record::SweepSpec& spec, const record::SweepAxis& axis)
 {
     return {record::followingScale(spec.shape, axis), spec.shape == record::SweepShape::Sine,
             axis.tolerance};

@@ -25,7 +25,7 @@
 
 namespace jobs {
 /// What following is held against; nothing: it is not.
-struct FollowedPath {
+struct ReferencePath {
     std::optional<double> scale{}; ///< record::followingScale()
     bool isSine = false;
     double tolerance = 0; ///< of a reached target, steps
@@ -36,7 +36,7 @@ struct FollowedPath {
 std::vector<record::SweepMetric> sweepMetrics(const std::vector<record::SweepLeg>& legs,
                                               const record::SweepErrors& errors,
                                               std::optional<double> startCelsius,
-                                              const FollowedPath& path = {});
+                                              const ReferencePath& path = {});
 
-FollowedPath followedPath(const record::SweepSpec& spec, const record::SweepAxis& axis);
+ReferencePath referencePath(const record::SweepSpec& spec, const record::SweepAxis& axis);
 } // namespace jobs

@@ -11,8 +11,8 @@ using record::SweepShape;
 
 namespace {
 constexpr double usPerSecond = 1e6;
-constexpr std::int64_t apartShare = 20; ///< of the range, between random targets: 5 %
-constexpr int mostStairs = 1000000;
+constexpr std::int64_t separationDivisor = 20; ///< of the range, between random targets: 5 %
+constexpr int maxStairs = 1000000;
 
 /// The splitmix64 of a place in a sequence. Not std::uniform_*: those differ between libraries.
 std::uint64_t hash(std::uint64_t seed, std::uint64_t place)
@@ -24,31 +24,31 @@ std::uint64_t hash(std::uint64_t seed, std::uint64_t place)
 }
 
 /// 0 … count − 1. The remainder favours none by more than count / 2^64.
-std::int64_t pick(std::uint64_t seed, std::int64_t place, std::int64_t count)
+std::int64_t randomIndex(std::uint64_t seed, std::int64_t place, std::int64_t count)
 {
     return std::int64_t(hash(seed, std::uint64_t(place)) % std::uint64_t(count));
 }
 
 /// The `index`-th of 0 … last that is at least `apart` from both `one` and `other`; with a negative
 /// index how many there are.
-std::int64_t between(std::int64_t last, std::int64_t one, std::int64_t other, std::int64_t apart,
-                     std::int64_t index)
+std::int64_t indexAwayFrom(std::int64_t last, std::int64_t one, std::int64_t other,
+                           std::int64_t separation, std::int64_t index)
 {
     const auto [low, high] = std::minmax(one, other);
-    const std::int64_t below = std::max<std::int64_t>(0, low - apart + 1);
-    const std::int64_t inner = std::max<std::int64_t>(0, high - low - 2 * apart + 1);
-    const std::int64_t above = std::max<std::int64_t>(0, last - high - apart + 1);
+    const std::int64_t below = std::max<std::int64_t>(0, low - separation + 1);
+    const std::int64_t inner = std::max<std::int64_t>(0, high - low - 2 * separation + 1);
+    const std::int64_t above = std::max<std::int64_t>(0, last - high - separation + 1);
     if (index < 0)
         return below + inner + above;
     if (index < below)
         return index;
     if (index < below + inner)
-        return low + apart + (index - below);
-    return high + apart + (index - below - inner);
+        return low + separation + (index - below);
+    return high + separation + (index - below - inner);
 }
 
 /// Speed, and acceleration or 0: at once. False: not known.
-bool rates(const record::SweepAxis& axis, double& speed, double& acceleration)
+bool motionLimits(const record::SweepAxis& axis, double& speed, double& acceleration)
 {
     speed = axis.speed.value_or(0);
     acceleration = std::max(0.0, axis.acceleration.value_or(0));
@@ -63,7 +63,7 @@ SweepPath::SweepPath(const record::SweepSpec& spec, const record::SweepAxis& axi
     const double range = std::abs(axis.to - axis.from);
     // What is left of less than a thousandth of a stair is rounding, not another stair.
     if (axis.step > 0)
-        m_stairs = int(std::clamp(std::ceil(range / axis.step - 0.001), 1.0, double(mostStairs)));
+        m_stairs = int(std::clamp(std::ceil(range / axis.step - 0.001), 1.0, double(maxStairs)));
 }
 
 double SweepPath::first() const
@@ -89,18 +89,18 @@ int SweepPath::legsPerCycle() const
     return 2;
 }
 
-SweepStop SweepPath::leg(int number) const
+SweepTarget SweepPath::leg(int number) const
 {
     const int index = std::max(0, number - 1);
     const int place = index % legsPerCycle();
-    SweepStop stop{m_axis.from, index / legsPerCycle() + 1, {}};
+    SweepTarget stop{m_axis.from, index / legsPerCycle() + 1, {}};
     switch (m_spec.shape) {
     case SweepShape::Sweep:
     case SweepShape::Sine:
         stop.target = place == 0 ? m_axis.to : m_axis.from;
         break;
     case SweepShape::Stairs:
-        stop.target = stair(place < m_stairs ? place + 1 : 2 * m_stairs - place - 1);
+        stop.target = stairTarget(place < m_stairs ? place + 1 : 2 * m_stairs - place - 1);
         break;
     case SweepShape::BothSides:
         if (place % 2 == 0)
@@ -109,7 +109,7 @@ SweepStop SweepPath::leg(int number) const
             stop.target = place == 1 ? m_axis.to : m_axis.from;
         break;
     case SweepShape::Random:
-        stop.target = dice(std::int64_t(index) + 1);
+        stop.target = randomTarget(std::int64_t(index) + 1);
         break;
     case SweepShape::Points:
         if (!m_axis.points.empty()) {
@@ -122,7 +122,7 @@ SweepStop SweepPath::leg(int number) const
     return stop;
 }
 
-double SweepPath::stair(int place) const
+double SweepPath::stairTarget(int place) const
 {
     if (place >= m_stairs)
         return m_axis.to;
@@ -130,16 +130,16 @@ double SweepPath::stair(int place) const
 }
 
 /// Places with even numbers are free, but for 0, which is `from`; those with odd ones keep away
-/// from both their neighbours. So none has to know the whole sequence before it.
-double SweepPath::dice(std::int64_t number) const
+/// from both their neighbors. So none has to know the whole sequence before it.
+double SweepPath::randomTarget(std::int64_t number) const
 {
     const double range = std::abs(m_axis.to - m_axis.from);
     const auto last = std::int64_t(std::floor(range + 1e-6));
-    if (last < 2) // no room to keep away from two neighbours
+    if (last < 2) // no room to keep away from two neighbors
         return number % 2 == 0 ? m_axis.from : m_axis.to;
-    const std::int64_t apart = (last + apartShare - 1) / apartShare;
+    const std::int64_t separation = (last + separationDivisor - 1) / separationDivisor;
     const auto even = [&](std::int64_t place) {
-        return place == 0 ? std::int64_t(0) : pick(m_spec.seed, place, last + 1);
+        return place == 0 ? std::int64_t(0) : randomIndex(m_spec.seed, place, last + 1);
     };
     std::int64_t steps = 0;
     if (number % 2 == 0) {
@@ -147,13 +147,14 @@ double SweepPath::dice(std::int64_t number) const
     } else {
         const std::int64_t before = even(number - 1);
         const std::int64_t after = even(number + 1);
-        const std::int64_t room = between(last, before, after, apart, -1);
-        steps = between(last, before, after, apart, pick(m_spec.seed, number, room));
+        const std::int64_t room = indexAwayFrom(last, before, after, separation, -1);
+        steps =
+            indexAwayFrom(last, before, after, separation, randomIndex(m_spec.seed, number, room));
     }
     return m_axis.from + std::copysign(double(steps), m_axis.to - m_axis.from);
 }
 
-double SweepPath::wave(Duration since) const
+double SweepPath::sineTarget(Duration since) const
 {
     if (m_spec.period <= Duration::zero())
         return m_axis.from;
@@ -167,13 +168,14 @@ std::optional<Duration> travelTime(double way, const record::SweepAxis& axis)
 {
     double speed = 0;
     double acceleration = 0;
-    if (!rates(axis, speed, acceleration))
+    if (!motionLimits(axis, speed, acceleration))
         return std::nullopt;
     way = std::abs(way);
     double seconds = way / speed;
     if (acceleration > 0) {
-        const double ramps = speed * speed / acceleration; // the way of both together
-        seconds = way < ramps ? 2 * std::sqrt(way / acceleration) : seconds + speed / acceleration;
+        const double rampDistance = speed * speed / acceleration; // the way of both together
+        seconds =
+            way < rampDistance ? 2 * std::sqrt(way / acceleration) : seconds + speed / acceleration;
     }
     return Duration(std::llround(std::min(seconds, 1e12) * usPerSecond));
 }
@@ -183,7 +185,7 @@ std::optional<double> plannedPosition(double start, double target, Duration sinc
 {
     double speed = 0;
     double acceleration = 0;
-    if (!rates(axis, speed, acceleration))
+    if (!motionLimits(axis, speed, acceleration))
         return std::nullopt;
     const double way = std::abs(target - start);
     const double seconds = std::max(0.0, double(since.count()) / usPerSecond);
@@ -191,13 +193,13 @@ std::optional<double> plannedPosition(double start, double target, Duration sinc
     if (acceleration > 0) {
         const double top = std::min(speed, std::sqrt(way * acceleration));
         const double ramp = top / acceleration; // seconds
-        const double whole = ramp + (top > 0 ? way / top : 0);
+        const double totalTime = ramp + (top > 0 ? way / top : 0);
         if (seconds <= ramp)
             done = acceleration * seconds * seconds / 2;
-        else if (seconds <= whole - ramp)
+        else if (seconds <= totalTime - ramp)
             done = top * (seconds - ramp / 2);
-        else if (seconds < whole)
-            done = way - acceleration * (whole - seconds) * (whole - seconds) / 2;
+        else if (seconds < totalTime)
+            done = way - acceleration * (totalTime - seconds) * (totalTime - seconds) / 2;
         else
             done = way;
     }

@@ -13,7 +13,7 @@
 #include "record/sweep_spec.h"
 
 namespace jobs {
-struct SweepStop {
+struct SweepTarget {
     double target = 0;
     int cycle = 1;                         ///< the leg to this target belongs to it
     std::optional<base::Duration> pause{}; ///< of a list of points
@@ -26,15 +26,15 @@ public:
     /// Where the run begins; the way there is no leg.
     double first() const;
     /// The target of leg `number` (from 1). The same for the same number, whenever asked.
-    SweepStop leg(int number) const;
+    SweepTarget leg(int number) const;
     int legsPerCycle() const;
 
     /// Sine: the goal so long after the start: from `from`, half a period later at `to`.
-    double wave(base::Duration since) const;
+    double sineTarget(base::Duration since) const;
 
 private:
-    double stair(int place) const;
-    double dice(std::int64_t number) const;
+    double stairTarget(int place) const;
+    double randomTarget(std::int64_t number) const;
 
     record::SweepSpec m_spec;
     record::SweepAxis m_axis;

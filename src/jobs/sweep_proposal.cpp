@@ -14,12 +14,11 @@ using base::Duration;
 using record::SweepShape;
 
 namespace {
-constexpr double margin = 0.02; ///< of the range, at either end
-constexpr double arrivingShare =
-    1.2; ///< load and supply make a servo slower than its registers say
+constexpr double margin = 0.02;      ///< of the range, at either end
+constexpr double travelMargin = 1.2; ///< load and supply make a servo slower than its registers say
 constexpr Duration settleTime = std::chrono::milliseconds(300);
 constexpr Duration roundTo = std::chrono::milliseconds(100);
-constexpr int mostLegs = 2000; ///< of a cycle that are looked at
+constexpr int maxLegs = 2000; ///< of a cycle that are looked at
 
 Duration roundedUp(double us)
 {
@@ -27,26 +26,26 @@ Duration roundedUp(double us)
 }
 
 /// Of a cycle, and the first one of the next.
-std::vector<double> waysOf(const record::SweepSpec& spec, const record::SweepAxis& axis)
+std::vector<double> legDistances(const record::SweepSpec& spec, const record::SweepAxis& axis)
 {
     const SweepPath path(spec, axis);
     double before = path.first();
-    std::vector<double> ways;
-    const int legs = std::min(mostLegs, path.legsPerCycle() + 1);
+    std::vector<double> distances;
+    const int legs = std::min(maxLegs, path.legsPerCycle() + 1);
     for (int number = 1; number <= legs; ++number) {
         const double target = path.leg(number).target;
-        ways.push_back(std::abs(target - before));
+        distances.push_back(std::abs(target - before));
         before = target;
     }
-    return ways;
+    return distances;
 }
 
-double longestWay(const record::SweepSpec& spec, const record::SweepAxis& axis)
+double longestLeg(const record::SweepSpec& spec, const record::SweepAxis& axis)
 {
     if (spec.shape == SweepShape::Random)
         return std::abs(axis.to - axis.from);
-    const auto ways = waysOf(spec, axis);
-    return *std::max_element(ways.begin(), ways.end());
+    const auto distances = legDistances(spec, axis);
+    return *std::max_element(distances.begin(), distances.end());
 }
 
 /// 0: most moves are as long as that.
@@ -54,22 +53,22 @@ double minMove(const record::SweepSpec& spec, const record::SweepAxis& axis)
 {
     if (spec.shape == SweepShape::Sine)
         return 0;
-    const double least = record::minPlannedTolerances * axis.tolerance;
-    const auto ways = waysOf(spec, axis);
-    const auto enough =
-        std::count_if(ways.begin(), ways.end(), [=](double way) { return way >= least; });
-    return 2 * std::size_t(enough) > ways.size() ? 0 : least;
+    const double minDistance = record::minPlannedTolerances * axis.tolerance;
+    const auto distances = legDistances(spec, axis);
+    const auto enough = std::count_if(distances.begin(), distances.end(),
+                                      [=](double way) { return way >= minDistance; });
+    return 2 * std::size_t(enough) > distances.size() ? 0 : minDistance;
 }
 
 /// A sine is fastest in its middle.
-void lookAtSine(const record::SweepSpec& spec, SweepOutlook& outlook)
+void estimateSine(const record::SweepSpec& spec, SweepEstimate& estimate)
 {
-    const record::SweepAxis& axis = outlook.axis;
+    const record::SweepAxis& axis = estimate.axis;
     if (!axis.speed)
         return;
     const double way = std::numbers::pi * std::abs(axis.to - axis.from);
-    outlook.tooShort = record::sineTooFast(spec, axis);
-    outlook.enough = roundedUp(way / *axis.speed * 1e6 * arrivingShare);
+    estimate.tooShort = record::isSineTooFast(spec, axis);
+    estimate.proposedDelay = roundedUp(way / *axis.speed * 1e6 * travelMargin);
 }
 
 bool delayTooShort(const record::SweepSpec& spec, Duration travel)
@@ -83,25 +82,25 @@ bool delayTooShort(const record::SweepSpec& spec, Duration travel)
 }
 } // namespace
 
-base::Result<SweepOutlook> lookAtSweep(const device::Context& context, device::Servo& servo,
-                                       const record::SweepSpec& spec,
-                                       const record::SweepLimits& limits)
+base::Result<SweepEstimate> estimateSweep(const device::Context& context, device::Servo& servo,
+                                          const record::SweepSpec& spec,
+                                          const record::SweepLimits& limits)
 {
     const auto axis = sweepAxis(context, servo, spec, limits);
     if (!axis)
         return tl::unexpected(axis.error());
-    SweepOutlook outlook{*axis};
-    outlook.minMove = minMove(spec, *axis);
-    outlook.travel = travelTime(longestWay(spec, *axis), *axis);
+    SweepEstimate estimate{*axis};
+    estimate.minMove = minMove(spec, *axis);
+    estimate.travel = travelTime(longestLeg(spec, *axis), *axis);
     if (spec.shape == SweepShape::Sine) {
-        lookAtSine(spec, outlook);
-    } else if (outlook.travel) {
-        outlook.tooShort =
-            spec.pace == record::SweepPace::Delay && delayTooShort(spec, *outlook.travel);
-        outlook.enough =
-            roundedUp(double(outlook.travel->count()) * arrivingShare + double(settleTime.count()));
+        estimateSine(spec, estimate);
+    } else if (estimate.travel) {
+        estimate.tooShort =
+            spec.pace == record::SweepPace::Delay && delayTooShort(spec, *estimate.travel);
+        estimate.proposedDelay =
+            roundedUp(double(estimate.travel->count()) * travelMargin + double(settleTime.count()));
     }
-    return outlook;
+    return estimate;
 }
 
 std::optional<record::SweepRange> proposedRange(const device::Servo& servo)
@@ -116,7 +115,7 @@ std::optional<record::SweepRange> proposedRange(const device::Servo& servo)
         const double quarter = stepsPerTurn(servo) / 4;
         return record::SweepRange{text(double(*now) - quarter), text(double(*now) + quarter)};
     }
-    const auto span = device::goalSpan(servo);
+    const auto span = device::goalSliderRange(servo);
     if (kind != device::GoalKind::Position || !span || span->max <= span->min)
         return std::nullopt;
     const double room = double(span->max - span->min) * margin;

@@ -7,7 +7,7 @@
 #include "jobs/sweep_axis.h"
 
 namespace jobs {
-struct SweepOutlook {
+struct SweepEstimate {
     record::SweepAxis axis;
     /// Of the longest leg of a cycle; nullopt: nothing tells how fast it goes.
     std::optional<base::Duration> travel{};
@@ -17,11 +17,11 @@ struct SweepOutlook {
     /// are long enough.
     double minMove = 0;
     /// Delay, or period of a sine, with room for arriving and settling; 0: not known.
-    base::Duration enough{};
+    base::Duration proposedDelay{};
 };
-base::Result<SweepOutlook> lookAtSweep(const device::Context& context, device::Servo& servo,
-                                       const record::SweepSpec& spec,
-                                       const record::SweepLimits& limits);
+base::Result<SweepEstimate> estimateSweep(const device::Context& context, device::Servo& servo,
+                                          const record::SweepSpec& spec,
+                                          const record::SweepLimits& limits);
 
 /// Inside the servo's own limits, a little away from them; of a servo that turns on and on, half a
 /// turn about where it is. Raw values. From what has been read of it: nullopt where its mode or its

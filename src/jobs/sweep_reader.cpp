@@ -14,18 +14,18 @@ using base::Duration;
 using catalog::Role;
 
 namespace {
-constexpr std::array measured{Role::PresentPosition, Role::PresentSpeed,   Role::PresentLoad,
-                              Role::PresentCurrent,  Role::PresentVoltage, Role::PresentTemperature,
-                              Role::Moving,          Role::Status};
+constexpr std::array measuredRoles{
+    Role::PresentPosition, Role::PresentSpeed,       Role::PresentLoad, Role::PresentCurrent,
+    Role::PresentVoltage,  Role::PresentTemperature, Role::Moving,      Role::Status};
 
 /// So old may the reading before be for a swing over the seam, and so far may it go, in turns.
-constexpr Duration seamTrust = std::chrono::milliseconds(200);
-constexpr double seamReach = 0.125;
+constexpr Duration maxSeamGap = std::chrono::milliseconds(200);
+constexpr double seamTolerance = 0.125;
 } // namespace
 
 SweepReader::SweepReader(const std::vector<device::Servo>& servos)
 {
-    PollFamilies families;
+    SyncReadGroups families;
     for (const device::Servo& servo : servos) {
         Source source;
         source.servo = servo;
@@ -33,9 +33,9 @@ SweepReader::SweepReader(const std::vector<device::Servo>& servos)
         source.group = families.of(*servo.profile);
         const device::TurnBasis basis = device::turnBasis(servo);
         const catalog::Mode* mode = servo.mode();
-        source.wraps = basis.steps > 0 && !basis.countsItself && mode != nullptr;
+        source.wraps = basis.steps > 0 && !basis.countsTurns && mode != nullptr;
         source.limited = source.wraps && !mode->limitsZero;
-        for (const Role role : measured) {
+        for (const Role role : measuredRoles) {
             const catalog::Register* reg = servo.profile->byRole(role);
             const bool inReply = role == Role::Status && servo.repliesCarryStatus();
             if (reg != nullptr && servo.measures(*reg) && !inReply)
@@ -65,17 +65,17 @@ std::optional<SweepReader::Reading> SweepReader::add(const bus::Sample& sample)
     if (found == m_sources.end())
         return std::nullopt;
     Source& source = *found;
-    const std::size_t block = blockOf(sample, source.spans);
-    if (source.cut.startsAnew(block)) {
-        source.cut.close();
+    const std::size_t block = blockIndex(sample, source.spans);
+    if (source.pollRound.startsNewRound(block)) {
+        source.pollRound.reset();
         source.pending = {};
     }
     source.pending.at = sample.at;
     if (sample.answered)
         take(source, sample);
-    if (!source.cut.take(block, sample))
+    if (!source.pollRound.take(block, sample))
         return std::nullopt;
-    source.cut.close();
+    source.pollRound.reset();
     return Reading{std::size_t(found - m_sources.begin()), std::exchange(source.pending, {})};
 }
 
@@ -87,7 +87,7 @@ void SweepReader::take(Source& source, const bus::Sample& sample)
         source.pending.status = sample.status;
     } else {
         servo.image.store(sample.address, sample.data, sample.at);
-        device::takeStatus(servo, sample.address, int(sample.data.size()));
+        device::updateStatus(servo, sample.address, int(sample.data.size()));
         source.pending.status = servo.status;
     }
     for (const catalog::Register* reg : source.registers) {
@@ -96,18 +96,18 @@ void SweepReader::take(Source& source, const bus::Sample& sample)
             continue;
         const auto wire =
             base::ByteView(sample.data).subspan(std::size_t(offset), std::size_t(reg->size));
-        put(source.pending, source, *reg,
-            catalog::decodeRaw(wire, *reg, servo.meaning(*reg), servo.profile->byteOrder));
+        storeValue(source.pending, source, *reg,
+                   catalog::decodeRaw(wire, *reg, servo.meaning(*reg), servo.profile->byteOrder));
     }
 }
 
 /// A reading is never half a turn away from the one before.
-double SweepReader::unwrapped(Source& source, double position)
+double SweepReader::unwrap(Source& source, double position)
 {
     if (!source.wraps)
         return position;
     if (source.limited)
-        return overSeam(source, position);
+        return unwrapNearSeam(source, position);
     if (source.last)
         source.turns += std::round((*source.last - position - source.turns) / source.stepsPerTurn) *
                         source.stepsPerTurn;
@@ -117,14 +117,14 @@ double SweepReader::unwrapped(Source& source, double position)
 
 /// Beyond 0 or the last step an encoder goes on from the other end: a swing over the target there
 /// must not look like a jump of a turn. It is a swing only if the reading before was near enough.
-double SweepReader::overSeam(Source& source, double position)
+double SweepReader::unwrapNearSeam(Source& source, double position)
 {
     const double turn = source.stepsPerTurn;
     const Duration at = source.pending.at;
     double found = position;
-    if (source.last && at - source.lastAt < seamTrust) {
+    if (source.last && at - source.lastAt < maxSeamGap) {
         const double near = position + std::round((*source.last - position) / turn) * turn;
-        const bool swing = near > -turn * seamReach && near < turn * (1 + seamReach);
+        const bool swing = near > -turn * seamTolerance && near < turn * (1 + seamTolerance);
         found = swing ? near : position;
     }
     source.last = found;
@@ -143,17 +143,17 @@ void SweepReader::anchor(std::size_t servo, double position)
     *source.last += turns;
 }
 
-void SweepReader::put(SweepSample& into, Source& source, const catalog::Register& reg,
-                      std::int64_t raw)
+void SweepReader::storeValue(SweepSample& into, Source& source, const catalog::Register& reg,
+                             std::int64_t raw)
 {
-    const catalog::Meaning meaning = source.servo.meaning(reg);
+    const catalog::ValueFormat meaning = source.servo.meaning(reg);
     const double physical = catalog::toPhysical(raw, meaning);
     switch (reg.role) {
     case Role::PresentPosition: // in steps, whatever unit is shown
-        into.position = unwrapped(source, double(raw));
+        into.position = unwrap(source, double(raw));
         break;
     case Role::PresentSpeed:
-        into.speed = stepsOf(physical, meaning.unit, source.stepsPerTurn);
+        into.speed = toSteps(physical, meaning.unit, source.stepsPerTurn);
         break;
     case Role::PresentLoad:
         into.load = physical;

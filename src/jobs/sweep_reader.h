@@ -34,7 +34,7 @@ private:
         std::vector<const catalog::Register*> registers;
         std::vector<bus::PollSpan> spans;
         int group = 0;
-        RoundCut cut;
+        PollRoundTracker pollRound;
         bool wraps = false;   ///< the feedback shows one turn only
         bool limited = false; ///< and it stays inside it, but for a swing
         base::Duration lastAt{};
@@ -43,10 +43,10 @@ private:
         SweepSample pending;
     };
     static void take(Source& source, const bus::Sample& sample);
-    static void put(SweepSample& into, Source& source, const catalog::Register& reg,
-                    std::int64_t raw);
-    static double unwrapped(Source& source, double position);
-    static double overSeam(Source& source, double position);
+    static void storeValue(SweepSample& into, Source& source, const catalog::Register& reg,
+                           std::int64_t raw);
+    static double unwrap(Source& source, double position);
+    static double unwrapNearSeam(Source& source, double position);
 
     std::vector<Source> m_sources;
 };

@@ -12,8 +12,8 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr std::size_t chartBudget = std::size_t(48) << 20;
-constexpr Duration thinAfter = 10min;
-constexpr Duration thinTo = 20ms;
+constexpr Duration decimateAfter = 10min;
+constexpr Duration decimatedInterval = 20ms;
 constexpr std::size_t batch = 256; ///< rows
 constexpr std::size_t positionColumn = 2;
 
@@ -32,9 +32,9 @@ double orNan(std::optional<double> value)
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-record::RecordingHead headOf(const record::SweepRun& run)
+record::RecordingHeader makeHeader(const record::SweepRun& run)
 {
-    record::RecordingHead head;
+    record::RecordingHeader head;
     head.started = run.at;
     head.program = run.program;
     head.port = run.port;
@@ -50,7 +50,7 @@ record::RecordingHead headOf(const record::SweepRun& run)
     return head;
 }
 
-record::RecordingRow rowOf(std::size_t servo, const SweepSample& sample, double goal, int leg)
+record::RecordingRow makeRow(std::size_t servo, const SweepSample& sample, double goal, int leg)
 {
     record::RecordingRow row{sample.at, int(servo), {}};
     if (!sample.answered) {
@@ -87,8 +87,8 @@ base::Result<std::unique_ptr<SweepRecording>> SweepRecording::start(const record
     if (!path.isEmpty()) {
         record::RecorderSpec spec;
         spec.path = path;
-        spec.format = record::formatOf(path);
-        spec.head = headOf(run);
+        spec.format = record::recordingFormatOf(path);
+        spec.head = makeHeader(run);
         auto recorder = record::Recorder::start(spec);
         if (!recorder)
             return tl::unexpected(recorder.error());
@@ -110,7 +110,7 @@ void SweepRecording::add(std::size_t servo, const SweepSample& sample, double go
         m_store.gap(curves.goal);
     }
     if (m_recorder)
-        write(servo, rowOf(servo, sample, goal, leg));
+        write(servo, makeRow(servo, sample, goal, leg));
 }
 
 void SweepRecording::goal(std::size_t servo, int leg, Duration at)
@@ -124,53 +124,53 @@ void SweepRecording::goal(std::size_t servo, int leg, Duration at)
 /// begins a leg, a silence or a fault.
 void SweepRecording::write(std::size_t servo, record::RecordingRow row)
 {
-    Sieve& sieve = m_curves[servo].sieve;
+    Decimator& decimator = m_curves[servo].decimator;
     const double position = row.values[positionColumn];
-    const bool thin = row.at - *m_start > thinAfter && !std::isnan(position);
-    if (!thin) {
-        flushSieve(sieve);
-        hand(std::move(row));
+    const bool mustDecimate = row.at - *m_start > decimateAfter && !std::isnan(position);
+    if (!mustDecimate) {
+        flushDecimator(decimator);
+        enqueue(std::move(row));
         return;
     }
     const auto same = [&row](const std::optional<record::RecordingRow>& kept) {
         return !kept || (kept->values[0] == row.values[0] && kept->values[1] == row.values[1] &&
                          kept->values.back() == row.values.back());
     };
-    if (row.at >= sieve.until || !same(sieve.low)) {
-        flushSieve(sieve);
+    if (row.at >= decimator.until || !same(decimator.low)) {
+        flushDecimator(decimator);
         // Lowest and highest: two readings a stretch.
-        sieve.until = row.at + 2 * thinTo;
+        decimator.until = row.at + 2 * decimatedInterval;
     }
-    if (!sieve.low || position < sieve.low->values[positionColumn])
-        sieve.low = row;
-    if (!sieve.high || position > sieve.high->values[positionColumn])
-        sieve.high = std::move(row);
+    if (!decimator.low || position < decimator.low->values[positionColumn])
+        decimator.low = row;
+    if (!decimator.high || position > decimator.high->values[positionColumn])
+        decimator.high = std::move(row);
 }
 
-void SweepRecording::flushSieve(Sieve& sieve)
+void SweepRecording::flushDecimator(Decimator& decimator)
 {
-    if (sieve.low && sieve.high) {
-        const bool lowFirst = sieve.low->at <= sieve.high->at;
-        const bool one = sieve.low->at == sieve.high->at;
-        hand(lowFirst ? *sieve.low : *sieve.high);
+    if (decimator.low && decimator.high) {
+        const bool lowFirst = decimator.low->at <= decimator.high->at;
+        const bool one = decimator.low->at == decimator.high->at;
+        enqueue(lowFirst ? *decimator.low : *decimator.high);
         if (!one)
-            hand(lowFirst ? *sieve.high : *sieve.low);
+            enqueue(lowFirst ? *decimator.high : *decimator.low);
     }
-    sieve.low.reset();
-    sieve.high.reset();
+    decimator.low.reset();
+    decimator.high.reset();
 }
 
-void SweepRecording::hand(record::RecordingRow row)
+void SweepRecording::enqueue(record::RecordingRow row)
 {
     m_rows.push_back(std::move(row));
     if (m_rows.size() >= batch)
-        hand(false);
+        enqueue(false);
 }
 
 /// The recorder's thread may be behind: what it has no room for yet stays here.
-void SweepRecording::hand(bool all)
+void SweepRecording::enqueue(bool all)
 {
-    while (!m_recorder->offer(m_rows, m_marks) && all)
+    while (!m_recorder->tryWrite(m_rows, m_marks) && all)
         std::this_thread::sleep_for(1ms);
 }
 
@@ -179,8 +179,8 @@ void SweepRecording::finish()
     if (!m_recorder)
         return;
     for (Curves& curves : m_curves)
-        flushSieve(curves.sieve);
-    hand(true);
+        flushDecimator(curves.decimator);
+    enqueue(true);
     m_recorder->stop();
     while (!m_recorder->status().ended)
         std::this_thread::sleep_for(1ms);

@@ -13,13 +13,13 @@
 namespace jobs {
 class SweepRecording {
 public:
-    /// `path` empty: charts only. `run` as SweepWatch::onBegin gives it.
+    /// `path` empty: charts only. `run` as SweepCallbacks::onBegin gives it.
     static base::Result<std::unique_ptr<SweepRecording>> start(const record::SweepRun& run,
                                                                const QString& path);
 
     void add(std::size_t servo, const SweepSample& sample, double goal, int leg);
-    /// As SweepWatch::onGoal: a mark "leg 3" of the servo, without which no time of a leg could be
-    /// worked out again from the readings.
+    /// As SweepCallbacks::onGoal: a mark "leg 3" of the servo, without which no time of a leg could
+    /// be worked out again from the readings.
     void goal(std::size_t servo, int leg, base::Duration at);
     /// Everything is on the disk afterwards.
     void finish();
@@ -33,7 +33,7 @@ public:
 
 private:
     /// Lets through what a thinned file keeps.
-    struct Sieve {
+    struct Decimator {
         base::Duration until{};
         std::optional<record::RecordingRow> low{};
         std::optional<record::RecordingRow> high{};
@@ -41,13 +41,13 @@ private:
     struct Curves {
         record::ChannelId position = -1;
         record::ChannelId goal = -1;
-        Sieve sieve{};
+        Decimator decimator{};
     };
     SweepRecording();
     void write(std::size_t servo, record::RecordingRow row);
-    void flushSieve(Sieve& sieve);
-    void hand(record::RecordingRow row);
-    void hand(bool all);
+    void flushDecimator(Decimator& decimator);
+    void enqueue(record::RecordingRow row);
+    void enqueue(bool all);
 
     record::SampleStore m_store;
     std::vector<Curves> m_curves;

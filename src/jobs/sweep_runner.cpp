@@ -15,21 +15,21 @@ using record::SweepShape;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr Duration reportEvery = 100ms;
+constexpr Duration reportInterval = 100ms;
 
 /// At rest for so long it has arrived at the start. One that rests a little beside it comes no
 /// nearer: how far that is the test will measure.
 constexpr Duration approachRest = 200ms;
 
 /// Goals of a sine follow each other so fast that the servo's own ramp does not show.
-constexpr Duration waveStep = 20ms;
+constexpr Duration sineInterval = 20ms;
 
 /// A leg that is not over after thrice its time has missed its target.
-constexpr Duration slowestStart = 2s;
-constexpr Duration unknownTravel = 20s;
+constexpr Duration maxStartDelay = 2s;
+constexpr Duration defaultTravelTime = 20s;
 
 /// What nobody saw from beginning to end is not measured.
-void forgetMotion(record::SweepLeg& leg)
+void clearMotionFigures(record::SweepLeg& leg)
 {
     leg.timeToTarget.reset();
     leg.settling.reset();
@@ -42,7 +42,7 @@ void forgetMotion(record::SweepLeg& leg)
 }
 
 /// Where it came to rest is not known of a leg whose end was not seen.
-void forgetRest(record::SweepLeg& leg)
+void clearRestFigures(record::SweepLeg& leg)
 {
     leg.reached.reset();
     leg.steadyError.reset();
@@ -50,13 +50,13 @@ void forgetRest(record::SweepLeg& leg)
 } // namespace
 
 SweepRunner::SweepRunner(const device::Context& context, std::vector<device::Servo>& servos,
-                         record::SweepRun run, const SweepWatch& watch)
+                         record::SweepRun run, const SweepCallbacks& callbacks)
     : m_context(context)
     , m_servos(servos)
     , m_run(std::move(run))
-    , m_watch(watch)
+    , m_callbacks(callbacks)
     , m_reader(servos)
-    , m_emergencies(context.bus.emergencies())
+    , m_emergencyCount(context.bus.emergencyCount())
 {
     for (const record::SweepServo& servo : m_run.servos)
         m_tracks.push_back({SweepPath(m_run.spec, servo.axis)});
@@ -64,36 +64,36 @@ SweepRunner::SweepRunner(const device::Context& context, std::vector<device::Ser
 
 base::Result<record::SweepRun> SweepRunner::run()
 {
-    const bus::LinkPatience patience(m_context.bus, mostSilence);
+    const bus::ReconnectScope reconnect(m_context.bus, maxSilence);
     m_poll = m_context.bus.startPoll(m_reader.plan());
-    for (Track& track : m_tracks)
-        track.heardAt = now();
-    const auto moved = goThrough();
+    for (ServoTrack& track : m_tracks)
+        track.lastReplyAt = now();
+    const auto moved = runPhases();
     if (!moved)
         endRun(SweepEnd::Refused); // nobody goes on towards a goal that was not to be
-    record::giveVerdicts(m_run);
+    record::assignVerdicts(m_run);
     m_context.bus.stopPoll(m_poll);
-    m_toldAt = {};
-    tellProgress();
-    leaveSafe(m_context, m_servos, m_run, leaving(), m_watch);
+    m_progressAt = {};
+    reportProgress();
+    leaveServosSafe(m_context, m_servos, m_run, endStates(), m_callbacks);
     if (!moved)
         return tl::unexpected(moved.error());
     return std::move(m_run);
 }
 
-base::Result<void> SweepRunner::goThrough()
+base::Result<void> SweepRunner::runPhases()
 {
-    if (const auto there = approach(); !there)
+    if (const auto there = moveToStart(); !there)
         return there;
-    if (m_run.spec.warmUp > Duration::zero() && !ended()) {
+    if (m_run.spec.warmUp > Duration::zero() && !hasEnded()) {
         warmUp();
-        if (const auto back = ended() ? base::Result<void>{} : approach(); !back)
+        if (const auto back = hasEnded() ? base::Result<void>{} : moveToStart(); !back)
             return back;
     }
-    if (!ended()) {
+    if (!hasEnded()) {
         measure();
-        confirmEnd();
-        forgetLegsInDoubt();
+        confirmFinalState();
+        dropUncertainLegs();
         finish();
     }
     return {};
@@ -101,84 +101,84 @@ base::Result<void> SweepRunner::goThrough()
 
 /// Finished is only a test whose servos have all answered after their last leg, still have
 /// torque and are the ones that were tested. A silence is waited out here as in any leg.
-void SweepRunner::confirmEnd()
+void SweepRunner::confirmFinalState()
 {
-    if (ended())
+    if (hasEnded())
         return;
     const Duration over = now();
-    m_askHeld = true;
-    m_legInDoubt = true;
-    const auto answered = [over](const Track& track) { return track.heardAt >= over; };
+    m_checkHolding = true;
+    m_isLegUncertain = true;
+    const auto answered = [over](const ServoTrack& track) { return track.lastReplyAt >= over; };
     for (;;) {
-        read(Duration::max(),
-             [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), answered); });
-        if (ended())
+        readUntil(Duration::max(),
+                  [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), answered); });
+        if (hasEnded())
             return;
-        const auto held = stillHeld();
-        if (held)
+        const auto isHolding = areStillHolding();
+        if (isHolding)
             return;
-        if (!canRetry(held.error()))
+        if (!canRetry(isHolding.error()))
             break;
     }
     endRun(SweepEnd::Refused);
 }
 
 /// When in its latest leg a servo has lost its torque, or was exchanged, is not known.
-void SweepRunner::forgetLegsInDoubt()
+void SweepRunner::dropUncertainLegs()
 {
-    if (!m_legInDoubt)
+    if (!m_isLegUncertain)
         return;
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
         std::vector<record::SweepLeg>& legs = m_run.servos[i].legs;
-        if (!m_tracks[i].held() && !legs.empty())
+        if (!m_tracks[i].isHolding() && !legs.empty())
             legs.pop_back();
     }
 }
 
 /// To the first place of the path, which is no leg.
-base::Result<void> SweepRunner::approach()
+base::Result<void> SweepRunner::moveToStart()
 {
     // How long it may take is known only from where it stands.
-    const auto placed = [](const Track& track) { return track.position.has_value(); };
-    read(now() + mostSilence,
-         [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), placed); });
+    const auto hasPosition = [](const ServoTrack& track) { return track.position.has_value(); };
+    readUntil(now() + maxSilence,
+              [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), hasPosition); });
     std::vector<double> targets;
-    for (const Track& track : m_tracks)
+    for (const ServoTrack& track : m_tracks)
         targets.push_back(track.path.first());
-    if (ended())
+    if (hasEnded())
         return {};
-    if (const auto sent = send(targets); !sent || ended())
+    if (const auto sent = send(targets); !sent || hasEnded())
         return sent;
     const Duration at = now();
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
-        Track& track = m_tracks[i];
+        ServoTrack& track = m_tracks[i];
         track.meter.emplace(m_run.servos[i].axis, 0, 0, at, track.position.value_or(track.goal),
                             track.goal);
     }
-    const auto there = [](const Track& track) {
-        return track.meter->arrived(approachRest) || track.meter->standsNear(approachRest);
+    const auto there = [](const ServoTrack& track) {
+        return track.meter->arrived(approachRest) || track.meter->restsNearTarget(approachRest);
     };
-    const auto allThere = [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), there); };
-    read(at + patience(), allThere);
-    if (silent()) { // perhaps it is there
-        read(Duration::max(), [this] { return !silent(); });
-        read(now() + patience(), allThere);
+    const auto areAllAtStart = [&] { return std::all_of(m_tracks.begin(), m_tracks.end(), there); };
+    readUntil(at + timeout(), areAllAtStart);
+    if (isAnySilent()) { // perhaps it is there
+        readUntil(Duration::max(), [this] { return !isAnySilent(); });
+        readUntil(now() + timeout(), areAllAtStart);
     }
-    for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
+    for (std::size_t i = 0; i < m_tracks.size() && !hasEnded(); ++i) {
         if (!m_tracks[i].meter->arrived(Duration::zero()) && !there(m_tracks[i]))
-            return notAtStart(i);
+            return failAtStart(i);
         m_reader.anchor(i, m_tracks[i].goal);
     }
-    for (Track& track : m_tracks)
+    for (ServoTrack& track : m_tracks)
         track.meter.reset();
     return {};
 }
 
 /// Who has lost its torque on the way is not to blame for that.
-base::Result<void> SweepRunner::notAtStart(std::size_t i)
+base::Result<void> SweepRunner::failAtStart(std::size_t i)
 {
-    m_askHeld = true;
-    if (const auto held = stillHeld(); held && !*held)
+    m_checkHolding = true;
+    if (const auto isHolding = areStillHolding(); isHolding && !*isHolding)
         return {};
     endRun(SweepEnd::Stall, int(i));
     return tl::unexpected(base::Error{ErrorCode::Refused, QStringLiteral("sweep"),
@@ -189,9 +189,9 @@ base::Result<void> SweepRunner::notAtStart(std::size_t i)
 void SweepRunner::warmUp()
 {
     const Duration end = now() + m_run.spec.warmUp;
-    for (int number = 1; !ended() && now() < end; ++number)
+    for (int number = 1; !hasEnded() && now() < end; ++number)
         step(number);
-    for (Track& track : m_tracks)
+    for (ServoTrack& track : m_tracks)
         track.meter.reset();
 }
 
@@ -199,15 +199,15 @@ void SweepRunner::measure()
 {
     m_measuring = true;
     m_start = now();
-    m_nextAt = {};
-    m_before = m_context.bus.statistics();
-    for (Track& track : m_tracks)
+    m_nextGoalAt = {};
+    m_statisticsBefore = m_context.bus.statistics();
+    for (ServoTrack& track : m_tracks)
         track.answered = 0;
-    for (int number = 1; !ended() && !over(number); ++number)
+    for (int number = 1; !hasEnded() && !isOver(number); ++number)
         step(number);
 }
 
-bool SweepRunner::over(int number) const
+bool SweepRunner::isOver(int number) const
 {
     const int planned = legCount();
     const Duration length = m_run.spec.length;
@@ -224,111 +224,111 @@ int SweepRunner::legCount() const
 void SweepRunner::step(int number)
 {
     if (m_run.spec.shape == SweepShape::Sine) {
-        wave(number);
+        runSineLeg(number);
         return;
     }
     std::vector<double> targets;
     Duration pause = m_run.spec.pause;
-    for (const Track& track : m_tracks) {
-        const SweepStop stop = track.path.leg(number);
+    for (const ServoTrack& track : m_tracks) {
+        const SweepTarget stop = track.path.leg(number);
         targets.push_back(stop.target);
         pause = stop.pause.value_or(pause);
     }
     if (!sendOrEnd(targets))
         return;
     const Duration at = now();
-    begin(number, at);
+    beginLeg(number, at);
     if (m_run.spec.pace == record::SweepPace::Delay) {
         // From instant to instant, so that delays do not add up with what sending takes.
-        const bool onTime = m_nextAt > Duration::zero() && at - m_nextAt < pause;
-        m_nextAt = (onTime ? m_nextAt : at) + pause;
-        read(m_nextAt, [] { return false; });
+        const bool onTime = m_nextGoalAt > Duration::zero() && at - m_nextGoalAt < pause;
+        m_nextGoalAt = (onTime ? m_nextGoalAt : at) + pause;
+        readUntil(m_nextGoalAt, [] { return false; });
     } else {
-        read(at + patience() + pause, [&] { return arrived(pause); });
+        readUntil(at + timeout() + pause, [&] { return arrived(pause); });
     }
-    close();
-    judgeCycle(number);
+    endLeg();
+    evaluateCycle(number);
 }
 
 /// Goals along half a period.
-void SweepRunner::wave(int number)
+void SweepRunner::runSineLeg(int number)
 {
     const Duration half = m_run.spec.period / 2;
     if (number == 1) {
-        if (!confirmHeld()) // it has rested at the start
+        if (!confirmHolding()) // it has rested at the start
             return;
-        m_waveStart = now();
+        m_sineStart = now();
     }
-    const Duration end = m_waveStart + number * half;
-    begin(number, now());
-    for (Track& track : m_tracks) {
-        const Duration before = now() - m_waveStart;
-        track.meter->follow(
-            [&track, before](Duration since) { return track.path.wave(before + since); },
+    const Duration end = m_sineStart + number * half;
+    beginLeg(number, now());
+    for (ServoTrack& track : m_tracks) {
+        const Duration before = now() - m_sineStart;
+        track.meter->followPath(
+            [&track, before](Duration since) { return track.path.sineTarget(before + since); },
             m_run.spec.period);
-        track.meter->command(now(), track.goal);
+        track.meter->setGoal(now(), track.goal);
     }
-    while (!ended() && now() < end) {
+    while (!hasEnded() && now() < end) {
         std::vector<double> targets;
-        for (const Track& track : m_tracks)
-            targets.push_back(track.path.wave(now() - m_waveStart));
+        for (const ServoTrack& track : m_tracks)
+            targets.push_back(track.path.sineTarget(now() - m_sineStart));
         if (!sendOrEnd(targets))
             break;
-        for (Track& track : m_tracks)
-            track.meter->command(now(), track.goal);
-        read(std::min(end, now() + waveStep), [] { return false; });
+        for (ServoTrack& track : m_tracks)
+            track.meter->setGoal(now(), track.goal);
+        readUntil(std::min(end, now() + sineInterval), [] { return false; });
     }
-    close();
-    judgeCycle(number);
+    endLeg();
+    evaluateCycle(number);
 }
 
-void SweepRunner::begin(int number, Duration at)
+void SweepRunner::beginLeg(int number, Duration at)
 {
     m_leg = m_measuring ? number : 0;
-    m_legAt = at;
+    m_legStart = at;
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
-        Track& track = m_tracks[i];
+        ServoTrack& track = m_tracks[i];
         track.gapInLeg = false;
-        const SweepStop stop = track.path.leg(number);
+        const SweepTarget stop = track.path.leg(number);
         double target = stop.target;
-        (void)sweepMove(m_servos[i], m_run.spec, target);
+        (void)makeSweepMove(m_servos[i], m_run.spec, target);
         track.meter.emplace(m_run.servos[i].axis, number, stop.cycle, at,
                             track.position.value_or(track.goal), target);
-        if (m_measuring && m_watch.onGoal)
-            m_watch.onGoal(i, number, at);
+        if (m_measuring && m_callbacks.onGoal)
+            m_callbacks.onGoal(i, number, at);
     }
 }
 
 /// The leg is over: its figures are worked out and kept.
-void SweepRunner::close()
+void SweepRunner::endLeg()
 {
     drain();
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
-        Track& track = m_tracks[i];
+        ServoTrack& track = m_tracks[i];
         if (!track.meter || !m_measuring)
             continue;
         record::SweepLeg leg = track.meter->finish(now(), m_start);
         // A target that there was no time for is not missed, nor one that nobody saw it come to:
         // when that was is not known either.
-        const bool endUnseen = now() - track.heardAt >= gapFrom;
+        const bool endUnseen = now() - track.lastReplyAt >= minGap;
         const bool unseen = track.gapInLeg || endUnseen;
-        leg.missed = leg.missed && !ended() && !unseen;
+        leg.missed = leg.missed && !hasEnded() && !unseen;
         if (unseen) {
-            forgetMotion(leg);
-            m_nextAt = {}; // the next leg gets its whole time
+            clearMotionFigures(leg);
+            m_nextGoalAt = {}; // the next leg gets its whole time
         }
         if (endUnseen)
-            forgetRest(leg);
+            clearRestFigures(leg);
         m_run.servos[i].legs.push_back(leg);
-        if (m_watch.onLeg)
-            m_watch.onLeg(i, leg);
+        if (m_callbacks.onLeg)
+            m_callbacks.onLeg(i, leg);
     }
     const bool lost = std::any_of(m_tracks.begin(), m_tracks.end(),
-                                  [](const Track& track) { return !track.held(); });
-    m_legInDoubt = m_askHeld || lost;
-    for (Track& track : m_tracks)
+                                  [](const ServoTrack& track) { return !track.isHolding(); });
+    m_isLegUncertain = m_checkHolding || lost;
+    for (ServoTrack& track : m_tracks)
         track.meter.reset();
-    m_legAt = Duration::max(); // what comes now belongs to none
+    m_legStart = Duration::max(); // what comes now belongs to none
 }
 
 void SweepRunner::endRun(SweepEnd end, int servo)
@@ -336,21 +336,21 @@ void SweepRunner::endRun(SweepEnd end, int servo)
     if (m_ended)
         return;
     m_ended = true;
-    m_fault = servo;
+    m_faultIndex = servo;
     m_run.end = end;
     m_run.endedBy = servo < 0 ? -1 : m_servos[std::size_t(servo)].id;
 }
 
 /// Neither heat nor a jammed lever gets better by pushing on; a servo that has come in another
 /// one's place is none of the test's.
-std::vector<Leaving> SweepRunner::leaving() const
+std::vector<ServoEndState> SweepRunner::endStates() const
 {
-    std::vector<Leaving> all(m_tracks.size(), Leaving::AsOrdered);
-    if (m_fault >= 0)
-        all[std::size_t(m_fault)] = Leaving::Released;
+    std::vector<ServoEndState> all(m_tracks.size(), ServoEndState::AsRequested);
+    if (m_faultIndex >= 0)
+        all[std::size_t(m_faultIndex)] = ServoEndState::TorqueOff;
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
-        if (m_tracks[i].exchanged)
-            all[i] = Leaving::Alone;
+        if (m_tracks[i].isReplaced)
+            all[i] = ServoEndState::Untouched;
     }
     return all;
 }
@@ -358,32 +358,34 @@ std::vector<Leaving> SweepRunner::leaving() const
 bool SweepRunner::arrived(Duration rest) const
 {
     return std::all_of(m_tracks.begin(), m_tracks.end(),
-                       [rest](const Track& track) { return track.meter->arrived(rest); });
+                       [rest](const ServoTrack& track) { return track.meter->arrived(rest); });
 }
 
 /// So long a servo may take for what it has been told.
-Duration SweepRunner::patience() const
+Duration SweepRunner::timeout() const
 {
-    Duration longest{};
+    Duration maxTravelTime{};
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
-        const Track& track = m_tracks[i];
+        const ServoTrack& track = m_tracks[i];
         const double way = track.goal - track.position.value_or(track.goal);
         const auto travel = travelTime(std::abs(way), m_run.servos[i].axis);
-        longest = std::max(longest, travel ? 3 * *travel + slowestStart : unknownTravel);
+        maxTravelTime =
+            std::max(maxTravelTime, travel ? 3 * *travel + maxStartDelay : defaultTravelTime);
     }
-    return longest;
+    return maxTravelTime;
 }
 
-void SweepRunner::tellProgress()
+void SweepRunner::reportProgress()
 {
-    if (!m_watch.onProgress || (m_toldAt > Duration::zero() && now() - m_toldAt < reportEvery))
+    if (!m_callbacks.onProgress ||
+        (m_progressAt > Duration::zero() && now() - m_progressAt < reportInterval))
         return;
-    m_toldAt = now();
+    m_progressAt = now();
     SweepProgress progress;
-    progress.ended = ended();
+    progress.ended = hasEnded();
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
-        const Duration silence = now() - m_tracks[i].heardAt;
-        if (silence < gapFrom)
+        const Duration silence = now() - m_tracks[i].lastReplyAt;
+        if (silence < minGap)
             continue;
         progress.silent.push_back(m_servos[i].id);
         progress.silentFor = std::max(progress.silentFor, silence);
@@ -403,29 +405,29 @@ void SweepRunner::tellProgress()
             progress.remaining = Duration(
                 std::llround(double(progress.elapsed.count()) * (1 / progress.fraction - 1)));
     }
-    m_watch.onProgress(progress);
+    m_callbacks.onProgress(progress);
 }
 
 /// After each cycle, when the first failure is to end the test.
-void SweepRunner::judgeCycle(int number)
+void SweepRunner::evaluateCycle(int number)
 {
-    if (!m_run.spec.stopOnFailure || !m_measuring || ended() ||
+    if (!m_run.spec.stopOnFailure || !m_measuring || hasEnded() ||
         number % m_tracks.front().path.legsPerCycle() != 0)
         return;
     const bus::Statistics statistics = m_context.bus.statistics();
-    for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
-        work(i, statistics);
-        if (record::worst(m_run.servos[i].lines) != record::Grade::Fail)
+    for (std::size_t i = 0; i < m_tracks.size() && !hasEnded(); ++i) {
+        updateMetrics(i, statistics);
+        if (record::worstGrade(m_run.servos[i].lines) != record::Grade::Fail)
             continue;
-        if (confirmHeld()) // else that may be what has failed
+        if (confirmHolding()) // else that may be what has failed
             endRun(SweepEnd::Failure, int(i));
         else
-            m_legInDoubt = true;
+            m_isLegUncertain = true;
     }
 }
 
 /// Figures and grades of one servo from what there is so far.
-void SweepRunner::work(std::size_t i, const bus::Statistics& statistics)
+void SweepRunner::updateMetrics(std::size_t i, const bus::Statistics& statistics)
 {
     record::SweepServo& servo = m_run.servos[i];
     const auto of = [id = m_servos[i].id](const bus::Statistics& all) {
@@ -433,13 +435,13 @@ void SweepRunner::work(std::size_t i, const bus::Statistics& statistics)
         return found != all.byId.end() ? found->second : bus::Counters{};
     };
     const bus::Counters after = of(statistics);
-    const bus::Counters before = of(m_before);
-    servo.errors = {after.sent - before.sent, after.timeOuts - before.timeOuts,
-                    after.badChecks - before.badChecks, after.foreign - before.foreign,
+    const bus::Counters before = of(m_statisticsBefore);
+    servo.errors = {after.sent - before.sent, after.timeouts - before.timeouts,
+                    after.badChecksums - before.badChecksums, after.foreign - before.foreign,
                     after.late - before.late};
     servo.metrics = sweepMetrics(servo.legs, servo.errors, m_tracks[i].startCelsius,
-                                 followedPath(m_run.spec, servo.axis));
-    servo.lines = record::judge(servo, servo.metrics, m_run.spec.shape);
+                                 referencePath(m_run.spec, servo.axis));
+    servo.lines = record::evaluate(servo, servo.metrics, m_run.spec.shape);
 }
 
 void SweepRunner::finish()
@@ -448,7 +450,7 @@ void SweepRunner::finish()
     const bus::Statistics statistics = m_context.bus.statistics();
     std::uint64_t answered = 0;
     for (std::size_t i = 0; i < m_tracks.size(); ++i) {
-        work(i, statistics);
+        updateMetrics(i, statistics);
         answered += m_tracks[i].answered;
     }
     const double seconds = std::chrono::duration<double>(m_run.length).count();

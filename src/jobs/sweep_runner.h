@@ -13,74 +13,74 @@ class SweepRunner {
 public:
     /// A line that says nothing for so long is a gap: nobody saw the servo, and it may have
     /// restarted. For longer, it is the end.
-    static constexpr base::Duration gapFrom = std::chrono::milliseconds(300);
-    static constexpr base::Duration mostSilence = std::chrono::seconds(5);
+    static constexpr base::Duration minGap = std::chrono::milliseconds(300);
+    static constexpr base::Duration maxSilence = std::chrono::seconds(5);
 
     /// `run`: what was asked for, with an axis and limits for each servo.
     SweepRunner(const device::Context& context, std::vector<device::Servo>& servos,
-                record::SweepRun run, const SweepWatch& watch);
+                record::SweepRun run, const SweepCallbacks& callbacks);
 
     /// Once.
     base::Result<record::SweepRun> run();
 
 private:
     /// What is known of a servo beside its legs.
-    struct Track {
+    struct ServoTrack {
         SweepPath path;
         std::optional<LegMeter> meter{};
         double goal = 0;
         std::optional<double> position{};
         std::optional<double> startCelsius{};
-        base::Duration heardAt{};
+        base::Duration lastReplyAt{};
         bool gapInLeg = false;
-        int lostInARow = 0;
-        bool lostTorque = false;
-        bool exchanged = false; ///< another servo answers in its place
-        bool held() const { return !lostTorque && !exchanged; }
+        int consecutiveLosses = 0;
+        bool hasLostTorque = false;
+        bool isReplaced = false; ///< another servo answers in its place
+        bool isHolding() const { return !hasLostTorque && !isReplaced; }
         std::uint64_t answered = 0;
     };
 
-    base::Result<void> goThrough();
-    base::Result<void> approach();
-    base::Result<void> notAtStart(std::size_t i);
+    base::Result<void> runPhases();
+    base::Result<void> moveToStart();
+    base::Result<void> failAtStart(std::size_t i);
     void warmUp();
     void measure();
-    void confirmEnd();
-    void forgetLegsInDoubt();
+    void confirmFinalState();
+    void dropUncertainLegs();
     void step(int number);
-    void wave(int number);
-    void begin(int number, base::Duration at);
-    void close();
+    void runSineLeg(int number);
+    void beginLeg(int number, base::Duration at);
+    void endLeg();
     base::Result<void> send(std::vector<double> targets);
-    base::Result<bool> stillHeld();
-    base::Result<void> findExchanged();
-    bool confirmHeld();
+    base::Result<bool> areStillHolding();
+    base::Result<void> findReplacedServos();
+    bool confirmHolding();
     bool canRetry(const base::Error& error);
-    bool silent() const; ///< somebody is
+    bool isAnySilent() const; ///< somebody is
     bool sendOrEnd(const std::vector<double>& targets);
 
     /// Reads until `until`, or `done`, or the end.
-    void read(base::Duration until, const std::function<bool()>& done);
+    void readUntil(base::Duration until, const std::function<bool()>& done);
     void drain();
-    void take(std::size_t i, const SweepSample& sample);
+    void handleSample(std::size_t i, const SweepSample& sample);
     void noteGap(base::Duration from, base::Duration span);
-    void watchLine();
-    void blameAlarm(std::size_t i);
-    void blameStall(std::size_t i);
+    void checkLink();
+    void endOnAlarm(std::size_t i);
+    void endOnStall(std::size_t i);
 
     void endRun(record::SweepEnd end, int servo = -1);
-    void endExchanged(int servo);
-    std::vector<Leaving> leaving() const;
-    bool ended() const { return m_ended; }
-    bool over(int number) const;
+    void endReplaced(int servo);
+    std::vector<ServoEndState> endStates() const;
+    bool hasEnded() const { return m_ended; }
+    bool isOver(int number) const;
     bool arrived(base::Duration rest) const;
-    base::Duration patience() const;
+    base::Duration timeout() const;
     int legCount() const; ///< 0: not known beforehand
-    int placeOf(int id) const;
+    int indexOfServo(int id) const;
 
-    void tellProgress();
-    void judgeCycle(int number);
-    void work(std::size_t i, const bus::Statistics& statistics);
+    void reportProgress();
+    void evaluateCycle(int number);
+    void updateMetrics(std::size_t i, const bus::Statistics& statistics);
     void finish();
 
     base::Duration now() const { return m_context.bus.clock().now(); }
@@ -88,23 +88,23 @@ private:
     const device::Context& m_context;
     std::vector<device::Servo>& m_servos;
     record::SweepRun m_run;
-    const SweepWatch& m_watch;
+    const SweepCallbacks& m_callbacks;
     SweepReader m_reader;
-    std::vector<Track> m_tracks;
+    std::vector<ServoTrack> m_tracks;
     bus::PollId m_poll = 0;
-    const std::uint64_t m_emergencies; ///< when it began
-    bus::Statistics m_before;          ///< the measured part
-    base::Duration m_start{};          ///< of the measured part
-    base::Duration m_nextAt{};         ///< Delay: the next goal is due; 0: at once
-    base::Duration m_waveStart{};
-    base::Duration m_toldAt{}; ///< progress; 0: at once
-    bool m_drives = false;     ///< a goal of this run has been sent
+    const std::uint64_t m_emergencyCount; ///< when it began
+    bus::Statistics m_statisticsBefore;   ///< the measured part
+    base::Duration m_start{};             ///< of the measured part
+    base::Duration m_nextGoalAt{};        ///< Delay: the next goal is due; 0: at once
+    base::Duration m_sineStart{};
+    base::Duration m_progressAt{}; ///< progress; 0: at once
+    bool m_hasSentGoal = false;    ///< a goal of this run has been sent
     bool m_measuring = false;
     int m_leg = 0;
-    base::Duration m_legAt{};  ///< its goal had been sent
-    bool m_legInDoubt = false; ///< in the latest leg a servo may have ceased to be held
-    bool m_askHeld = false;    ///< that may have happened since it was asked last
-    int m_fault = -1;          ///< place of the servo that ended it
+    base::Duration m_legStart{};   ///< its goal had been sent
+    bool m_isLegUncertain = false; ///< in the latest leg a servo may have ceased to be held
+    bool m_checkHolding = false;   ///< that may have happened since it was asked last
+    int m_faultIndex = -1;         ///< place of the servo that ended it
     bool m_ended = false;
 };
 } // namespace jobs

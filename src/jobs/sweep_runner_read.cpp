@@ -10,23 +10,23 @@ using record::SweepEnd;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr Duration readEvery = 20ms;
+constexpr Duration readInterval = 20ms;
 /// Without motion for so long away from its target it is jammed.
 constexpr Duration stallTime = 1s;
 /// Who restarts misses at least so many readings.
-constexpr int lostInRestart = 2;
+constexpr int lossesAtRestart = 2;
 } // namespace
 
-void SweepRunner::read(Duration until, const std::function<bool()>& done)
+void SweepRunner::readUntil(Duration until, const std::function<bool()>& done)
 {
-    while (!ended()) {
+    while (!hasEnded()) {
         drain();
-        if (ended() || done() || now() >= until)
+        if (hasEnded() || done() || now() >= until)
             return;
-        if (!m_context.bus.pauseUntil(std::min(until, now() + readEvery), &m_context.stop))
-            endRun(m_context.bus.emergencies() != m_emergencies ? SweepEnd::Emergency
-                                                                : SweepEnd::Stopped);
-        tellProgress();
+        if (!m_context.bus.pauseUntil(std::min(until, now() + readInterval), &m_context.stop))
+            endRun(m_context.bus.emergencyCount() != m_emergencyCount ? SweepEnd::Emergency
+                                                                      : SweepEnd::Stopped);
+        reportProgress();
     }
 }
 
@@ -34,57 +34,57 @@ void SweepRunner::drain()
 {
     for (const bus::Sample& sample : m_context.bus.takeSamples(m_poll)) {
         if (const auto reading = m_reader.add(sample))
-            take(reading->servo, reading->sample);
+            handleSample(reading->servo, reading->sample);
     }
-    watchLine();
+    checkLink();
 }
 
-void SweepRunner::take(std::size_t i, const SweepSample& sample)
+void SweepRunner::handleSample(std::size_t i, const SweepSample& sample)
 {
-    Track& track = m_tracks[i];
+    ServoTrack& track = m_tracks[i];
     if (sample.answered) {
-        const Duration silence = sample.at - track.heardAt;
-        if (m_measuring && silence >= gapFrom)
-            noteGap(track.heardAt - m_start, silence);
-        m_askHeld |= silence >= gapFrom;
-        track.gapInLeg |= silence >= gapFrom;
-        track.heardAt = sample.at;
-        track.lostInARow = 0;
+        const Duration silence = sample.at - track.lastReplyAt;
+        if (m_measuring && silence >= minGap)
+            noteGap(track.lastReplyAt - m_start, silence);
+        m_checkHolding |= silence >= minGap;
+        track.gapInLeg |= silence >= minGap;
+        track.lastReplyAt = sample.at;
+        track.consecutiveLosses = 0;
         ++track.answered;
         if (sample.position)
             track.position = sample.position;
         if (!track.startCelsius || !m_measuring)
             track.startCelsius = sample.temperature ? sample.temperature : track.startCelsius;
     } else {
-        m_askHeld |= ++track.lostInARow >= lostInRestart;
+        m_checkHolding |= ++track.consecutiveLosses >= lossesAtRestart;
     }
     if (track.meter)
         track.meter->add(sample);
-    if (m_watch.onSample)
-        m_watch.onSample(i, sample, track.goal, sample.at < m_legAt ? 0 : m_leg);
+    if (m_callbacks.onSample)
+        m_callbacks.onSample(i, sample, track.goal, sample.at < m_legStart ? 0 : m_leg);
     if (m_run.spec.stopOnAlarm && sample.answered && sample.status != 0)
-        blameAlarm(i);
-    if (m_run.spec.stopOnStall && track.meter && track.meter->stalled(stallTime))
-        blameStall(i);
+        endOnAlarm(i);
+    if (m_run.spec.stopOnStall && track.meter && track.meter->isStalled(stallTime))
+        endOnStall(i);
 }
 
 /// A servo that came in another one's place may bring an alarm along.
-void SweepRunner::blameAlarm(std::size_t i)
+void SweepRunner::endOnAlarm(std::size_t i)
 {
-    if (ended())
+    if (hasEnded())
         return;
-    (void)findExchanged();
+    (void)findReplacedServos();
     endRun(SweepEnd::Alarm, int(i));
 }
 
 /// Only who has torque can be jammed.
-void SweepRunner::blameStall(std::size_t i)
+void SweepRunner::endOnStall(std::size_t i)
 {
-    if (ended())
+    if (hasEnded())
         return;
-    m_askHeld = true;
-    const auto held = stillHeld();
-    if (held && *held)
+    m_checkHolding = true;
+    const auto isHolding = areStillHolding();
+    if (isHolding && *isHolding)
         endRun(SweepEnd::Stall, int(i));
 }
 
@@ -99,17 +99,18 @@ void SweepRunner::noteGap(Duration from, Duration span)
     }
 }
 
-void SweepRunner::watchLine()
+void SweepRunner::checkLink()
 {
-    if (ended())
+    if (hasEnded())
         return;
     if (m_context.bus.lost())
         endRun(SweepEnd::LinkLost);
-    else if (m_context.bus.emergencies() != m_emergencies)
+    else if (m_context.bus.emergencyCount() != m_emergencyCount)
         endRun(SweepEnd::Emergency);
-    for (std::size_t i = 0; i < m_tracks.size() && !ended(); ++i) {
-        if (now() - m_tracks[i].heardAt > mostSilence)
-            endRun(SweepEnd::LinkLost, m_context.bus.away() ? -1 : int(i)); // a plug is of no servo
+    for (std::size_t i = 0; i < m_tracks.size() && !hasEnded(); ++i) {
+        if (now() - m_tracks[i].lastReplyAt > maxSilence)
+            endRun(SweepEnd::LinkLost,
+                   m_context.bus.isReconnecting() ? -1 : int(i)); // a plug is of no servo
     }
 }
 } // namespace jobs

@@ -15,45 +15,45 @@ using device::NoticeCode;
 
 namespace {
 constexpr int rounds = 3;
-constexpr base::Duration breath = std::chrono::milliseconds(50);
+constexpr base::Duration retryDelay = std::chrono::milliseconds(50);
 
 /// The writes in between are covered by the one intent around them: two open intents about one
 /// register would contradict each other. What a mode switch remembers for the way back is
 /// remembered no longer than the switch lasts.
-class Covered final : public base::Journal {
+class ShadowJournal final : public base::Journal {
 public:
-    explicit Covered(base::Journal& outer)
+    explicit ShadowJournal(base::Journal& outer)
         : m_outer(outer)
     {}
     base::Result<QString> begin(const base::Intent&) override { return QString(); }
-    base::Result<void> end(const QString&, const base::IntentEnd&) override { return {}; }
+    base::Result<void> end(const QString&, const base::IntentResult&) override { return {}; }
     base::Result<std::vector<base::JournalEntry>> entries() const override
     {
         return m_outer.entries();
     }
-    base::Result<void> keep(const base::ServoIdentity&, const QString& name,
-                            const std::vector<std::int64_t>& values) override
+    base::Result<void> saveServoValues(const base::ServoIdentity&, const QString& name,
+                                       const std::vector<std::int64_t>& values) override
     {
-        m_kept[name] = values;
+        m_savedValues[name] = values;
         return {};
     }
-    base::Result<std::optional<std::vector<std::int64_t>>> kept(const base::ServoIdentity& servo,
-                                                                const QString& name) const override
+    base::Result<std::optional<std::vector<std::int64_t>>>
+    servoValues(const base::ServoIdentity& servo, const QString& name) const override
     {
-        const auto own = m_kept.find(name);
-        if (own != m_kept.end())
+        const auto own = m_savedValues.find(name);
+        if (own != m_savedValues.end())
             return std::optional(own->second);
-        return m_outer.kept(servo, name);
+        return m_outer.servoValues(servo, name);
     }
 
 private:
     base::Journal& m_outer;
-    std::map<QString, std::vector<std::int64_t>> m_kept;
+    std::map<QString, std::vector<std::int64_t>> m_savedValues;
 };
 
-base::Result<void> asResult(const device::WriteReport& report)
+base::Result<void> toResult(const device::WriteReport& report)
 {
-    if (report.allGood())
+    if (report.isSuccessful())
         return {};
     for (const device::WriteResult& result : report.writes) {
         if (result.error)
@@ -62,7 +62,8 @@ base::Result<void> asResult(const device::WriteReport& report)
     return base::fail(ErrorCode::LockOpen, QStringLiteral("write"), {}, report.id);
 }
 
-base::Intent intentFor(const device::Servo& servo, const std::vector<base::JournalItem>& items)
+base::Intent makeTrialIntent(const device::Servo& servo,
+                             const std::vector<base::JournalItem>& items)
 {
     base::Intent intent;
     intent.kind = base::IntentKind::Trial;
@@ -73,15 +74,15 @@ base::Intent intentFor(const device::Servo& servo, const std::vector<base::Journ
 }
 
 /// The end of an intent of which nothing was written.
-base::IntentEnd notSent(const std::vector<base::JournalItem>& items)
+base::IntentResult notSentEnd(const std::vector<base::JournalItem>& items)
 {
-    base::IntentEnd end{QStringLiteral("failed"), {}};
+    base::IntentResult end{QStringLiteral("failed"), {}};
     for (const base::JournalItem& item : items)
         end.items.push_back({item.key, {}, QStringLiteral("not-sent")});
     return end;
 }
 
-std::vector<device::WriteItem> before(const std::vector<base::JournalItem>& items)
+std::vector<device::WriteItem> previousValues(const std::vector<base::JournalItem>& items)
 {
     std::vector<device::WriteItem> old;
     for (const base::JournalItem& item : items)
@@ -101,18 +102,17 @@ TemporarySettings::TemporarySettings(const device::Context& context, device::Ser
     : m_context(context)
     , m_servo(servo)
     , m_mode(mode)
-    , m_emergencies(context.bus.emergencies())
+    , m_emergencyCount(context.bus.emergencyCount())
 {}
 
 TemporarySettings::~TemporarySettings()
 {
-    (void)putBack();
+    (void)revert();
 }
 
-TemporarySettings::Made TemporarySettings::make(const device::Context& context,
-                                                device::Servo& servo,
-                                                const std::vector<device::WriteItem>& items,
-                                                bool mode)
+TemporarySettings::CreateResult
+TemporarySettings::create(const device::Context& context, device::Servo& servo,
+                          const std::vector<device::WriteItem>& items, bool mode)
 {
     std::unique_ptr<TemporarySettings> made(new TemporarySettings(context, servo, mode));
     if (const auto begun = made->begin(items); !begun)
@@ -120,14 +120,15 @@ TemporarySettings::Made TemporarySettings::make(const device::Context& context,
     return made;
 }
 
-TemporarySettings::Made TemporarySettings::set(const device::Context& context, device::Servo& servo,
-                                               const std::vector<device::WriteItem>& items)
+TemporarySettings::CreateResult TemporarySettings::set(const device::Context& context,
+                                                       device::Servo& servo,
+                                                       const std::vector<device::WriteItem>& items)
 {
-    return make(context, servo, items, false);
+    return create(context, servo, items, false);
 }
 
-TemporarySettings::Made TemporarySettings::positionMode(const device::Context& context,
-                                                        device::Servo& servo)
+TemporarySettings::CreateResult TemporarySettings::positionMode(const device::Context& context,
+                                                                device::Servo& servo)
 {
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
@@ -144,9 +145,9 @@ TemporarySettings::Made TemporarySettings::positionMode(const device::Context& c
     std::vector<device::WriteItem> items;
     for (const device::ModePlan::Write& write : plan->writes)
         items.push_back({write.key, write.newRaw});
-    auto made = make(context, servo, items, true);
-    if (made && plan->limitsDefaulted)
-        context.note(NoticeCode::LimitsDefaulted, servo.id, {}, items[0].raw, items[1].raw);
+    auto made = create(context, servo, items, true);
+    if (made && plan->limitsSetToDefault)
+        context.note(NoticeCode::LimitsSetToDefault, servo.id, {}, items[0].raw, items[1].raw);
     return made;
 }
 
@@ -169,7 +170,7 @@ base::Result<void> TemporarySettings::begin(const std::vector<device::WriteItem>
     }
     if (m_items.empty())
         return {};
-    const auto uuid = m_context.journal.begin(intentFor(m_servo, m_items));
+    const auto uuid = m_context.journal.begin(makeTrialIntent(m_servo, m_items));
     if (!uuid)
         return tl::unexpected(uuid.error());
     m_uuid = *uuid;
@@ -181,18 +182,18 @@ base::Result<void> TemporarySettings::begin(const std::vector<device::WriteItem>
     if (written)
         return {};
     if (begun)
-        (void)putBack();
+        (void)revert();
     else
-        (void)m_context.journal.end(std::exchange(m_uuid, {}), notSent(m_items));
+        (void)m_context.journal.end(std::exchange(m_uuid, {}), notSentEnd(m_items));
     return written;
 }
 
 /// `begun` becomes false when nothing was written.
 base::Result<void> TemporarySettings::write(const device::Context& context,
                                             const std::vector<device::WriteItem>& items,
-                                            bool asBefore, bool& begun)
+                                            bool allowPreviousValues, bool& begun)
 {
-    Covered journal(context.journal);
+    ShadowJournal journal(context.journal);
     device::Notices notices;
     const device::Context inner{context.bus, context.catalog,  journal,      context.stop,
                                 notices,     context.priority, context.hold, context.epoch};
@@ -200,29 +201,29 @@ base::Result<void> TemporarySettings::write(const device::Context& context,
     options.temporary = true;
     options.dangerous = m_mode; // asking for the test in another mode is the consent
     options.kind = base::IntentKind::Trial;
-    options.asBefore = asBefore;
+    options.allowPreviousValues = allowPreviousValues;
     const auto report = device::write(inner, m_servo, items, options);
     begun = report.has_value();
     for (const device::Notice& notice : notices) {
         // Nothing is kept beyond the test.
-        if (notice.code != NoticeCode::LimitsKept)
+        if (notice.code != NoticeCode::LimitsSaved)
             context.notices.push_back(notice);
     }
     if (!report)
         return tl::unexpected(report.error());
-    return asResult(*report);
+    return toResult(*report);
 }
 
-base::Result<void> TemporarySettings::tryBack()
+base::Result<void> TemporarySettings::tryRevert()
 {
     // The user's stop has ended the job, not what makes its end safe.
-    const base::Stop unstopped;
-    waitWhileAway(m_context.bus);
-    const std::uint64_t now = m_context.bus.emergencies();
-    const bool emergency = now != m_emergencies || m_context.epoch.value_or(now) != now;
+    const base::StopToken neverStop;
+    waitForReconnection(m_context.bus);
+    const std::uint64_t now = m_context.bus.emergencyCount();
+    const bool emergency = now != m_emergencyCount || m_context.epoch.value_or(now) != now;
     if (emergency && m_mode)
         return base::fail(ErrorCode::Preempted, QStringLiteral("write"), {}, m_servo.id);
-    device::Context last{m_context.bus,     m_context.catalog,  m_context.journal, unstopped,
+    device::Context last{m_context.bus,     m_context.catalog,  m_context.journal, neverStop,
                          m_context.notices, m_context.priority, m_context.hold,    m_context.epoch};
     // Gains move nothing; left as they are they would act as soon as torque comes on again.
     if (emergency)
@@ -230,10 +231,10 @@ base::Result<void> TemporarySettings::tryBack()
     base::Result<void> back;
     for (int round = 0; round < rounds; ++round) {
         bool begun = true;
-        back = write(last, before(m_items), true, begun);
+        back = write(last, previousValues(m_items), true, begun);
         if (back || back.error().code == ErrorCode::LinkLost)
             return back;
-        m_context.bus.clock().sleepFor(breath);
+        m_context.bus.clock().sleepFor(retryDelay);
     }
     return back;
 }
@@ -244,15 +245,15 @@ void TemporarySettings::forget()
         m_context.record(std::exchange(m_uuid, {}), m_servo.id, {QStringLiteral("undone"), {}});
 }
 
-base::Result<void> TemporarySettings::putBack()
+base::Result<void> TemporarySettings::revert()
 {
     if (m_uuid.isEmpty())
         return {};
     const QString uuid = std::exchange(m_uuid, {});
-    const auto back = tryBack();
+    const auto back = tryRevert();
     if (!back) {
         for (const base::JournalItem& item : m_items)
-            m_context.note(NoticeCode::SettingNotPutBack, m_servo.id, item.key, item.oldRaw);
+            m_context.note(NoticeCode::SettingNotRestored, m_servo.id, item.key, item.oldRaw);
         return back;
     }
     if (m_mode)

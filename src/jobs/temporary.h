@@ -15,14 +15,14 @@
 namespace jobs {
 class TemporarySettings {
 public:
-    using Made = base::Result<std::unique_ptr<TemporarySettings>>;
+    using CreateResult = base::Result<std::unique_ptr<TemporarySettings>>;
 
     /// On an error the servo is as it was, as far as it answers; see putBack().
-    static Made set(const device::Context& context, device::Servo& servo,
-                    const std::vector<device::WriteItem>& items);
+    static CreateResult set(const device::Context& context, device::Servo& servo,
+                            const std::vector<device::WriteItem>& items);
     /// The family's position mode. Torque is off afterwards. Null: the servo is in a mode with
     /// positions already. NotSupported ("not-position") where the family has no such mode.
-    static Made positionMode(const device::Context& context, device::Servo& servo);
+    static CreateResult positionMode(const device::Context& context, device::Servo& servo);
 
     TemporarySettings(const TemporarySettings&) = delete;
     TemporarySettings& operator=(const TemporarySettings&) = delete;
@@ -32,8 +32,8 @@ public:
     /// that, and a link that is away is waited for. After an emergency stop gains go back, but not
     /// a mode: that would write the new mode's command. A mode goes back with torque off and that
     /// command at 0. What could not be put back is noted, and its intent stays open: LinkLost,
-    /// NoAnswer, Preempted, Mismatch …
-    base::Result<void> putBack();
+    /// NoReply, Preempted, Mismatch …
+    base::Result<void> revert();
 
     /// The servo has restarted and loaded its own values: nothing is owed any more. Where that
     /// cannot be recorded it is noted.
@@ -44,18 +44,18 @@ public:
 
 private:
     TemporarySettings(const device::Context& context, device::Servo& servo, bool mode);
-    static Made make(const device::Context& context, device::Servo& servo,
-                     const std::vector<device::WriteItem>& items, bool mode);
+    static CreateResult create(const device::Context& context, device::Servo& servo,
+                               const std::vector<device::WriteItem>& items, bool mode);
     base::Result<void> begin(const std::vector<device::WriteItem>& items);
     base::Result<void> write(const device::Context& context,
-                             const std::vector<device::WriteItem>& items, bool asBefore,
+                             const std::vector<device::WriteItem>& items, bool allowPreviousValues,
                              bool& begun);
-    base::Result<void> tryBack();
+    base::Result<void> tryRevert();
 
     const device::Context m_context;
     device::Servo& m_servo;
     const bool m_mode;
-    const std::uint64_t m_emergencies; ///< when it began
+    const std::uint64_t m_emergencyCount; ///< when it began
     std::vector<base::JournalItem> m_items;
     QString m_uuid; ///< of the open intent; empty: nothing is owed
 };

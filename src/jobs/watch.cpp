@@ -10,14 +10,14 @@ namespace {
 constexpr base::Duration drainInterval = std::chrono::milliseconds(50);
 constexpr base::Duration quietTime = std::chrono::milliseconds(150);
 /// A line that is busy for so long will not fall silent by being watched.
-constexpr base::Duration busyPatience = std::chrono::seconds(3);
+constexpr base::Duration busyTimeout = std::chrono::seconds(3);
 
 using OnRow = std::function<base::Result<void>(const WatchRow&)>;
 
-class Watch {
+class WatchRunner {
 public:
-    Watch(const device::Context& context, const WatchSpec& spec, WatchDecoder decoder,
-          const OnRow& onRow)
+    WatchRunner(const device::Context& context, const WatchSpec& spec, WatchDecoder decoder,
+                const OnRow& onRow)
         : m_context(context)
         , m_spec(spec)
         , m_decoder(std::move(decoder))
@@ -29,10 +29,10 @@ public:
         // A servo that was silent in a language it does not speak is left alone for a while; then
         // the first round has everybody.
         const bool several = m_context.catalog.protocolsAt(m_context.bus.baud()).size() > 1;
-        const auto heard = m_context.bus.listen(
-            several ? std::max(quietTime, m_context.bus.replyTimeout()) : base::Duration{});
-        if (!heard)
-            return tl::unexpected(heard.error());
+        const auto listened = m_context.bus.listen(
+            several ? std::max(quietTime, m_context.bus.maxReplyLateness()) : base::Duration{});
+        if (!listened)
+            return tl::unexpected(listened.error());
         const base::Duration start = m_context.bus.clock().now();
         m_poll = m_context.bus.startPoll(m_decoder.plan());
         const auto watched = drainUntilEnd(start);
@@ -57,7 +57,7 @@ private:
             if (const auto drained = drain(); !drained)
                 return drained;
         }
-        return hand(m_decoder.flush());
+        return deliver(m_decoder.flush());
     }
 
     base::Result<void> drain()
@@ -66,31 +66,31 @@ private:
         for (const bus::Sample& sample : samples) {
             m_report.missed += sample.answered ? 0 : 1;
             if (sample.answered || sample.error != base::ErrorCode::LineBusy)
-                m_busyFrom.reset();
-            else if (sample.at - m_busyFrom.value_or(sample.at) > busyPatience)
+                m_busySince.reset();
+            else if (sample.at - m_busySince.value_or(sample.at) > busyTimeout)
                 return base::fail(base::ErrorCode::LineBusy, QStringLiteral("watch"));
             else
-                m_busyFrom = m_busyFrom.value_or(sample.at);
-            if (const auto handed = hand(m_decoder.add(sample)); !handed)
-                return handed;
+                m_busySince = m_busySince.value_or(sample.at);
+            if (const auto delivered = deliver(m_decoder.add(sample)); !delivered)
+                return delivered;
         }
         for (device::Notice& alarm : m_decoder.takeAlarms())
             m_context.notices.push_back(std::move(alarm));
         // A lost link yields no samples; it shows when one listens.
         if (samples.empty()) {
-            const auto heard = m_context.bus.listen({});
-            if (!heard && heard.error().code == base::ErrorCode::LinkLost)
-                return heard;
+            const auto listened = m_context.bus.listen({});
+            if (!listened && listened.error().code == base::ErrorCode::LinkLost)
+                return listened;
         }
         return {};
     }
 
-    base::Result<void> hand(const std::vector<WatchRow>& rows)
+    base::Result<void> deliver(const std::vector<WatchRow>& rows)
     {
         for (const WatchRow& row : rows) {
             m_report.rows += row.answered ? 1 : 0;
-            if (const auto taken = m_onRow(row); !taken)
-                return taken;
+            if (const auto accepted = m_onRow(row); !accepted)
+                return accepted;
         }
         return {};
     }
@@ -100,7 +100,7 @@ private:
     WatchDecoder m_decoder;
     const OnRow& m_onRow;
     bus::PollId m_poll = 0;
-    std::optional<base::Duration> m_busyFrom; ///< since then only that has been heard
+    std::optional<base::Duration> m_busySince; ///< since then only that has been heard
     WatchReport m_report;
 };
 } // namespace
@@ -111,6 +111,6 @@ base::Result<WatchReport> watch(const device::Context& context, const WatchSpec&
     auto decoder = WatchDecoder::make(spec);
     if (!decoder)
         return tl::unexpected(decoder.error());
-    return Watch(context, spec, std::move(*decoder), onRow).run();
+    return WatchRunner(context, spec, std::move(*decoder), onRow).run();
 }
 } // namespace jobs

@@ -10,7 +10,7 @@ namespace {
 using base::ErrorCode;
 
 /// A row whose other blocks stay out for so long (the servo is held by a job) is given up.
-constexpr base::Duration longestRound = std::chrono::seconds(1);
+constexpr base::Duration maxRoundTime = std::chrono::seconds(1);
 
 QStringList feedbackKeys(const std::vector<device::Servo>& servos)
 {
@@ -39,25 +39,25 @@ catalog::Role roleOf(const WatchSpec& spec, const QString& key)
     return catalog::Role::None;
 }
 
-std::vector<WatchKey> keysOf(const WatchSpec& spec)
+std::vector<WatchKey> watchedKeys(const WatchSpec& spec)
 {
     std::vector<WatchKey> keys;
     for (const QString& key : spec.keys.isEmpty() ? feedbackKeys(spec.servos) : spec.keys) {
         const catalog::Role role = roleOf(spec, key);
-        const bool there = std::any_of(keys.begin(), keys.end(), [&](const WatchKey& other) {
+        const bool isListed = std::any_of(keys.begin(), keys.end(), [&](const WatchKey& other) {
             return other.key == key || (role != catalog::Role::None && other.role == role);
         });
-        if (!there)
+        if (!isListed)
             keys.push_back({key, role});
     }
     return keys;
 }
 
-const catalog::Register* registerFor(const device::Servo& servo, const WatchKey& wanted)
+const catalog::Register* findRegister(const device::Servo& servo, const WatchKey& wanted)
 {
     const catalog::Register* reg = servo.profile->find(wanted.key);
-    const bool elsewhere = reg == nullptr && wanted.role != catalog::Role::None;
-    return elsewhere ? servo.profile->byRole(wanted.role) : reg;
+    const bool isUnknownRegister = reg == nullptr && wanted.role != catalog::Role::None;
+    return isUnknownRegister ? servo.profile->byRole(wanted.role) : reg;
 }
 
 base::Result<void> check(const WatchSpec& spec)
@@ -88,9 +88,9 @@ std::vector<WatchColumn> watchColumns(const WatchSpec& spec)
     std::vector<WatchColumn> columns;
     if (!check(spec))
         return columns;
-    for (const WatchKey& wanted : keysOf(spec)) {
+    for (const WatchKey& wanted : watchedKeys(spec)) {
         for (const device::Servo& servo : spec.servos) {
-            const catalog::Register* reg = registerFor(servo, wanted);
+            const catalog::Register* reg = findRegister(servo, wanted);
             if (reg == nullptr || !servo.measures(*reg))
                 continue;
             const WatchColumn column{wanted.key, servo.meaning(*reg).unit};
@@ -108,8 +108,8 @@ base::Result<WatchDecoder> WatchDecoder::make(const WatchSpec& spec)
     WatchDecoder decoder;
     decoder.m_period = spec.period;
     decoder.m_columns = watchColumns(spec);
-    const std::vector<WatchKey> keys = keysOf(spec);
-    PollFamilies families;
+    const std::vector<WatchKey> keys = watchedKeys(spec);
+    SyncReadGroups families;
     for (const device::Servo& servo : spec.servos) {
         if (const auto added = decoder.addServo(servo, keys, families.of(*servo.profile)); !added)
             return tl::unexpected(added.error());
@@ -128,11 +128,11 @@ base::Result<void> WatchDecoder::addServo(const device::Servo& servo,
     QStringList names;
     for (const WatchKey& wanted : keys) {
         names.append(wanted.key);
-        const catalog::Register* reg = registerFor(servo, wanted);
+        const catalog::Register* reg = findRegister(servo, wanted);
         known = known || reg != nullptr;
         if (reg == nullptr || !servo.measures(*reg))
             continue;
-        const catalog::Meaning meaning = servo.meaning(*reg);
+        const catalog::ValueFormat meaning = servo.meaning(*reg);
         const auto column =
             std::find(m_columns.begin(), m_columns.end(), WatchColumn{wanted.key, meaning.unit});
         source.fields.push_back({reg, meaning, std::size_t(column - m_columns.begin())});
@@ -155,7 +155,7 @@ bus::PollPlan WatchDecoder::plan() const
 {
     bus::PollPlan plan;
     plan.period = m_period;
-    for (const auto& [who, source] : m_sources) {
+    for (const auto& [identity, source] : m_sources) {
         const catalog::Profile& profile = *source.servo.profile;
         plan.servos.push_back({source.servo.id, source.spans, profile.syncRead, source.group,
                                source.servo.protocol, profile.readGap, profile.maxRead});
@@ -169,26 +169,26 @@ std::vector<WatchRow> WatchDecoder::add(const bus::Sample& sample)
     if (found == m_sources.end())
         return {};
     Source& source = found->second;
-    const std::size_t block = blockOf(sample, source.spans);
-    if (source.round.startsAnew(block))
-        close(source);
+    const std::size_t block = blockIndex(sample, source.spans);
+    if (source.round.startsNewRound(block))
+        finishRow(source);
     source.row.at = sample.at;
     if (sample.answered)
         decode(source, sample);
     if (source.round.take(block, sample))
-        close(source);
-    return release(sample.at - longestRound);
+        finishRow(source);
+    return takeReadyRows(sample.at - maxRoundTime);
 }
 
 std::vector<WatchRow> WatchDecoder::flush()
 {
-    return release(base::Duration::max());
+    return takeReadyRows(base::Duration::max());
 }
 
-void WatchDecoder::close(Source& source)
+void WatchDecoder::finishRow(Source& source)
 {
     WatchRow row = std::exchange(source.row, emptyRow(source.servo));
-    source.round.close();
+    source.round.reset();
     const auto place =
         std::upper_bound(m_ready.begin(), m_ready.end(), row,
                          [](const WatchRow& a, const WatchRow& b) { return a.at < b.at; });
@@ -196,12 +196,12 @@ void WatchDecoder::close(Source& source)
 }
 
 // A finished row waits while an unfinished one is older, so that rows leave in time order.
-std::vector<WatchRow> WatchDecoder::release(base::Duration staleBefore)
+std::vector<WatchRow> WatchDecoder::takeReadyRows(base::Duration staleBefore)
 {
     base::Duration until = base::Duration::max();
-    for (auto& [who, source] : m_sources) {
+    for (auto& [identity, source] : m_sources) {
         if (source.round.open() && source.row.at < staleBefore)
-            close(source);
+            finishRow(source);
         if (source.round.open())
             until = std::min(until, source.row.at);
     }
@@ -227,7 +227,7 @@ void WatchDecoder::decode(Source& source, const bus::Sample& sample)
     WatchRow& row = source.row;
     row.answered = true;
     if (!source.servo.repliesCarryStatus())
-        judge(source, sample);
+        deriveAlarms(source, sample);
     row.status = source.servo.repliesCarryStatus() ? sample.status : source.servo.status;
     for (const Field& field : source.fields) {
         const int offset = field.reg->offset - sample.address;
@@ -242,12 +242,12 @@ void WatchDecoder::decode(Source& source, const bus::Sample& sample)
 }
 
 /// Faults of a servo whose replies carry none: from its status register, or worked out.
-void WatchDecoder::judge(Source& source, const bus::Sample& sample)
+void WatchDecoder::deriveAlarms(Source& source, const bus::Sample& sample)
 {
     source.servo.image.store(sample.address, sample.data, sample.at);
-    device::takeStatus(source.servo, sample.address, int(sample.data.size()));
+    device::updateStatus(source.servo, sample.address, int(sample.data.size()));
     for (device::Notice& alarm : device::derivedAlarms(source.servo)) {
-        if (source.told.insert(alarm.code).second)
+        if (source.reported.insert(alarm.code).second)
             m_alarms.push_back(std::move(alarm));
     }
 }

@@ -35,7 +35,7 @@ public:
 private:
     struct Field {
         const catalog::Register* reg = nullptr;
-        catalog::Meaning meaning;
+        catalog::ValueFormat meaning;
         std::size_t column = 0;
     };
     struct Source {
@@ -43,18 +43,18 @@ private:
         std::vector<Field> fields;
         std::vector<bus::PollSpan> spans; ///< as the bus will read them
         int group = 0;
-        RoundCut round; ///< of the pending row
+        PollRoundTracker round; ///< of the pending row
         WatchRow row;
-        std::set<device::NoticeCode> told;
+        std::set<device::NoticeCode> reported;
     };
 
     base::Result<void> addServo(const device::Servo& servo, const std::vector<WatchKey>& keys,
                                 int group);
     WatchRow emptyRow(const device::Servo& servo) const;
-    void close(Source& source);
-    std::vector<WatchRow> release(base::Duration staleBefore);
+    void finishRow(Source& source);
+    std::vector<WatchRow> takeReadyRows(base::Duration staleBefore);
     void decode(Source& source, const bus::Sample& sample);
-    void judge(Source& source, const bus::Sample& sample);
+    void deriveAlarms(Source& source, const bus::Sample& sample);
 
     std::vector<WatchColumn> m_columns;
     std::map<std::pair<base::Protocol, int>, Source> m_sources; ///< by language and ID

@@ -14,7 +14,7 @@ namespace protocol {
 /// this, never guessed from silence.
 struct Expectation {
     std::vector<int> ids; ///< one reply each; empty: nothing is answered. broadcastId: any servo
-    int alsoFrom = -1;    ///< this ID is as good as the first of `ids` (Request::answersAs)
+    int alternateId = -1; ///< this ID is as good as the first of `ids` (Request::alternateReplyId)
     int replyBytes = 0;   ///< length of one whole reply on the wire
     int dataBytes = 0;    ///< payload of one reply
     int command = -1;     ///< Modbus function, LX command: what the reply must repeat
@@ -23,11 +23,11 @@ struct Expectation {
 };
 
 enum class ScanKind : std::uint8_t {
-    Incomplete, ///< nothing to decide yet
-    Reply,      ///< the reply expected: `part`
-    Foreign,    ///< a valid frame, but not the one expected: `part` (late, another master, echo)
-    BadCheck,   ///< a frame of the expected shape with a wrong checksum: `part.id` only
-    Noise,      ///< bytes that belong to no frame
+    Incomplete,  ///< nothing to decide yet
+    Reply,       ///< the reply expected: `part`
+    Foreign,     ///< a valid frame, but not the one expected: `part` (late, another master, echo)
+    BadChecksum, ///< a frame of the expected shape with a wrong checksum: `part.id` only
+    Noise,       ///< bytes that belong to no frame
 };
 
 /// What the front of a receive buffer is: `consumed` bytes, which the caller drops before it scans
@@ -35,7 +35,7 @@ enum class ScanKind : std::uint8_t {
 struct ScanResult {
     ScanKind kind = ScanKind::Incomplete;
     std::size_t consumed = 0;
-    Part part{};
+    Reply part{};
 };
 
 class Codec {
@@ -74,7 +74,7 @@ const Codec& lxCodec();
 const Codec& codecFor(base::Protocol protocol);
 
 /// A request frame as a servo sees it on a Feetech line, for the simulator. Kind Reply: a valid
-/// frame, the rest is filled in; BadCheck, Incomplete and Noise as in Codec::scan. A servo that
+/// frame, the rest is filled in; BadChecksum, Incomplete and Noise as in Codec::scan. A servo that
 /// hears nothing for a while gives up an incomplete frame: dropping the buffer is the caller's
 /// part. `instruction` keeps the byte when it is not one we know.
 struct RequestScan {

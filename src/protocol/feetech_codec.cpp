@@ -29,7 +29,7 @@ Expectation acknowledgement(const Request& request)
     if (!request.acknowledged || request.id == broadcastId)
         return {};
     Expectation expected = answer({request.id}, 0);
-    expected.alsoFrom = request.answersAs;
+    expected.alternateId = request.alternateReplyId;
     return expected;
 }
 

@@ -26,8 +26,8 @@ Result<void> checkId(const Request& request)
     const bool probe = request.op == Op::Read && request.id == broadcastId &&
                        request.address == feetechEchoProbe().address &&
                        request.count == feetechEchoProbe().count;
-    const int highest = request.op == Op::Read && !probe ? maxId : broadcastId;
-    if (request.id < 0 || request.id > highest)
+    const int maxTarget = request.op == Op::Read && !probe ? maxId : broadcastId;
+    if (request.id < 0 || request.id > maxTarget)
         return refuse(request, QStringLiteral("ID %1").arg(request.id));
     return {};
 }
@@ -149,7 +149,7 @@ Result<Bytes> encodeUnicast(const Request& request)
     case Op::Halt:
         break;
     }
-    return refuseUnknown(request);
+    return refuseUnsupported(request);
 }
 } // namespace
 

@@ -96,9 +96,11 @@ QString explainRequest(int id, std::uint8_t code, ByteView params)
 
 QString explainFeetech(ByteView frame, bool fromHost)
 {
-    const feetech::Shape shape = frame.empty() ? feetech::Shape::None : feetech::shapeAt(frame, 0);
-    const bool whole = shape == feetech::Shape::Valid || shape == feetech::Shape::Broken;
-    if (!whole || feetech::frameSize(frame, 0) != frame.size())
+    const feetech::FrameState state =
+        frame.empty() ? feetech::FrameState::None : feetech::frameStateAt(frame, 0);
+    const bool complete =
+        state == feetech::FrameState::Valid || state == feetech::FrameState::Broken;
+    if (!complete || feetech::frameSize(frame, 0) != frame.size())
         return withData(QStringLiteral("bytes"), frame);
     QString text;
     if (fromHost) {
@@ -109,6 +111,6 @@ QString explainFeetech(ByteView frame, bool fromHost)
             text += QStringLiteral(" error 0x%1").arg(frame[4], 2, 16, QLatin1Char('0'));
         text = withData(text, feetech::params(frame));
     }
-    return shape == feetech::Shape::Valid ? text : text + QStringLiteral(" (checksum wrong)");
+    return state == feetech::FrameState::Valid ? text : text + QStringLiteral(" (checksum wrong)");
 }
 } // namespace protocol

@@ -26,32 +26,33 @@ base::Bytes buildFrame(int id, std::uint8_t instructionOrError, base::ByteView p
     return frame;
 }
 
-Shape shapeAt(base::ByteView buffer, std::size_t offset)
+FrameState frameStateAt(base::ByteView buffer, std::size_t offset)
 {
     const base::ByteView rest = buffer.subspan(offset);
     for (std::size_t i = 0; i < 2; ++i) {
         if (i == rest.size())
-            return Shape::Partial;
+            return FrameState::Partial;
         if (rest[i] != headerByte)
-            return Shape::None;
+            return FrameState::None;
     }
     if (rest.size() == 2)
-        return Shape::Partial;
-    if (rest[2] > highestId)
-        return Shape::None;
+        return FrameState::Partial;
+    if (rest[2] > maxFrameId)
+        return FrameState::None;
     if (rest.size() == 3)
-        return Shape::Partial;
+        return FrameState::Partial;
     const std::size_t length = rest[3];
     if (length < minLength || length + 4 > maxFrame)
-        return Shape::None;
+        return FrameState::None;
     if (rest.size() < length + 4)
-        return Shape::Partial;
-    return checksum(rest.subspan(2, length + 1)) == rest[length + 3] ? Shape::Valid : Shape::Broken;
+        return FrameState::Partial;
+    return checksum(rest.subspan(2, length + 1)) == rest[length + 3] ? FrameState::Valid
+                                                                     : FrameState::Broken;
 }
 
 std::size_t nextStart(base::ByteView buffer, std::size_t from)
 {
-    while (from < buffer.size() && shapeAt(buffer, from) == Shape::None)
+    while (from < buffer.size() && frameStateAt(buffer, from) == FrameState::None)
         ++from;
     return from;
 }

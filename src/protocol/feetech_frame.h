@@ -11,7 +11,7 @@
 namespace protocol::feetech {
 constexpr std::size_t overhead = 6; ///< bytes of a frame without parameters
 constexpr std::size_t maxFrame = 250;
-constexpr int highestId = 254; ///< 255 is the header byte
+constexpr int maxFrameId = 254; ///< 255 is the header byte
 
 enum Instruction : std::uint8_t {
     instPing = 0x01,
@@ -33,7 +33,7 @@ std::uint8_t checksum(base::ByteView body);
 
 base::Bytes buildFrame(int id, std::uint8_t instructionOrError, base::ByteView params);
 
-enum class Shape : std::uint8_t {
+enum class FrameState : std::uint8_t {
     None,    ///< no frame can start here
     Partial, ///< may become a frame
     Broken,  ///< whole, but its checksum is wrong
@@ -41,7 +41,7 @@ enum class Shape : std::uint8_t {
 };
 
 /// What starts at `offset`.
-Shape shapeAt(base::ByteView buffer, std::size_t offset);
+FrameState frameStateAt(base::ByteView buffer, std::size_t offset);
 
 /// First place at or after `from` where a frame may start; the buffer's size if there is none.
 std::size_t nextStart(base::ByteView buffer, std::size_t from);

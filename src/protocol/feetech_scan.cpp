@@ -7,19 +7,20 @@
 namespace protocol {
 namespace {
 using base::ByteView;
-using feetech::Shape;
+using feetech::FrameState;
 
 bool isExpectedId(int id, const Expectation& expected)
 {
     return std::any_of(expected.ids.begin(), expected.ids.end(),
-                       [id](int wanted) {
-                           return wanted == id || (wanted == broadcastId && id <= maxId);
+                       [id](int expectedReply) {
+                           return expectedReply == id ||
+                                  (expectedReply == broadcastId && id <= maxId);
                        }) ||
-           (expected.any() && id == expected.alsoFrom);
+           (expected.any() && id == expected.alternateId);
 }
 
 /// ID and LEN of the expected reply stand at `offset`, whatever the checksum.
-bool looksExpected(ByteView buffer, std::size_t offset, const Expectation& expected)
+bool matchesExpected(ByteView buffer, std::size_t offset, const Expectation& expected)
 {
     return buffer.size() >= offset + 4 &&
            std::size_t{buffer[offset + 3]} + 4 == static_cast<std::size_t>(expected.replyBytes) &&
@@ -31,10 +32,10 @@ std::size_t findReply(ByteView buffer, const Expectation& expected)
 {
     if (!expected.any())
         return buffer.size();
-    const auto wanted = static_cast<std::size_t>(expected.replyBytes);
-    for (std::size_t i = 0; i + wanted <= buffer.size(); ++i) {
-        if (buffer[i] == 0xFF && looksExpected(buffer, i, expected) &&
-            feetech::shapeAt(buffer, i) == Shape::Valid)
+    const auto expectedReply = static_cast<std::size_t>(expected.replyBytes);
+    for (std::size_t i = 0; i + expectedReply <= buffer.size(); ++i) {
+        if (buffer[i] == 0xFF && matchesExpected(buffer, i, expected) &&
+            feetech::frameStateAt(buffer, i) == FrameState::Valid)
             return i;
     }
     return buffer.size();
@@ -46,11 +47,11 @@ bool replyMayOverlap(ByteView buffer, const Expectation& expected)
 {
     const std::size_t end = feetech::frameSize(buffer, 0);
     for (std::size_t i = 1; expected.any() && i < end; ++i) {
-        if (feetech::shapeAt(buffer, i) != Shape::Partial)
+        if (feetech::frameStateAt(buffer, i) != FrameState::Partial)
             continue;
         const std::size_t known = buffer.size() - i;
         if (known <= 2 || (known == 3 && isExpectedId(buffer[i + 2], expected)) ||
-            looksExpected(buffer, i, expected))
+            matchesExpected(buffer, i, expected))
             return true;
     }
     return false;
@@ -67,9 +68,11 @@ ScanResult frameAtFront(ScanKind kind, ByteView buffer)
 ScanResult dropFront(ByteView buffer, const Expectation& expected, std::size_t reply)
 {
     const std::size_t next = std::min(feetech::nextStart(buffer, 1), reply);
-    if (feetech::shapeAt(buffer, 0) != Shape::Broken || !looksExpected(buffer, 0, expected))
+    if (feetech::frameStateAt(buffer, 0) != FrameState::Broken ||
+        !matchesExpected(buffer, 0, expected))
         return {ScanKind::Noise, next, {}};
-    return {ScanKind::BadCheck, std::min(next, feetech::frameSize(buffer, 0)), {buffer[2], 0, {}}};
+    return {
+        ScanKind::BadChecksum, std::min(next, feetech::frameSize(buffer, 0)), {buffer[2], 0, {}}};
 }
 } // namespace
 
@@ -80,21 +83,21 @@ ScanResult scanFeetech(ByteView buffer, const Expectation& expected, bool atDead
     const std::size_t reply = findReply(buffer, expected);
     if (reply == 0)
         return frameAtFront(ScanKind::Reply, buffer);
-    const bool replyBehind = reply < buffer.size();
-    switch (feetech::shapeAt(buffer, 0)) {
-    case Shape::Valid:
+    const bool replyFollows = reply < buffer.size();
+    switch (feetech::frameStateAt(buffer, 0)) {
+    case FrameState::Valid:
         // Overlapping claims: the frame that was asked for counts.
-        if (replyBehind && reply < feetech::frameSize(buffer, 0))
+        if (replyFollows && reply < feetech::frameSize(buffer, 0))
             return {ScanKind::Noise, reply, {}};
-        if (!replyBehind && !atDeadline && replyMayOverlap(buffer, expected))
+        if (!replyFollows && !atDeadline && replyMayOverlap(buffer, expected))
             return {};
         return frameAtFront(ScanKind::Foreign, buffer);
-    case Shape::Partial:
-        if (!replyBehind && !atDeadline)
+    case FrameState::Partial:
+        if (!replyFollows && !atDeadline)
             return {};
         break;
-    case Shape::Broken:
-    case Shape::None:
+    case FrameState::Broken:
+    case FrameState::None:
         break;
     }
     return dropFront(buffer, expected, reply);
@@ -106,16 +109,16 @@ RequestScan scanFeetechRequest(ByteView buffer)
     if (buffer.empty())
         return result;
     const std::size_t next = feetech::nextStart(buffer, 1);
-    switch (feetech::shapeAt(buffer, 0)) {
-    case Shape::Partial:
+    switch (feetech::frameStateAt(buffer, 0)) {
+    case FrameState::Partial:
         return result;
-    case Shape::None:
+    case FrameState::None:
         result.kind = ScanKind::Noise;
         break;
-    case Shape::Broken:
-        result.kind = ScanKind::BadCheck;
+    case FrameState::Broken:
+        result.kind = ScanKind::BadChecksum;
         break;
-    case Shape::Valid: {
+    case FrameState::Valid: {
         const ByteView frame = buffer.first(feetech::frameSize(buffer, 0));
         const ByteView params = feetech::params(frame);
         return {ScanKind::Reply, frame.size(), frame[2], frame[4], {params.begin(), params.end()}};

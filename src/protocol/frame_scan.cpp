@@ -8,21 +8,21 @@ namespace {
 using base::ByteView;
 
 /// One look at a buffer.
-struct Look {
+struct Scanner {
     const FrameRules& rules;
     ByteView buffer;
     const Expectation& expected;
 
-    Claim replyAt(std::size_t place) const
+    FrameMatch replyAt(std::size_t offset) const
     {
-        return expected.any() ? rules.replyAt(buffer.subspan(place), expected) : Claim{};
+        return expected.any() ? rules.replyAt(buffer.subspan(offset), expected) : FrameMatch{};
     }
 
     /// The first place in [from, end) whose claim to be the reply is as `fits` says, else `end`.
-    template <typename Fits>
-    std::size_t findReply(std::size_t from, std::size_t end, Fits&& fits) const
+    template <typename Predicate>
+    std::size_t findReply(std::size_t from, std::size_t end, Predicate&& predicate) const
     {
-        while (from < end && expected.any() && !fits(replyAt(from).fit))
+        while (from < end && expected.any() && !predicate(replyAt(from).status))
             ++from;
         return expected.any() ? from : end;
     }
@@ -30,14 +30,14 @@ struct Look {
     /// Where the next frame may begin. At the deadline half frames will not become whole any more.
     std::size_t nextStart(bool atDeadline) const
     {
-        const auto starts = [&](Fit fit) {
-            return fit == Fit::Valid || (fit == Fit::Partial && !atDeadline);
+        const auto starts = [&](FrameStatus status) {
+            return status == FrameStatus::Valid || (status == FrameStatus::Partial && !atDeadline);
         };
-        std::size_t place = 1;
-        while (place < buffer.size() && !starts(rules.frameAt(buffer.subspan(place)).fit) &&
-               !starts(replyAt(place).fit) && replyAt(place).fit != Fit::Broken)
-            ++place;
-        return place;
+        std::size_t offset = 1;
+        while (offset < buffer.size() && !starts(rules.frameAt(buffer.subspan(offset)).status) &&
+               !starts(replyAt(offset).status) && replyAt(offset).status != FrameStatus::Broken)
+            ++offset;
+        return offset;
     }
 };
 } // namespace
@@ -47,41 +47,44 @@ ScanResult scanFrames(const FrameRules& rules, ByteView buffer, const Expectatio
 {
     if (buffer.empty())
         return {};
-    const Look look{rules, buffer, expected};
-    const Claim wanted = look.replyAt(0);
-    if (wanted.fit == Fit::Valid)
-        return {ScanKind::Reply, wanted.size, rules.replyPart(buffer.first(wanted.size), expected)};
+    const Scanner scanner{rules, buffer, expected};
+    const FrameMatch expectedReply = scanner.replyAt(0);
+    if (expectedReply.status == FrameStatus::Valid)
+        return {ScanKind::Reply, expectedReply.size,
+                rules.parseReply(buffer.first(expectedReply.size), expected)};
 
-    const auto valid = [](Fit fit) { return fit == Fit::Valid; };
-    const auto partial = [](Fit fit) { return fit == Fit::Partial; };
-    const auto begun = [](Fit fit) { return fit != Fit::None; };
-    const std::size_t reply = look.findReply(1, buffer.size(), valid);
-    const bool mayWait = reply == buffer.size() && !atDeadline;
-    const Claim frame = rules.frameAt(buffer);
-    if (frame.fit == Fit::Valid) {
+    const auto valid = [](FrameStatus status) { return status == FrameStatus::Valid; };
+    const auto partial = [](FrameStatus status) { return status == FrameStatus::Partial; };
+    const auto started = [](FrameStatus status) { return status != FrameStatus::None; };
+    const std::size_t reply = scanner.findReply(1, buffer.size(), valid);
+    const bool canWait = reply == buffer.size() && !atDeadline;
+    const FrameMatch frame = rules.frameAt(buffer);
+    if (frame.status == FrameStatus::Valid) {
         // Overlapping claims: the frame that was asked for counts, also while it is on its way.
         if (reply < frame.size)
             return {ScanKind::Noise, reply, {}};
-        if (mayWait && look.findReply(0, frame.size, partial) < frame.size)
+        if (canWait && scanner.findReply(0, frame.size, partial) < frame.size)
             return {};
-        return {ScanKind::Foreign, frame.size, rules.foreignPart(buffer.first(frame.size))};
+        return {ScanKind::Foreign, frame.size, rules.parseForeign(buffer.first(frame.size))};
     }
-    if (wanted.fit == Fit::Broken) {
-        Part part;
-        part.id = rules.replyPart(buffer.first(wanted.size), expected).id;
-        return {ScanKind::BadCheck, look.findReply(1, wanted.size, begun), part};
+    if (expectedReply.status == FrameStatus::Broken) {
+        Reply part;
+        part.id = rules.parseReply(buffer.first(expectedReply.size), expected).id;
+        return {ScanKind::BadChecksum, scanner.findReply(1, expectedReply.size, started), part};
     }
-    if (mayWait && (wanted.fit == Fit::Partial || frame.fit == Fit::Partial))
+    if (canWait &&
+        (expectedReply.status == FrameStatus::Partial || frame.status == FrameStatus::Partial))
         return {};
-    return {ScanKind::Noise, std::min(look.nextStart(atDeadline), reply), {}};
+    return {ScanKind::Noise, std::min(scanner.nextStart(atDeadline), reply), {}};
 }
 
-bool mayAnswer(int id, int highest, const Expectation& expected)
+bool canReply(int id, int maxReplyId, const Expectation& expected)
 {
     return std::any_of(expected.ids.begin(), expected.ids.end(),
-                       [&](int wanted) {
-                           return wanted == id || (wanted == broadcastId && id <= highest);
+                       [&](int expectedReply) {
+                           return expectedReply == id ||
+                                  (expectedReply == broadcastId && id <= maxReplyId);
                        }) ||
-           (expected.any() && id == expected.alsoFrom);
+           (expected.any() && id == expected.alternateId);
 }
 } // namespace protocol

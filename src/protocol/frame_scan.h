@@ -7,15 +7,15 @@
 #include "protocol/codec.h"
 
 namespace protocol {
-enum class Fit : std::uint8_t {
+enum class FrameStatus : std::uint8_t {
     None,    ///< no such frame begins here
     Partial, ///< all bytes so far fit
     Broken,  ///< whole, but its checksum is wrong
     Valid,
 };
 
-struct Claim {
-    Fit fit = Fit::None;
+struct FrameMatch {
+    FrameStatus status = FrameStatus::None;
     std::size_t size = 0; ///< of the frame, when it is whole
 };
 
@@ -23,16 +23,16 @@ class FrameRules {
 public:
     virtual ~FrameRules() = default;
     /// A reply as expected at the front of `rest`; never called with nothing expected.
-    virtual Claim replyAt(base::ByteView rest, const Expectation& expected) const = 0;
+    virtual FrameMatch replyAt(base::ByteView rest, const Expectation& expected) const = 0;
     /// Any frame of this language.
-    virtual Claim frameAt(base::ByteView rest) const = 0;
-    virtual Part replyPart(base::ByteView frame, const Expectation& expected) const = 0;
-    virtual Part foreignPart(base::ByteView frame) const = 0;
+    virtual FrameMatch frameAt(base::ByteView rest) const = 0;
+    virtual Reply parseReply(base::ByteView frame, const Expectation& expected) const = 0;
+    virtual Reply parseForeign(base::ByteView frame) const = 0;
 };
 
 ScanResult scanFrames(const FrameRules& rules, base::ByteView buffer, const Expectation& expected,
                       bool atDeadline);
 
 /// `id` may send the reply: asked for, or anybody up to `highest` was, or it is as good.
-bool mayAnswer(int id, int highest, const Expectation& expected);
+bool canReply(int id, int maxReplyId, const Expectation& expected);
 } // namespace protocol

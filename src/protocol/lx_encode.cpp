@@ -13,7 +13,7 @@ constexpr int commands = 256;
 
 std::uint8_t commandOf(const Request& request)
 {
-    return static_cast<std::uint8_t>(request.address / lx::placesPerCommand);
+    return static_cast<std::uint8_t>(request.address / lx::bytesPerCommand);
 }
 
 bool isEchoProbe(const Request& request)
@@ -35,10 +35,9 @@ Result<void> checkId(const Request& request)
 /// Parameters are read and written as the whole list of one command.
 Result<void> checkCommand(const Request& request, std::size_t params)
 {
-    if (request.address < lx::placesPerCommand ||
-        request.address >= commands * lx::placesPerCommand)
+    if (request.address < lx::bytesPerCommand || request.address >= commands * lx::bytesPerCommand)
         return refuse(request, QStringLiteral("address %1").arg(request.address));
-    if (request.address % lx::placesPerCommand != 0)
+    if (request.address % lx::bytesPerCommand != 0)
         return refuse(request, QStringLiteral("part of a command's parameters"));
     if (params > lx::maxParams)
         return refuse(request, QStringLiteral("%1 parameters").arg(params));
@@ -92,7 +91,7 @@ Result<Bytes> encodeLx(const Request& request)
 {
     switch (request.op) {
     case Op::Raw:
-        return encodeRaw(request, lx::longestRaw);
+        return encodeRaw(request, lx::maxRawFrame);
     case Op::Ping:
     case Op::Read:
     case Op::Write:
@@ -100,7 +99,7 @@ Result<Bytes> encodeLx(const Request& request)
     case Op::Halt:
         return checkId(request).and_then([&] { return encodeAddressed(request); });
     default:
-        return refuseUnknown(request);
+        return refuseUnsupported(request);
     }
 }
 
@@ -119,7 +118,7 @@ Expectation expectLx(const Request& request)
 
 Request lxEchoProbe()
 {
-    return Request::read(broadcastId, lx::placesPerCommand * lx::cmdPositionRead, 2)
+    return Request::read(broadcastId, lx::bytesPerCommand * lx::cmdPositionRead, 2)
         .in(base::Protocol::Lx);
 }
 

@@ -26,25 +26,25 @@ base::Bytes buildFrame(int id, std::uint8_t command, base::ByteView params)
     return frame;
 }
 
-Claim claimAt(base::ByteView rest)
+FrameMatch matchAt(base::ByteView rest)
 {
     for (std::size_t i = 0; i < 2; ++i) {
         if (i == rest.size())
-            return {Fit::Partial, 0};
+            return {FrameStatus::Partial, 0};
         if (rest[i] != headerByte)
             return {};
     }
     if (rest.size() > 2 && rest[2] > broadcastId)
         return {};
     if (rest.size() < 4)
-        return {Fit::Partial, 0};
+        return {FrameStatus::Partial, 0};
     const std::size_t length = rest[3];
     const std::size_t size = length + 3;
     if (length < minLength || size > maxFrame)
         return {};
     if (rest.size() < size)
-        return {Fit::Partial, size};
-    const bool fits = checksum(rest.subspan(2, length)) == rest[size - 1];
-    return {fits ? Fit::Valid : Fit::Broken, size};
+        return {FrameStatus::Partial, size};
+    const bool valid = checksum(rest.subspan(2, length)) == rest[size - 1];
+    return {valid ? FrameStatus::Valid : FrameStatus::Broken, size};
 }
 } // namespace protocol::lx

@@ -12,8 +12,8 @@ constexpr std::size_t overhead = 6; ///< bytes of a frame without parameters
 constexpr std::size_t minLength = 3;
 constexpr std::size_t maxParams = 8; ///< the sheet's commands have four at most
 constexpr std::size_t maxFrame = overhead + maxParams;
-constexpr std::size_t longestRaw = 258; ///< what one byte of LEN allows
-constexpr int placesPerCommand = 8;     ///< addresses of a Request: 8 × command
+constexpr std::size_t maxRawFrame = 258; ///< what one byte of LEN allows
+constexpr int bytesPerCommand = 8;       ///< addresses of a Request: 8 × command
 
 enum Command : std::uint8_t {
     cmdMoveStart = 11,
@@ -25,7 +25,7 @@ enum Command : std::uint8_t {
 base::Bytes buildFrame(int id, std::uint8_t command, base::ByteView params);
 
 /// What the front of `rest` is.
-Claim claimAt(base::ByteView rest);
+FrameMatch matchAt(base::ByteView rest);
 
 /// Parameters of the whole frame `frame`.
 inline base::ByteView params(base::ByteView frame)

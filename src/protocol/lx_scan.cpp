@@ -9,24 +9,25 @@ using base::ByteView;
 class LxRules final : public FrameRules {
 public:
     /// The command tells a late reply to another question from the answer.
-    Claim replyAt(ByteView rest, const Expectation& expected) const override
+    FrameMatch replyAt(ByteView rest, const Expectation& expected) const override
     {
-        const Claim claim = lx::claimAt(rest);
-        if (claim.fit == Fit::None || (rest.size() > 2 && !mayAnswer(rest[2], maxId, expected)) ||
-            (rest.size() > 3 && claim.size != static_cast<std::size_t>(expected.replyBytes)) ||
+        const FrameMatch match = lx::matchAt(rest);
+        if (match.status == FrameStatus::None ||
+            (rest.size() > 2 && !canReply(rest[2], maxId, expected)) ||
+            (rest.size() > 3 && match.size != static_cast<std::size_t>(expected.replyBytes)) ||
             (rest.size() > 4 && rest[4] != expected.command))
             return {};
-        return claim;
+        return match;
     }
 
-    Claim frameAt(ByteView rest) const override { return lx::claimAt(rest); }
+    FrameMatch frameAt(ByteView rest) const override { return lx::matchAt(rest); }
 
-    Part replyPart(ByteView frame, const Expectation& /*expected*/) const override
+    Reply parseReply(ByteView frame, const Expectation& /*expected*/) const override
     {
-        return foreignPart(frame);
+        return parseForeign(frame);
     }
 
-    Part foreignPart(ByteView frame) const override
+    Reply parseForeign(ByteView frame) const override
     {
         const ByteView data = lx::params(frame);
         return {frame[2], 0, {data.begin(), data.end()}};
@@ -44,17 +45,18 @@ RequestScan scanLxRequest(ByteView buffer)
     RequestScan result;
     if (buffer.empty())
         return result;
-    const Claim claim = lx::claimAt(buffer);
-    if (claim.fit == Fit::Partial)
+    const FrameMatch match = lx::matchAt(buffer);
+    if (match.status == FrameStatus::Partial)
         return result;
-    if (claim.fit == Fit::Valid) {
-        const ByteView params = lx::params(buffer.first(claim.size));
-        return {ScanKind::Reply, claim.size, buffer[2], buffer[4], {params.begin(), params.end()}};
+    if (match.status == FrameStatus::Valid) {
+        const ByteView params = lx::params(buffer.first(match.size));
+        return {ScanKind::Reply, match.size, buffer[2], buffer[4], {params.begin(), params.end()}};
     }
-    result.kind = claim.fit == Fit::Broken ? ScanKind::BadCheck : ScanKind::Noise;
-    const std::size_t end = claim.fit == Fit::Broken ? claim.size : buffer.size();
+    result.kind = match.status == FrameStatus::Broken ? ScanKind::BadChecksum : ScanKind::Noise;
+    const std::size_t end = match.status == FrameStatus::Broken ? match.size : buffer.size();
     result.consumed = 1;
-    while (result.consumed < end && lx::claimAt(buffer.subspan(result.consumed)).fit == Fit::None)
+    while (result.consumed < end &&
+           lx::matchAt(buffer.subspan(result.consumed)).status == FrameStatus::None)
         ++result.consumed;
     return result;
 }

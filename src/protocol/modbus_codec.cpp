@@ -6,8 +6,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr base::Duration fixedSilence = 1750us;
-constexpr int fastestWithOwnSilence = 19'200;
-constexpr std::int64_t silentHalfBits = 70; ///< 3.5 characters of 10 bits
+constexpr int maxBaudForScaledSilence = 19'200;
+constexpr std::int64_t silenceHalfBits = 70; ///< 3.5 characters of 10 bits
 
 class ModbusCodec final : public Codec {
 public:
@@ -15,9 +15,9 @@ public:
 
     base::Duration silence(int baud) const override
     {
-        if (baud <= 0 || baud > fastestWithOwnSilence)
+        if (baud <= 0 || baud > maxBaudForScaledSilence)
             return fixedSilence;
-        return base::Duration((silentHalfBits * 500'000 + baud - 1) / baud);
+        return base::Duration((silenceHalfBits * 500'000 + baud - 1) / baud);
     }
 
     base::Result<base::Bytes> encode(const Request& request) const override

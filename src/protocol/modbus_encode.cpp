@@ -10,8 +10,8 @@ using base::Bytes;
 using base::Result;
 
 constexpr int registers = 65'536;
-constexpr int mostToRead = 125; ///< what one byte of count and 256 bytes a frame leave
-constexpr int mostToWrite = 123;
+constexpr int maxReadRegisters = 125; ///< what one byte of count and 256 bytes a frame leave
+constexpr int maxWriteRegisters = 123;
 constexpr int identityRegisters = 4; ///< from 0 on
 constexpr int reportBytes = 3;
 
@@ -36,19 +36,19 @@ bool isEchoProbe(const Request& request)
 Result<void> checkStation(const Request& request)
 {
     const bool toAll = request.id == broadcastId && request.op != Op::Read;
-    const bool one = request.id >= 1 && request.id <= modbus::highestStation;
+    const bool one = request.id >= 1 && request.id <= modbus::maxStation;
     if (toAll || one || isEchoProbe(request))
         return {};
     return refuse(request, QStringLiteral("ID %1: Modbus stations are 1 to 247").arg(request.id));
 }
 
-Result<void> checkArea(const Request& request, int bytes, int most)
+Result<void> checkArea(const Request& request, int bytes, int maxRegisters)
 {
     if (request.address < 0 || request.address >= 2 * registers)
         return refuse(request, QStringLiteral("address %1").arg(request.address));
     if (request.address % 2 != 0 || bytes % 2 != 0)
         return refuse(request, QStringLiteral("half a register"));
-    if (bytes < 2 || bytes > 2 * most)
+    if (bytes < 2 || bytes > 2 * maxRegisters)
         return refuse(request, QStringLiteral("%1 registers").arg(bytes / 2));
     if (request.address + bytes > 2 * registers)
         return refuse(request, QStringLiteral("%1 registers from %2 pass the end of the table")
@@ -67,7 +67,7 @@ Bytes readFrame(const Request& request, int first, int count)
 
 Result<Bytes> encodeRead(const Request& request)
 {
-    return checkArea(request, request.count, mostToRead).transform([&] {
+    return checkArea(request, request.count, maxReadRegisters).transform([&] {
         return readFrame(request, request.address / 2, request.count / 2);
     });
 }
@@ -94,7 +94,7 @@ Result<Bytes> encodeWrite(const Request& request)
     if (request.data.size() > modbus::maxFrame)
         return refuse(request, QStringLiteral("%1 registers").arg(request.data.size() / 2));
     const int size = static_cast<int>(request.data.size());
-    return checkArea(request, size, mostToWrite).transform([&] {
+    return checkArea(request, size, maxWriteRegisters).transform([&] {
         Bytes data = writeHead(request);
         if (writeFunction(request) == modbus::fnWrite) {
             data.push_back(static_cast<std::uint8_t>(size));
@@ -129,7 +129,7 @@ Expectation answer(const Request& request, std::uint8_t function, Bytes head, in
 {
     Expectation expected;
     expected.ids = {request.id};
-    expected.alsoFrom = request.answersAs;
+    expected.alternateId = request.alternateReplyId;
     expected.command = function;
     expected.dataBytes = dataBytes;
     expected.replyBytes = static_cast<int>(modbus::overhead + head.size()) + dataBytes;
@@ -154,7 +154,7 @@ Result<Bytes> encodeModbus(const Request& request)
     case Op::Reboot:
         return checkStation(request).and_then([&] { return encodeAddressed(request); });
     default:
-        return refuseUnknown(request);
+        return refuseUnsupported(request);
     }
 }
 

@@ -29,7 +29,7 @@ QString functionName(std::uint8_t function)
     }
 }
 
-QString reasonName(std::uint8_t reason)
+QString exceptionText(std::uint8_t reason)
 {
     switch (reason) {
     case 1:
@@ -49,9 +49,9 @@ QString addressed(std::uint8_t function, std::uint8_t station)
            (station == 0 ? QStringLiteral("all") : QString::number(station));
 }
 
-quint64 word(ByteView data, std::size_t place)
+quint64 word(ByteView data, std::size_t position)
 {
-    return base::readUnsigned(data.subspan(place, 2), base::ByteOrder::Big);
+    return base::readUnsigned(data.subspan(position, 2), base::ByteOrder::Big);
 }
 
 /// "READ 1 @256 ×8", "WRITE 1 @129: 00 01", "WRITE 1 @128 ×4: 08 00 …"
@@ -61,10 +61,10 @@ QString explainRequest(ByteView frame)
     const ByteView data = modbus::content(frame);
     if (data.size() < 4)
         return withData(head, data);
-    const QString place = head + QStringLiteral(" @%1").arg(word(data, 0));
+    const QString position = head + QStringLiteral(" @%1").arg(word(data, 0));
     if (frame[1] == modbus::fnWriteOne)
-        return withData(place, data.subspan(2));
-    const QString span = place + QStringLiteral(" ×%1").arg(word(data, 2));
+        return withData(position, data.subspan(2));
+    const QString span = position + QStringLiteral(" ×%1").arg(word(data, 2));
     return data.size() > 5 ? withData(span, data.subspan(5)) : span;
 }
 
@@ -73,7 +73,7 @@ QString explainReply(ByteView frame)
     const ByteView data = modbus::content(frame);
     if ((frame[1] & modbus::exceptionFlag) != 0)
         return QStringLiteral("EXCEPTION ") + addressed(frame[1] & 0x7FU, frame[0]) +
-               QStringLiteral(": ") + reasonName(data[0]);
+               QStringLiteral(": ") + exceptionText(data[0]);
     const bool write = frame[1] == modbus::fnWriteOne || frame[1] == modbus::fnWrite;
     return QStringLiteral("REPLY ") +
            (write ? explainRequest(frame)
@@ -87,6 +87,6 @@ QString explainModbus(ByteView frame, bool fromHost)
     if (frame.empty() || size != frame.size())
         return withData(QStringLiteral("bytes"), frame);
     const QString text = fromHost ? explainRequest(frame) : explainReply(frame);
-    return modbus::crcFits(frame) ? text : text + QStringLiteral(" (CRC wrong)");
+    return modbus::isCrcValid(frame) ? text : text + QStringLiteral(" (CRC wrong)");
 }
 } // namespace protocol

@@ -7,12 +7,12 @@ namespace protocol::modbus {
 namespace {
 using base::ByteView;
 
-constexpr std::size_t mostData = 250;
+constexpr std::size_t maxDataBytes = 250;
 
 /// Words only, at least one.
-std::size_t countedSize(std::size_t around, std::uint8_t count)
+std::size_t countedSize(std::size_t overheadBytes, std::uint8_t count)
 {
-    return count == 0 || count % 2 != 0 || count > mostData ? 0 : around + count;
+    return count == 0 || count % 2 != 0 || count > maxDataBytes ? 0 : overheadBytes + count;
 }
 
 bool isFunction(std::uint8_t code)
@@ -44,19 +44,19 @@ base::Bytes buildFrame(int station, std::uint8_t function, ByteView data)
 
 std::size_t requestSize(ByteView rest)
 {
-    const std::size_t more = rest.size() + 1;
+    const std::size_t incomplete = rest.size() + 1;
     if (rest.empty())
-        return more;
-    if (rest[0] > highestStation)
+        return incomplete;
+    if (rest[0] > maxStation)
         return 0;
     if (rest.size() == 1)
-        return more;
+        return incomplete;
     switch (rest[1]) {
     case fnRead:
     case fnWriteOne:
         return 8;
     case fnWrite:
-        return rest.size() < 7 ? more : countedSize(9, rest[6]);
+        return rest.size() < 7 ? incomplete : countedSize(9, rest[6]);
     case fnReportId:
     case fnReboot:
         return overhead;
@@ -67,22 +67,22 @@ std::size_t requestSize(ByteView rest)
 
 std::size_t replySize(ByteView rest)
 {
-    const std::size_t more = rest.size() + 1;
+    const std::size_t incomplete = rest.size() + 1;
     if (rest.empty())
-        return more;
-    if (rest[0] == 0 || rest[0] > highestStation)
+        return incomplete;
+    if (rest[0] == 0 || rest[0] > maxStation)
         return 0;
     if (rest.size() == 1)
-        return more;
+        return incomplete;
     switch (rest[1]) {
     case fnRead:
-        return rest.size() < 3 ? more : countedSize(5, rest[2]);
+        return rest.size() < 3 ? incomplete : countedSize(5, rest[2]);
     case fnWriteOne:
     case fnWrite:
         return 8;
     case fnReportId:
     case fnReportIdDisputed:
-        return rest.size() < 3 ? more : rest[2] == 3 ? 8 : 0;
+        return rest.size() < 3 ? incomplete : rest[2] == 3 ? 8 : 0;
     default:
         break;
     }
@@ -91,19 +91,19 @@ std::size_t replySize(ByteView rest)
     return rest.size() > 2 && rest[2] == 0 ? 0 : exceptionSize;
 }
 
-bool crcFits(ByteView frame)
+bool isCrcValid(ByteView frame)
 {
     const ByteView crc = frame.last(2);
     return base::crc16Modbus(frame.first(frame.size() - 2)) ==
            base::readUnsigned(crc, base::ByteOrder::Little);
 }
 
-Claim claimOf(ByteView rest, std::size_t size)
+FrameMatch matchOf(ByteView rest, std::size_t size)
 {
     if (size == 0)
         return {};
     if (rest.size() < size)
-        return {Fit::Partial, size};
-    return {crcFits(rest.first(size)) ? Fit::Valid : Fit::Broken, size};
+        return {FrameStatus::Partial, size};
+    return {isCrcValid(rest.first(size)) ? FrameStatus::Valid : FrameStatus::Broken, size};
 }
 } // namespace protocol::modbus

@@ -11,7 +11,7 @@ namespace protocol::modbus {
 constexpr std::size_t overhead = 4; ///< station, function, CRC
 constexpr std::size_t maxFrame = 256;
 constexpr std::size_t exceptionSize = 5;
-constexpr int highestStation = 247;
+constexpr int maxStation = 247;
 constexpr std::uint8_t exceptionFlag = 0x80;
 
 enum Function : std::uint8_t {
@@ -30,10 +30,10 @@ base::Bytes buildFrame(int station, std::uint8_t function, base::ByteView data);
 std::size_t requestSize(base::ByteView rest);
 std::size_t replySize(base::ByteView rest);
 
-bool crcFits(base::ByteView frame);
+bool isCrcValid(base::ByteView frame);
 
 /// What the front of `rest` is if it is a frame of `size` bytes, as those functions give it.
-Claim claimOf(base::ByteView rest, std::size_t size);
+FrameMatch matchOf(base::ByteView rest, std::size_t size);
 
 /// What stands between function and CRC.
 inline base::ByteView content(base::ByteView frame)

@@ -16,12 +16,12 @@ bool isCommand(std::uint8_t function, const Expectation& expected)
 
 class ModbusRules final : public FrameRules {
 public:
-    Claim replyAt(ByteView rest, const Expectation& expected) const override
+    FrameMatch replyAt(ByteView rest, const Expectation& expected) const override
     {
-        if (rest[0] == 0 || !mayAnswer(rest[0], modbus::highestStation, expected))
+        if (rest[0] == 0 || !canReply(rest[0], modbus::maxStation, expected))
             return {};
         if (rest.size() > 1 && rest[1] == (expected.command | modbus::exceptionFlag))
-            return modbus::claimOf(rest, modbus::replySize(rest));
+            return modbus::matchOf(rest, modbus::replySize(rest));
         if (rest.size() > 1 && !isCommand(rest[1], expected))
             return {};
         const ByteView head = rest.subspan(std::min<std::size_t>(rest.size(), 2));
@@ -29,19 +29,19 @@ public:
         if (!std::equal(expected.head.begin(),
                         expected.head.begin() + static_cast<std::ptrdiff_t>(known), head.begin()))
             return {};
-        return modbus::claimOf(rest, static_cast<std::size_t>(expected.replyBytes));
+        return modbus::matchOf(rest, static_cast<std::size_t>(expected.replyBytes));
     }
 
-    Claim frameAt(ByteView rest) const override
+    FrameMatch frameAt(ByteView rest) const override
     {
-        const Claim request = modbus::claimOf(rest, modbus::requestSize(rest));
-        const Claim reply = modbus::claimOf(rest, modbus::replySize(rest));
-        if (request.fit == Fit::Valid || reply.fit == Fit::Valid)
-            return request.fit == Fit::Valid ? request : reply;
-        return request.fit == Fit::Partial ? request : reply;
+        const FrameMatch request = modbus::matchOf(rest, modbus::requestSize(rest));
+        const FrameMatch reply = modbus::matchOf(rest, modbus::replySize(rest));
+        if (request.status == FrameStatus::Valid || reply.status == FrameStatus::Valid)
+            return request.status == FrameStatus::Valid ? request : reply;
+        return request.status == FrameStatus::Partial ? request : reply;
     }
 
-    Part replyPart(ByteView frame, const Expectation& expected) const override
+    Reply parseReply(ByteView frame, const Expectation& expected) const override
     {
         if ((frame[1] & modbus::exceptionFlag) != 0)
             return {frame[0], 0, {}, frame[2]};
@@ -49,7 +49,7 @@ public:
         return {frame[0], 0, {data.begin(), data.end()}};
     }
 
-    Part foreignPart(ByteView frame) const override
+    Reply parseForeign(ByteView frame) const override
     {
         if ((frame[1] & modbus::exceptionFlag) != 0)
             return {modbus::idOf(frame[0]), 0, {}, frame[2]};
@@ -59,22 +59,21 @@ public:
 };
 
 /// A function we do not know gives no length: such a request ends where its CRC fits.
-std::size_t unknownRequestSize(ByteView buffer)
+std::size_t sizeByCrc(ByteView buffer)
 {
     for (std::size_t size = modbus::overhead; size <= buffer.size(); ++size) {
-        if (modbus::crcFits(buffer.first(size)))
+        if (modbus::isCrcValid(buffer.first(size)))
             return size;
     }
     return buffer.size() < modbus::maxFrame ? buffer.size() + 1 : 0;
 }
 
-Claim requestAt(ByteView buffer)
+FrameMatch requestAt(ByteView buffer)
 {
     std::size_t size = modbus::requestSize(buffer);
-    if (size == 0 && buffer[0] <= modbus::highestStation &&
-        (buffer[1] & modbus::exceptionFlag) == 0)
-        size = unknownRequestSize(buffer);
-    return modbus::claimOf(buffer, size);
+    if (size == 0 && buffer[0] <= modbus::maxStation && (buffer[1] & modbus::exceptionFlag) == 0)
+        size = sizeByCrc(buffer);
+    return modbus::matchOf(buffer, size);
 }
 } // namespace
 
@@ -88,8 +87,8 @@ RequestScan scanModbusRequest(ByteView buffer)
     RequestScan result;
     if (buffer.empty())
         return result;
-    const Claim request = requestAt(buffer);
-    if (request.fit == Fit::Valid) {
+    const FrameMatch request = requestAt(buffer);
+    if (request.status == FrameStatus::Valid) {
         const ByteView params = modbus::content(buffer.first(request.size));
         return {ScanKind::Reply,
                 request.size,
@@ -98,14 +97,14 @@ RequestScan scanModbusRequest(ByteView buffer)
                 {params.begin(), params.end()}};
     }
     // Stations hear each other's replies as well.
-    const Claim reply = modbus::claimOf(buffer, modbus::replySize(buffer));
-    if (reply.fit == Fit::Valid) {
+    const FrameMatch reply = modbus::matchOf(buffer, modbus::replySize(buffer));
+    if (reply.status == FrameStatus::Valid) {
         result.kind = ScanKind::Noise;
         result.consumed = reply.size;
-    } else if (request.fit == Fit::Broken && reply.fit != Fit::Partial) {
-        result.kind = ScanKind::BadCheck;
+    } else if (request.status == FrameStatus::Broken && reply.status != FrameStatus::Partial) {
+        result.kind = ScanKind::BadChecksum;
         result.consumed = request.size;
-    } else if (request.fit == Fit::None && reply.fit != Fit::Partial) {
+    } else if (request.status == FrameStatus::None && reply.status != FrameStatus::Partial) {
         result.kind = ScanKind::Noise;
         result.consumed = 1;
     }

@@ -39,23 +39,23 @@ QString operationName(Op op)
 }
 } // namespace
 
-tl::unexpected<base::Error> refuse(const Request& request, const QString& why)
+tl::unexpected<base::Error> refuse(const Request& request, const QString& detail)
 {
-    return base::fail(base::ErrorCode::BadArgument, operationName(request.op), why, request.id);
+    return base::fail(base::ErrorCode::BadArgument, operationName(request.op), detail, request.id);
 }
 
-tl::unexpected<base::Error> refuseUnknown(const Request& request)
+tl::unexpected<base::Error> refuseUnsupported(const Request& request)
 {
     return base::fail(base::ErrorCode::NotSupported, operationName(request.op),
                       QStringLiteral("no such instruction"), request.id);
 }
 
-base::Result<base::Bytes> encodeRaw(const Request& request, std::size_t longest)
+base::Result<base::Bytes> encodeRaw(const Request& request, std::size_t maxSize)
 {
     if (request.data.empty())
         return refuse(request, QStringLiteral("no bytes"));
-    if (request.data.size() > longest)
-        return refuse(request, QStringLiteral("packet longer than %1 bytes").arg(longest));
+    if (request.data.size() > maxSize)
+        return refuse(request, QStringLiteral("packet longer than %1 bytes").arg(maxSize));
     return request.data;
 }
 } // namespace protocol

@@ -7,11 +7,11 @@
 
 namespace protocol {
 /// BadArgument; `why` tells what is wrong with the request.
-tl::unexpected<base::Error> refuse(const Request& request, const QString& why);
+tl::unexpected<base::Error> refuse(const Request& request, const QString& detail);
 
 /// NotSupported: the request's language has nothing of the kind.
-tl::unexpected<base::Error> refuseUnknown(const Request& request);
+tl::unexpected<base::Error> refuseUnsupported(const Request& request);
 
 /// The bytes of a raw request as they are, if there are any and at most `longest`.
-base::Result<base::Bytes> encodeRaw(const Request& request, std::size_t longest);
+base::Result<base::Bytes> encodeRaw(const Request& request, std::size_t maxSize);
 } // namespace protocol

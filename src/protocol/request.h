@@ -54,13 +54,14 @@ struct Request {
     std::vector<Target> targets; ///< for SyncRead and SyncWrite
     Repeat repeat = Repeat::Never;
     bool acknowledged = true; ///< false: the servo is at response level 0 and stays silent
-    int answersAs = -1; ///< the reply may also name this ID: the new one, when the ID is written
+    int alternateReplyId =
+        -1; ///< the reply may also name this ID: the new one, when the ID is written
 
     /// The same request in another language.
-    Request in(base::Protocol language) const
+    Request in(base::Protocol wireProtocol) const
     {
         Request request = *this;
-        request.protocol = language;
+        request.protocol = wireProtocol;
         return request;
     }
 
@@ -81,7 +82,7 @@ struct Request {
 };
 
 /// One servo's answer. `status` is the error byte as data (0 = no alarm).
-struct Part {
+struct Reply {
     int id = 0;
     std::uint8_t status = 0;
     base::Bytes data;

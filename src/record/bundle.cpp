@@ -14,7 +14,7 @@ namespace record {
 namespace {
 const QLatin1String formatName("servodesk-bundle");
 constexpr int formatVersion = 1;
-constexpr qint64 largestFile = 64 * 1024 * 1024; ///< 254 servos with long notes are 4 MB
+constexpr qint64 maxFileSize = 64 * 1024 * 1024; ///< 254 servos with long notes are 4 MB
 const QString loading = QStringLiteral("load-bundle");
 
 std::vector<Snapshot> readServos(const JsonReader& json)
@@ -26,7 +26,7 @@ std::vector<Snapshot> readServos(const JsonReader& json)
         const SnapshotServo& servo = servos.back().servo;
         const QString who = servo.protocol + QLatin1Char(' ') + QString::number(servo.id);
         if (seen.contains(who))
-            one.complain("servo", QStringLiteral("ID %1 is there twice").arg(servo.id));
+            one.reportError("servo", QStringLiteral("ID %1 is there twice").arg(servo.id));
         seen.insert(who);
     }
     return servos;
@@ -66,10 +66,10 @@ base::Result<Bundle> decodeBundle(const QByteArray& text)
     const auto document = parseJson(text);
     if (!document)
         return fail(document.error());
-    if (const QString twice = duplicateMember(text); !twice.isEmpty())
+    if (const QString twice = findDuplicateKey(text); !twice.isEmpty())
         return fail(twice);
-    JsonComplaint complaint;
-    const JsonReader json(*document, complaint);
+    JsonReadError readError;
+    const JsonReader json(*document, readError);
     checkFormat(json, formatName, formatVersion, QStringLiteral("not a ServoDesk bundle"));
     Bundle bundle;
     bundle.program = json.text("program");
@@ -78,8 +78,8 @@ base::Result<Bundle> decodeBundle(const QByteArray& text)
     bundle.note = json.text("note");
     bundle.port = json.text("port");
     bundle.servos = readServos(json);
-    if (complaint.made())
-        return fail(complaint.text());
+    if (readError.isSet())
+        return fail(readError.text());
     return bundle;
 }
 
@@ -90,7 +90,7 @@ base::Result<void> saveBundle(const Bundle& bundle, const QString& path)
 
 base::Result<Bundle> loadBundle(const QString& path)
 {
-    const auto text = readTextFile(loading, path, largestFile);
+    const auto text = readTextFile(loading, path, maxFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto bundle = decodeBundle(*text);

@@ -12,15 +12,15 @@
 
 namespace record {
 namespace {
-struct VerdictWord {
+struct VerdictName {
     CommissionVerdict verdict;
     const char* word;
 };
-constexpr std::array verdictWords{
-    VerdictWord{CommissionVerdict::Good, "good"},
-    VerdictWord{CommissionVerdict::Remark, "remark"},
-    VerdictWord{CommissionVerdict::Failed, "failed"},
-    VerdictWord{CommissionVerdict::Aside, "set-aside"},
+constexpr std::array verdictNames{
+    VerdictName{CommissionVerdict::Good, "good"},
+    VerdictName{CommissionVerdict::Remark, "remark"},
+    VerdictName{CommissionVerdict::Failed, "failed"},
+    VerdictName{CommissionVerdict::Skipped, "set-aside"},
 };
 
 QString known(int number, int none)
@@ -28,18 +28,18 @@ QString known(int number, int none)
     return number == none ? QString() : QString::number(number);
 }
 
-QString measured(std::optional<double> value)
+QString numberOrEmpty(std::optional<double> value)
 {
     return value ? QString::number(*value, 'g', QLocale::FloatingPointShortest) : QString();
 }
 
-QString troublesCell(const std::vector<CommissionTrouble>& troubles)
+QString issuesCell(const std::vector<CommissionIssue>& issues)
 {
     QStringList words;
-    for (const CommissionTrouble& trouble : troubles)
-        words.append(trouble.detail.isEmpty()
-                         ? trouble.word
-                         : QStringLiteral("%1 (%2)").arg(trouble.word, trouble.detail));
+    for (const CommissionIssue& issue : issues)
+        words.append(issue.detail.isEmpty()
+                         ? issue.word
+                         : QStringLiteral("%1 (%2)").arg(issue.word, issue.detail));
     return words.join(QStringLiteral("; "));
 }
 
@@ -51,7 +51,7 @@ QString timeText(const QDateTime& at)
 
 QString verdictName(CommissionVerdict verdict)
 {
-    const auto* found = std::find_if(verdictWords.begin(), verdictWords.end(),
+    const auto* found = std::find_if(verdictNames.begin(), verdictNames.end(),
                                      [&](const auto& known) { return known.verdict == verdict; });
     return QString::fromLatin1(found->word);
 }
@@ -59,17 +59,17 @@ QString verdictName(CommissionVerdict verdict)
 std::optional<CommissionVerdict> commissionVerdictFromName(const QString& name)
 {
     const auto* found =
-        std::find_if(verdictWords.begin(), verdictWords.end(),
+        std::find_if(verdictNames.begin(), verdictNames.end(),
                      [&](const auto& known) { return name == QLatin1String(known.word); });
-    return found == verdictWords.end() ? std::nullopt : std::optional(found->verdict);
+    return found == verdictNames.end() ? std::nullopt : std::optional(found->verdict);
 }
 
-bool CommissionBatch::idTaken(int id) const
+bool CommissionBatch::isIdTaken(int id) const
 {
     return std::any_of(rows.begin(), rows.end(),
                        [id](const CommissionRow& row) { return row.newId == id; }) ||
-           std::any_of(pending.begin(), pending.end(), [id](const CommissionPending& one) {
-               return one.idSent && one.newId == id;
+           std::any_of(pending.begin(), pending.end(), [id](const PendingCommission& one) {
+               return one.isIdSent && one.newId == id;
            });
 }
 
@@ -85,17 +85,17 @@ int CommissionBatch::done() const
     return count(CommissionVerdict::Good) + count(CommissionVerdict::Remark);
 }
 
-std::vector<CommissionTrouble> unfinishedTroubles(const CommissionPending& pending)
+std::vector<CommissionIssue> unfinishedIssues(const PendingCommission& pending)
 {
-    std::vector<CommissionTrouble> troubles;
-    if (pending.idRead)
-        troubles.push_back({QStringLiteral("unfinished-id"), QString::number(pending.newId)});
-    else if (pending.idSent && pending.newId != pending.servo.id)
-        troubles.push_back({QStringLiteral("unfinished-ids"),
-                            QStringLiteral("%1, %2").arg(pending.servo.id).arg(pending.newId)});
+    std::vector<CommissionIssue> issues;
+    if (pending.isIdConfirmed)
+        issues.push_back({QStringLiteral("unfinished-id"), QString::number(pending.newId)});
+    else if (pending.isIdSent && pending.newId != pending.servo.id)
+        issues.push_back({QStringLiteral("unfinished-ids"),
+                          QStringLiteral("%1, %2").arg(pending.servo.id).arg(pending.newId)});
     if (pending.lockOpen)
-        troubles.push_back({QStringLiteral("unfinished-lock")});
-    return troubles;
+        issues.push_back({QStringLiteral("unfinished-lock")});
+    return issues;
 }
 
 QByteArray encodeCommissionCsv(const CommissionBatch& batch)
@@ -103,12 +103,12 @@ QByteArray encodeCommissionCsv(const CommissionBatch& batch)
     QByteArray text = "time,verdict,troubles,model,firmware,was_id,was_baud,id,baud,template,"
                       "written,centred,volts,celsius,label,snapshot\n";
     for (const CommissionRow& row : batch.rows)
-        text += csvLine({timeText(row.at), verdictName(row.verdict), troublesCell(row.troubles),
-                         row.servo.model, row.servo.firmware, QString::number(row.servo.id),
-                         known(row.oldBaud, 0), known(row.newId, -1), known(row.newBaud, 0),
-                         row.templateName, QString::number(row.written),
-                         row.centred ? QStringLiteral("1") : QStringLiteral("0"),
-                         measured(row.volts), measured(row.celsius), row.label, row.snapshot});
+        text += csvLine(
+            {timeText(row.at), verdictName(row.verdict), issuesCell(row.issues), row.servo.model,
+             row.servo.firmware, QString::number(row.servo.id), known(row.oldBaud, 0),
+             known(row.newId, -1), known(row.newBaud, 0), row.templateName,
+             QString::number(row.written), row.centered ? QStringLiteral("1") : QStringLiteral("0"),
+             numberOrEmpty(row.volts), numberOrEmpty(row.celsius), row.label, row.snapshot});
     return text;
 }
 
@@ -120,7 +120,7 @@ QString commissionStatePath(const QString& csvPath)
 
 base::Result<CommissionBatch> openCommissionBatch(const QString& csvPath)
 {
-    constexpr qint64 largestFile = 64 * 1024 * 1024;
+    constexpr qint64 maxFileSize = 64 * 1024 * 1024;
     const QString operation = QStringLiteral("load-batch");
     const QString path = commissionStatePath(csvPath);
     if (!QFileInfo::exists(path)) {
@@ -130,7 +130,7 @@ base::Result<CommissionBatch> openCommissionBatch(const QString& csvPath)
                 QStringLiteral("%1 is there without %2").arg(csvPath, QFileInfo(path).fileName()));
         return CommissionBatch();
     }
-    const auto text = readTextFile(operation, path, largestFile);
+    const auto text = readTextFile(operation, path, maxFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto batch = decodeCommissionBatch(*text);
@@ -175,7 +175,7 @@ QString commissionLabel(const QString& format, const CommissionRow& row)
     return label;
 }
 
-QString usualLabelFormat()
+QString defaultLabelFormat()
 {
     return QStringLiteral("{model} · ID {id} · {rate}");
 }

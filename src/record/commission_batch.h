@@ -12,18 +12,18 @@
 namespace record {
 enum class CommissionVerdict : std::uint8_t {
     Good,
-    Remark, ///< set up; see its troubles
-    Failed, ///< something was written, and not everything has come true
-    Aside,  ///< nothing was written: not one for this batch
+    Remark,  ///< set up; see its troubles
+    Failed,  ///< something was written, and not everything has come true
+    Skipped, ///< nothing was written: not one for this batch
 };
 QString verdictName(CommissionVerdict verdict); ///< "good", "remark", "failed", "set-aside"
 std::optional<CommissionVerdict> commissionVerdictFromName(const QString& name);
 
 /// Why: a stable word ("alarm-voltage", "other-model", an error's name) and what belongs to it.
-struct CommissionTrouble {
+struct CommissionIssue {
     QString word;
     QString detail{};
-    bool operator==(const CommissionTrouble&) const = default;
+    bool operator==(const CommissionIssue&) const = default;
 };
 
 struct CommissionRow {
@@ -34,58 +34,59 @@ struct CommissionRow {
     int newBaud = 0;        ///< 0: likewise
     QString templateName{}; ///< empty: none
     int written = 0;        ///< registers the template has changed
-    bool centred = false;
+    bool centered = false;
     std::optional<double> volts{};
     std::optional<double> celsius{};
     CommissionVerdict verdict = CommissionVerdict::Good;
-    std::vector<CommissionTrouble> troubles{};
+    std::vector<CommissionIssue> issues{};
     QString label{};
     QString snapshot{}; ///< file with the table as it was; empty: none
     bool operator==(const CommissionRow&) const = default;
 };
 
 /// A servo that was begun and has not been finished: where it may be found.
-struct CommissionPending {
+struct PendingCommission {
     QDateTime at;        ///< UTC, to the millisecond: its changes in the journal are later
     SnapshotServo servo; ///< as it was met
     int oldBaud = 0;
     int newId = -1;
     int newBaud = 0;
-    bool idSent = false;   ///< it may have its new ID, which no other servo gets
+    bool isIdSent = false; ///< it may have its new ID, which no other servo gets
     QString snapshot{};    ///< file with its table before the first write
-    bool idRead = false;   ///< its new ID was read back: under the old one another servo answers
+    bool isIdConfirmed =
+        false;             ///< its new ID was read back: under the old one another servo answers
     bool lockOpen = false; ///< its lock was opened and not proven closed
-    bool operator==(const CommissionPending&) const = default;
+    bool operator==(const PendingCommission&) const = default;
 };
 
 /// Where the last one finished answers, until it has been seen to be gone.
-struct CommissionPlace {
+struct ServoLocation {
     QString protocol;
     int id = -1;
     int baud = 0;
-    bool operator==(const CommissionPlace&) const = default;
+    bool operator==(const ServoLocation&) const = default;
 };
 
 struct CommissionBatch {
     QString program{};
     std::vector<CommissionRow> rows{}; ///< in the order of work
-    std::vector<CommissionPending> pending{};
-    std::optional<CommissionPlace> onWire{};
+    std::vector<PendingCommission> pending{};
+    std::optional<ServoLocation> attachedServo{};
     bool operator==(const CommissionBatch&) const = default;
 
     /// Given to a servo, or perhaps given.
-    bool idTaken(int id) const;
+    bool isIdTaken(int id) const;
     int count(CommissionVerdict verdict) const;
     int done() const; ///< good or with a remark
 };
 
 /// What is known of a servo that was begun: the IDs it may have, and its lock.
-std::vector<CommissionTrouble> unfinishedTroubles(const CommissionPending& pending);
+std::vector<CommissionIssue> unfinishedIssues(const PendingCommission& pending);
 
 QByteArray encodeCommissionBatch(const CommissionBatch& batch);
 base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text);
 /// Columns: time, verdict, troubles, model, firmware, was_id, was_baud, id, baud, template,
-/// written, centred, volts, celsius, label, snapshot.
+/// written, centered, volts, celsius, label, snapshot.
 QByteArray encodeCommissionCsv(const CommissionBatch& batch);
 
 /// "batch.csv" → "batch.commission.json"
@@ -99,5 +100,5 @@ base::Result<void> saveCommissionBatch(const CommissionBatch& batch, const QStri
 QString rateLabel(int baud);
 /// {model} {id} {rate} {baud} {firmware} {date} {was_id}; unknown names stay as they are.
 QString commissionLabel(const QString& format, const CommissionRow& row);
-QString usualLabelFormat(); ///< "{model} · ID {id} · {rate}"
+QString defaultLabelFormat(); ///< "{model} · ID {id} · {rate}"
 } // namespace record

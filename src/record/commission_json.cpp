@@ -17,7 +17,7 @@ QString timeText(const QDateTime& at)
 
 QByteArray servoText(const SnapshotServo& servo)
 {
-    return JsonLine()
+    return JsonObjectWriter()
         .integer("id", servo.id)
         .text("model", servo.model)
         .text("model_id", servo.modelId)
@@ -27,18 +27,18 @@ QByteArray servoText(const SnapshotServo& servo)
         .done();
 }
 
-QByteArray troublesText(const std::vector<CommissionTrouble>& troubles)
+QByteArray issuesText(const std::vector<CommissionIssue>& issues)
 {
     QByteArray text;
-    for (const CommissionTrouble& trouble : troubles)
+    for (const CommissionIssue& issue : issues)
         text += (text.isEmpty() ? "" : ", ") +
-                JsonLine().text("word", trouble.word).text("detail", trouble.detail).done();
+                JsonObjectWriter().text("word", issue.word).text("detail", issue.detail).done();
     return '[' + text + ']';
 }
 
 QByteArray rowText(const CommissionRow& row)
 {
-    return JsonLine()
+    return JsonObjectWriter()
         .text("time", timeText(row.at))
         .raw("servo", servoText(row.servo))
         .integer("was_baud", row.oldBaud)
@@ -46,27 +46,27 @@ QByteArray rowText(const CommissionRow& row)
         .integer("baud", row.newBaud)
         .text("template", row.templateName)
         .integer("written", row.written)
-        .raw("centred", jsonFlag(row.centred))
+        .raw("centred", jsonFlag(row.centered))
         .raw("volts", jsonNumber(row.volts))
         .raw("celsius", jsonNumber(row.celsius))
         .text("verdict", verdictName(row.verdict))
-        .raw("troubles", troublesText(row.troubles))
+        .raw("troubles", issuesText(row.issues))
         .text("label", row.label)
         .text("snapshot", row.snapshot)
         .done();
 }
 
-QByteArray pendingText(const CommissionPending& one)
+QByteArray pendingText(const PendingCommission& one)
 {
-    return JsonLine()
+    return JsonObjectWriter()
         .text("time", one.at.toUTC().toString(Qt::ISODateWithMs))
         .raw("servo", servoText(one.servo))
         .integer("was_baud", one.oldBaud)
         .integer("id", one.newId)
         .integer("baud", one.newBaud)
-        .raw("id_sent", jsonFlag(one.idSent))
+        .raw("id_sent", jsonFlag(one.isIdSent))
         .text("snapshot", one.snapshot)
-        .raw("id_read", jsonFlag(one.idRead))
+        .raw("id_read", jsonFlag(one.isIdConfirmed))
         .raw("lock_open", jsonFlag(one.lockOpen))
         .done();
 }
@@ -83,7 +83,7 @@ QByteArray list(const Items& items, const Write& write)
 SnapshotServo readServo(const JsonReader& json)
 {
     SnapshotServo servo;
-    servo.id = json.small("id");
+    servo.id = json.smallInteger("id");
     servo.model = json.text("model");
     servo.modelId = json.text("model_id");
     servo.firmware = json.text("firmware");
@@ -97,39 +97,39 @@ CommissionRow readRow(const JsonReader& json)
     CommissionRow row;
     row.at = json.time("time");
     row.servo = readServo(json.object("servo"));
-    row.oldBaud = json.small("was_baud");
-    row.newId = json.small("id");
-    row.newBaud = json.small("baud");
+    row.oldBaud = json.smallInteger("was_baud");
+    row.newId = json.smallInteger("id");
+    row.newBaud = json.smallInteger("baud");
     row.templateName = json.text("template");
-    row.written = json.small("written");
-    row.centred = json.flag("centred");
+    row.written = json.smallInteger("written");
+    row.centered = json.flag("centred");
     row.volts = json.numberOrNull("volts");
     row.celsius = json.numberOrNull("celsius");
     const QString verdict = json.text("verdict");
     if (!commissionVerdictFromName(verdict))
-        json.complain("verdict", QStringLiteral("unknown word \"%1\"").arg(verdict));
+        json.reportError("verdict", QStringLiteral("unknown word \"%1\"").arg(verdict));
     row.verdict = commissionVerdictFromName(verdict).value_or(CommissionVerdict::Failed);
-    for (const JsonReader& trouble : json.objects("troubles"))
-        row.troubles.push_back({trouble.filledText("word"), trouble.text("detail")});
+    for (const JsonReader& issue : json.objects("troubles"))
+        row.issues.push_back({issue.nonEmptyText("word"), issue.text("detail")});
     row.label = json.text("label");
     row.snapshot = json.text("snapshot");
     return row;
 }
 
-CommissionPending readPending(const JsonReader& json)
+PendingCommission readPending(const JsonReader& json)
 {
-    CommissionPending one;
+    PendingCommission one;
     one.at = json.time("time");
     one.servo = readServo(json.object("servo"));
-    one.oldBaud = json.small("was_baud");
-    one.newId = json.small("id");
-    one.newBaud = json.small("baud");
-    one.idSent = json.flag("id_sent");
+    one.oldBaud = json.smallInteger("was_baud");
+    one.newId = json.smallInteger("id");
+    one.newBaud = json.smallInteger("baud");
+    one.isIdSent = json.flag("id_sent");
     // Not in files of earlier versions.
-    if (json.has("snapshot"))
+    if (json.contains("snapshot"))
         one.snapshot = json.text("snapshot");
-    one.idRead = json.has("id_read") && json.flag("id_read");
-    one.lockOpen = json.has("lock_open") && json.flag("lock_open");
+    one.isIdConfirmed = json.contains("id_read") && json.flag("id_read");
+    one.lockOpen = json.contains("lock_open") && json.flag("lock_open");
     return one;
 }
 
@@ -146,11 +146,11 @@ QByteArray encodeCommissionBatch(const CommissionBatch& batch)
                       ",\n  \"program\": " + jsonText(batch.program) +
                       ",\n  \"servos\": " + list(batch.rows, rowText) +
                       ",\n  \"unfinished\": " + list(batch.pending, pendingText);
-    if (batch.onWire)
-        text += ",\n  \"on_wire\": " + JsonLine()
-                                           .text("protocol", batch.onWire->protocol)
-                                           .integer("id", batch.onWire->id)
-                                           .integer("baud", batch.onWire->baud)
+    if (batch.attachedServo)
+        text += ",\n  \"on_wire\": " + JsonObjectWriter()
+                                           .text("protocol", batch.attachedServo->protocol)
+                                           .integer("id", batch.attachedServo->id)
+                                           .integer("baud", batch.attachedServo->baud)
                                            .done();
     return text + "\n}\n";
 }
@@ -160,10 +160,10 @@ base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text)
     const auto document = parseJson(text);
     if (!document)
         return fail(document.error());
-    if (const QString twice = duplicateMember(text); !twice.isEmpty())
+    if (const QString twice = findDuplicateKey(text); !twice.isEmpty())
         return fail(twice);
-    JsonComplaint complaint;
-    const JsonReader json(*document, complaint);
+    JsonReadError readError;
+    const JsonReader json(*document, readError);
     checkFormat(json, formatName, formatVersion,
                 QStringLiteral("not the state of a commissioning batch of ServoDesk"));
     CommissionBatch batch;
@@ -172,13 +172,13 @@ base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text)
         batch.rows.push_back(readRow(row));
     for (const JsonReader& one : json.objects("unfinished"))
         batch.pending.push_back(readPending(one));
-    if (json.has("on_wire")) {
+    if (json.contains("on_wire")) {
         const JsonReader place = json.object("on_wire");
-        batch.onWire =
-            CommissionPlace{place.text("protocol"), place.small("id"), place.small("baud")};
+        batch.attachedServo = ServoLocation{place.text("protocol"), place.smallInteger("id"),
+                                            place.smallInteger("baud")};
     }
-    if (complaint.made())
-        return fail(complaint.text());
+    if (readError.isSet())
+        return fail(readError.text());
     return batch;
 }
 } // namespace record

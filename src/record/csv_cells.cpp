@@ -13,7 +13,7 @@ std::string_view trimmed(std::string_view text)
     return text;
 }
 
-const std::vector<std::string_view>& CsvCells::split(std::string_view line)
+const std::vector<std::string_view>& CsvLineParser::split(std::string_view line)
 {
     m_cells.clear();
     m_unquoted.clear();
@@ -26,7 +26,7 @@ const std::vector<std::string_view>& CsvCells::split(std::string_view line)
         }
         std::size_t end = 0;
         if (begin < line.size() && line[begin] == '"') {
-            end = takeQuoted(line, begin);
+            end = parseQuoted(line, begin);
         } else {
             end = std::min(line.find(',', begin), line.size());
             m_cells.push_back(trimmed(line.substr(begin, end - begin)));
@@ -38,7 +38,7 @@ const std::vector<std::string_view>& CsvCells::split(std::string_view line)
 }
 
 /// Where the comma after it is, or the end.
-std::size_t CsvCells::takeQuoted(std::string_view line, std::size_t begin)
+std::size_t CsvLineParser::parseQuoted(std::string_view line, std::size_t begin)
 {
     std::string& text = m_unquoted.emplace_back();
     std::size_t i = begin + 1;

@@ -12,13 +12,13 @@ namespace record {
 /// Without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
-class CsvCells {
+class CsvLineParser {
 public:
     /// Valid until the next call, and as long as `line`.
     const std::vector<std::string_view>& split(std::string_view line);
 
 private:
-    std::size_t takeQuoted(std::string_view line, std::size_t begin);
+    std::size_t parseQuoted(std::string_view line, std::size_t begin);
 
     std::vector<std::string_view> m_cells;
     std::deque<std::string> m_unquoted;

@@ -32,8 +32,8 @@ base::Result<std::unique_ptr<CsvWriter>> CsvWriter::create(const QString& path,
                                                            const std::vector<CsvColumn>& columns)
 {
     if (path.isEmpty())
-        return tl::unexpected(noName(operation));
-    if (auto special = notForWriting(operation, path))
+        return tl::unexpected(noFileNameError(operation));
+    if (auto special = writeRefusal(operation, path))
         return tl::unexpected(std::move(*special));
     std::unique_ptr<CsvWriter> writer(new CsvWriter(path));
     if (!writer->m_file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered))

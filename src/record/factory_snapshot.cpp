@@ -29,7 +29,7 @@ std::optional<std::int64_t> factoryRaw(const catalog::Register& reg,
 }
 
 /// "9.3" → 9, 3; -1 where there is nothing like it.
-std::pair<int, int> numberPair(const QString& text)
+std::pair<int, int> parseVersionPair(const QString& text)
 {
     const QStringList parts = text.split(QLatin1Char('.'));
     bool majorKnown = false;
@@ -56,7 +56,7 @@ Snapshot factorySnapshot(const catalog::Profile& profile)
                       profile.mapKey,
                       base::protocolName(profile.protocol)};
     for (const catalog::Register& reg : profile.registers) {
-        const catalog::Meaning meaning = catalog::meaningOf(reg, profile, lookup);
+        const catalog::ValueFormat meaning = catalog::valueFormat(reg, profile, lookup);
         SnapshotRegister row;
         row.key = reg.key;
         row.address = reg.address;
@@ -79,8 +79,8 @@ catalog::ProfilePtr profileOf(const Snapshot& snapshot, const catalog::Catalog& 
         return nullptr;
     catalog::Identity identity;
     identity.protocol = *protocol;
-    std::tie(identity.modelMajor, identity.modelMinor) = numberPair(servo.modelId);
-    std::tie(identity.firmwareMajor, identity.firmwareMinor) = numberPair(servo.firmware);
+    std::tie(identity.modelMajor, identity.modelMinor) = parseVersionPair(servo.modelId);
+    std::tie(identity.firmwareMajor, identity.firmwareMinor) = parseVersionPair(servo.firmware);
     const SnapshotRegister* order = snapshot.find(QStringLiteral("byte_order"));
     const std::int64_t flag = order != nullptr ? order->raw.value_or(-1) : -1;
     if (flag == 0 || flag == 1)

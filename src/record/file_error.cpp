@@ -13,7 +13,7 @@
 
 namespace record {
 namespace {
-bool meansNoRoom(int systemError)
+bool isDiskFullError(int systemError)
 {
 #ifdef EDQUOT
     if (systemError == EDQUOT)
@@ -27,7 +27,7 @@ base::Error fileError(base::ErrorCode otherwise, const QString& operation, const
                       int systemError)
 {
     const auto message = QString::fromStdString(std::generic_category().message(systemError));
-    return {meansNoRoom(systemError) ? base::ErrorCode::DiskFull : otherwise, operation,
+    return {isDiskFullError(systemError) ? base::ErrorCode::DiskFull : otherwise, operation,
             path + QStringLiteral(": ") + message};
 }
 
@@ -50,7 +50,7 @@ bool writeAll(QFileDevice& file, const QByteArray& bytes)
     return true;
 }
 
-std::optional<base::Error> notForWriting(const QString& operation, const QString& path)
+std::optional<base::Error> writeRefusal(const QString& operation, const QString& path)
 {
 #ifdef Q_OS_UNIX
     struct stat target = {};
@@ -72,7 +72,7 @@ std::optional<base::Error> notForWriting(const QString& operation, const QString
 #endif
 }
 
-base::Error noName(const QString& operation)
+base::Error noFileNameError(const QString& operation)
 {
     return {base::ErrorCode::FileUnwritable, operation, QStringLiteral("no file name")};
 }

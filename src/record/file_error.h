@@ -24,8 +24,8 @@ bool writeAll(QFileDevice& file, const QByteArray& bytes);
 /// What must not be written to under this name: a pipe would be waited for until something reads
 /// it, and a disk is no file. Devices such as a terminal or /dev/null may be, and this program's
 /// own output. Nothing: it may be written.
-std::optional<base::Error> notForWriting(const QString& operation, const QString& path);
+std::optional<base::Error> writeRefusal(const QString& operation, const QString& path);
 
 /// For an empty path, which Qt would complain about on stderr.
-base::Error noName(const QString& operation);
+base::Error noFileNameError(const QString& operation);
 } // namespace record

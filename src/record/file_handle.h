@@ -16,10 +16,10 @@
 
 namespace record {
 /// Tells a file from the one that replaced it.
-struct FileMark {
+struct FileId {
     quint64 device = 0;
     quint64 node = 0;
-    bool operator==(const FileMark&) const = default;
+    bool operator==(const FileId&) const = default;
 };
 
 class FileHandle {
@@ -28,7 +28,7 @@ public:
     enum class Lock : std::uint8_t { Shared, Exclusive };
 
     struct Info {
-        FileMark mark;
+        FileId id;
         qint64 size = 0;
         bool regular = false;
     };
@@ -42,8 +42,8 @@ public:
     bool isOpen() const { return m_descriptor >= 0; }
     /// Waits some seconds for other programs; closing the file gives the lock back.
     bool lock(Lock lock);
-    enum class Try : std::uint8_t { Locked, HeldElsewhere, Failed };
-    Try tryLock(Lock lock); ///< without waiting
+    enum class LockResult : std::uint8_t { Locked, HeldElsewhere, Failed };
+    LockResult tryLock(Lock lock); ///< without waiting
     std::optional<Info> info() const;
     /// Of what has this name now; none: nothing has.
     static std::optional<Info> infoOf(const QString& path);

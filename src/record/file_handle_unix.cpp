@@ -15,8 +15,8 @@
 
 namespace record {
 namespace {
-constexpr auto lockPatience = std::chrono::seconds(5);
-constexpr auto lockPause = std::chrono::milliseconds(2);
+constexpr auto lockTimeout = std::chrono::seconds(5);
+constexpr auto lockRetryInterval = std::chrono::milliseconds(2);
 
 // A pipe under the journal's name must not block the opening.
 int flagsFor(FileHandle::Mode mode)
@@ -47,7 +47,7 @@ FileHandle::~FileHandle()
 bool FileHandle::lock(Lock lock)
 {
     const int kind = lock == Lock::Shared ? LOCK_SH : LOCK_EX;
-    const auto deadline = std::chrono::steady_clock::now() + lockPatience;
+    const auto deadline = std::chrono::steady_clock::now() + lockTimeout;
     while (::flock(m_descriptor, kind | LOCK_NB) != 0) {
         if (errno != EWOULDBLOCK && errno != EINTR)
             return false;
@@ -55,19 +55,19 @@ bool FileHandle::lock(Lock lock)
             errno = EBUSY;
             return false;
         }
-        std::this_thread::sleep_for(lockPause);
+        std::this_thread::sleep_for(lockRetryInterval);
     }
     return true;
 }
 
-FileHandle::Try FileHandle::tryLock(Lock lock)
+FileHandle::LockResult FileHandle::tryLock(Lock lock)
 {
     const int kind = lock == Lock::Shared ? LOCK_SH : LOCK_EX;
     while (::flock(m_descriptor, kind | LOCK_NB) != 0) {
         if (errno != EINTR)
-            return errno == EWOULDBLOCK ? Try::HeldElsewhere : Try::Failed;
+            return errno == EWOULDBLOCK ? LockResult::HeldElsewhere : LockResult::Failed;
     }
-    return Try::Locked;
+    return LockResult::Locked;
 }
 
 std::optional<FileHandle::Info> FileHandle::info() const

@@ -10,7 +10,7 @@
 
 namespace record {
 namespace {
-constexpr int lockPatienceMs = 5000;
+constexpr int lockTimeoutMs = 5000;
 
 int flagsFor(FileHandle::Mode mode)
 {
@@ -37,17 +37,18 @@ FileHandle::~FileHandle()
 
 bool FileHandle::lock(Lock)
 {
-    if (m_lock->tryLock(lockPatienceMs))
+    if (m_lock->tryLock(lockTimeoutMs))
         return true;
     errno = EBUSY;
     return false;
 }
 
-FileHandle::Try FileHandle::tryLock(Lock)
+FileHandle::LockResult FileHandle::tryLock(Lock)
 {
     if (m_lock->tryLock(0))
-        return Try::Locked;
-    return m_lock->error() == QLockFile::LockFailedError ? Try::HeldElsewhere : Try::Failed;
+        return LockResult::Locked;
+    return m_lock->error() == QLockFile::LockFailedError ? LockResult::HeldElsewhere
+                                                         : LockResult::Failed;
 }
 
 std::optional<FileHandle::Info> FileHandle::info() const

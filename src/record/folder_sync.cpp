@@ -7,14 +7,14 @@
 #include <QFileInfo>
 
 namespace record {
-bool syncFolders(const QString& file, const QString& topmostOld)
+bool syncFolders(const QString& file, const QString& existingAncestor)
 {
     QString folder = file;
     do {
         folder = QFileInfo(folder).absolutePath();
         if (!FileHandle::syncFolder(folder))
             return false;
-    } while (folder != topmostOld && !QDir(folder).isRoot());
+    } while (folder != existingAncestor && !QDir(folder).isRoot());
     return true;
 }
 

@@ -6,8 +6,8 @@
 #include <QString>
 
 namespace record {
-/// All from the file up to `topmostOld`; false: the system refuses.
-bool syncFolders(const QString& file, const QString& topmostOld);
+/// All from the file up to `existingAncestor`; false: the system refuses.
+bool syncFolders(const QString& file, const QString& existingAncestor);
 /// The deepest folder above `file` that exists.
 QString existingFolder(const QString& file);
 } // namespace record

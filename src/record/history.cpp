@@ -20,7 +20,7 @@ namespace {
 constexpr qsizetype pieceSize = qsizetype(1) << 20; ///< before it is compressed
 
 /// An SQL NULL is not an empty text.
-QString notNull(const QString& text)
+QString nonNull(const QString& text)
 {
     return text.isNull() ? QStringLiteral("") : text;
 }
@@ -28,15 +28,15 @@ QString notNull(const QString& text)
 QVariantList valuesOf(const TestRun& head)
 {
     return {QUuid::createUuid().toString(QUuid::WithoutBraces),
-            notNull(head.kind),
+            nonNull(head.kind),
             head.at.toMSecsSinceEpoch(),
-            notNull(head.program),
-            notNull(head.port),
+            nonNull(head.program),
+            nonNull(head.port),
             head.simulated,
             gradeName(head.verdict),
-            notNull(head.end),
-            notNull(head.operatorName),
-            notNull(head.note),
+            nonNull(head.end),
+            nonNull(head.operatorName),
+            nonNull(head.note),
             qint64(head.length.count())};
 }
 
@@ -45,18 +45,18 @@ QVariantList valuesOf(std::int64_t number, int place, const TestServo& servo)
     return {qint64(number),
             place,
             servo.id,
-            notNull(servo.model),
-            notNull(servo.map),
-            notNull(servo.firmware),
+            nonNull(servo.model),
+            nonNull(servo.map),
+            nonNull(servo.firmware),
             gradeName(servo.verdict),
-            notNull(servo.label),
+            nonNull(servo.label),
             servo.reference};
 }
 
 /// Collects pieces of text into parts of one size.
-class Parts {
+class CompressedParts {
 public:
-    Parts(const HistoryFile& file, std::int64_t number)
+    CompressedParts(const HistoryFile& file, std::int64_t number)
         : m_file(file)
         , m_number(number)
     {}
@@ -94,7 +94,7 @@ private:
     std::optional<base::Error> m_failure;
 };
 
-QString fileBeside(const QString& historyPath, const QString& kind, const QDateTime& at)
+QString fallbackPath(const QString& historyPath, const QString& kind, const QDateTime& at)
 {
     const QString name =
         kind + QLatin1Char('-') + at.toUTC().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
@@ -107,15 +107,15 @@ QString fileBeside(const QString& historyPath, const QString& kind, const QDateT
 } // namespace
 
 base::Result<std::unique_ptr<History>> History::open(const QString& path,
-                                                     std::chrono::milliseconds patience)
+                                                     std::chrono::milliseconds timeout)
 {
-    auto file = HistoryFile::open(path, patience);
+    auto file = HistoryFile::open(path, timeout);
     if (!file)
         return tl::unexpected(file.error());
     // Where the old journal cannot be read the journal says so; runs are kept all the same.
-    (void)takeOverJournal(**file);
+    (void)importJournal(**file);
     // Where it cannot be done now, the next to open the file does it; ends are looked at anyway.
-    (void)rejudgeStoredSweeps(**file);
+    (void)reevaluateStoredSweeps(**file);
     return std::unique_ptr<History>(new History(std::move(*file)));
 }
 
@@ -141,11 +141,11 @@ base::Result<void> History::addParts(const TestRun& head, std::int64_t number,
     for (const QString& path : head.files) {
         const auto added =
             m_file->run(QStringLiteral("INSERT INTO run_files (run, place, path) VALUES (?, ?, ?)"),
-                        {qint64(number), place++, notNull(path)});
+                        {qint64(number), place++, nonNull(path)});
         if (!added)
             return tl::unexpected(added.error());
     }
-    Parts parts(*m_file, number);
+    CompressedParts parts(*m_file, number);
     write([&](const QByteArray& piece) { return parts.add(piece); });
     return parts.finish();
 }
@@ -154,7 +154,7 @@ base::Result<std::int64_t> History::add(const TestRun& head,
                                         const std::function<void(const TextSink&)>& write)
 {
     std::int64_t number = 0;
-    const auto done = m_file->together([&]() -> base::Result<void> {
+    const auto done = m_file->transaction([&]() -> base::Result<void> {
         const auto added = m_file->run(
             QStringLiteral("INSERT INTO runs (uuid, kind, at, program, port, simulated, verdict, "
                            "ended, operator, note, length) "
@@ -172,14 +172,14 @@ base::Result<std::int64_t> History::add(const TestRun& head,
 
 base::Result<std::int64_t> History::add(const SweepRun& run, const QStringList& files)
 {
-    TestRun head = headOf(run);
+    TestRun head = toTestRun(run);
     head.files = files;
     return add(head, [&](const TextSink& sink) { writeSweepRun(run, sink); });
 }
 
 base::Result<std::int64_t> History::add(const StepRun& run, const QStringList& files)
 {
-    TestRun head = headOf(run);
+    TestRun head = toTestRun(run);
     head.files = files;
     return add(head, [&](const TextSink& sink) { sink(encodeStepRuns({run}, {})); });
 }
@@ -204,18 +204,18 @@ base::Result<void> History::remove(std::int64_t number)
 base::Result<void> History::setLabel(std::int64_t number, int servo, const QString& label)
 {
     return change(QStringLiteral("UPDATE run_servos SET label = ? WHERE run = ? AND id = ?"),
-                  {notNull(label), qint64(number), servo}, number);
+                  {nonNull(label), qint64(number), servo}, number);
 }
 
 base::Result<void> History::setNote(std::int64_t number, const QString& note)
 {
     return change(QStringLiteral("UPDATE runs SET note = ? WHERE number = ?"),
-                  {notNull(note), qint64(number)}, number);
+                  {nonNull(note), qint64(number)}, number);
 }
 
 base::Result<void> History::setReference(std::int64_t number, int servo, bool reference)
 {
-    return m_file->together([&]() -> base::Result<void> {
+    return m_file->transaction([&]() -> base::Result<void> {
         if (reference) {
             const auto tested = run(number);
             if (!tested)
@@ -253,7 +253,7 @@ bool canBeReference(const TestRun& run, const TestServo& servo)
     return canBeReference(run) && servo.verdict != Grade::Fail;
 }
 
-TestRun headOf(const SweepRun& run)
+TestRun toTestRun(const SweepRun& run)
 {
     TestRun head;
     head.at = run.at;
@@ -266,15 +266,15 @@ TestRun headOf(const SweepRun& run)
     head.note = run.spec.note;
     head.length = run.length;
     for (const SweepServo& servo : run.servos) {
-        const SnapshotServo& who = servo.parameters.servo;
-        head.servos.push_back({who.id, who.model, who.map, who.firmware, servo.verdict,
-                               servo.parameters.label, false});
+        const SnapshotServo& identity = servo.parameters.servo;
+        head.servos.push_back({identity.id, identity.model, identity.map, identity.firmware,
+                               servo.verdict, servo.parameters.label, false});
     }
     return head;
 }
 
 /// A response lasts as long as its readings.
-TestRun headOf(const StepRun& run)
+TestRun toTestRun(const StepRun& run)
 {
     TestRun head;
     head.kind = QStringLiteral("step");
@@ -287,19 +287,19 @@ TestRun headOf(const StepRun& run)
     head.note = run.spec.note;
     for (const StepResponse& response : run.responses)
         head.length += response.samples.empty() ? base::Duration{} : response.samples.back().at;
-    const SnapshotServo& who = run.parameters.servo;
-    head.servos.push_back({who.id, who.model, who.map, who.firmware, Grade::NotMeasured,
-                           run.parameters.label, false});
+    const SnapshotServo& identity = run.parameters.servo;
+    head.servos.push_back({identity.id, identity.model, identity.map, identity.firmware,
+                           Grade::NotMeasured, run.parameters.label, false});
     return head;
 }
 
 namespace {
 template <typename Run, typename Save>
-KeptRun keep(const QString& historyPath, const Run& run, const QStringList& files,
-             std::chrono::milliseconds patience, const QString& kind, const Save& save)
+SavedRun saveRunOrFile(const QString& historyPath, const Run& run, const QStringList& files,
+                       std::chrono::milliseconds timeout, const QString& kind, const Save& save)
 {
-    KeptRun kept;
-    const auto history = History::open(historyPath, patience);
+    SavedRun kept;
+    const auto history = History::open(historyPath, timeout);
     const auto number = history ? (*history)->add(run, files)
                                 : base::Result<std::int64_t>(tl::unexpected(history.error()));
     if (number) {
@@ -307,24 +307,25 @@ KeptRun keep(const QString& historyPath, const Run& run, const QStringList& file
         return kept;
     }
     kept.trouble = number.error();
-    const QString beside = fileBeside(historyPath, kind, run.at);
+    const QString beside = fallbackPath(historyPath, kind, run.at);
     if (save(beside))
         kept.file = beside;
     return kept;
 }
 } // namespace
 
-KeptRun keepRun(const QString& historyPath, const SweepRun& run, const QStringList& files,
-                std::chrono::milliseconds patience)
+SavedRun saveRun(const QString& historyPath, const SweepRun& run, const QStringList& files,
+                 std::chrono::milliseconds timeout)
 {
-    return keep(historyPath, run, files, patience, QStringLiteral("sweep"),
-                [&](const QString& path) { return saveSweepRun(run, path).has_value(); });
+    return saveRunOrFile(historyPath, run, files, timeout, QStringLiteral("sweep"),
+                         [&](const QString& path) { return saveSweepRun(run, path).has_value(); });
 }
 
-KeptRun keepRun(const QString& historyPath, const StepRun& run, const QStringList& files,
-                std::chrono::milliseconds patience)
+SavedRun saveRun(const QString& historyPath, const StepRun& run, const QStringList& files,
+                 std::chrono::milliseconds timeout)
 {
-    return keep(historyPath, run, files, patience, QStringLiteral("step"),
-                [&](const QString& path) { return saveStepRuns({run}, {}, path).has_value(); });
+    return saveRunOrFile(
+        historyPath, run, files, timeout, QStringLiteral("step"),
+        [&](const QString& path) { return saveStepRuns({run}, {}, path).has_value(); });
 }
 } // namespace record

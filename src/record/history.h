@@ -60,7 +60,7 @@ struct RunFilter {
     QDateTime from{};  ///< inclusive
     QDateTime until{}; ///< exclusive
     QString text{};    ///< in model, firmware, label, note, operator or port
-    int most = 10000;
+    int limit = 10000;
 };
 
 /// A run that did not finish has no verdict on a good servo.
@@ -78,7 +78,7 @@ class History {
 public:
     /// `patience`: how long it waits for another program that is writing.
     static base::Result<std::unique_ptr<History>>
-    open(const QString& path, std::chrono::milliseconds patience = historyPatience);
+    open(const QString& path, std::chrono::milliseconds timeout = historyTimeout);
     /// Over one that is open, such as a server's copies.
     explicit History(std::unique_ptr<HistoryFile> file);
     ~History();
@@ -114,16 +114,16 @@ private:
     base::Result<void> change(const QString& sql, const QVariantList& values, std::int64_t number);
     base::Result<void> addParts(const TestRun& head, std::int64_t number,
                                 const std::function<void(const TextSink&)>& write);
-    base::Result<std::vector<TestRun>> read(const QString& chosen,
+    base::Result<std::vector<TestRun>> read(const QString& whereClause,
                                             const QVariantList& values) const;
 
     std::unique_ptr<HistoryFile> m_file;
 };
 
-TestRun headOf(const SweepRun& run);
-TestRun headOf(const StepRun& run);
+TestRun toTestRun(const SweepRun& run);
+TestRun toTestRun(const StepRun& run);
 
-struct KeptRun {
+struct SavedRun {
     std::int64_t number = 0;              ///< in the history; 0: it is not there
     std::optional<base::Error> trouble{}; ///< why
     QString file{};                       ///< where the run was left instead; empty: nowhere
@@ -132,8 +132,8 @@ struct KeptRun {
 /// Opens the history, adds the run, closes it. If that cannot be, the run becomes a JSON file
 /// beside it: what was measured is not lost. It waits longer than a list or a write that has yet to
 /// begin.
-KeptRun keepRun(const QString& historyPath, const SweepRun& run, const QStringList& files = {},
-                std::chrono::milliseconds patience = std::chrono::seconds(5));
-KeptRun keepRun(const QString& historyPath, const StepRun& run, const QStringList& files = {},
-                std::chrono::milliseconds patience = std::chrono::seconds(5));
+SavedRun saveRun(const QString& historyPath, const SweepRun& run, const QStringList& files = {},
+                 std::chrono::milliseconds timeout = std::chrono::seconds(5));
+SavedRun saveRun(const QString& historyPath, const StepRun& run, const QStringList& files = {},
+                 std::chrono::milliseconds timeout = std::chrono::seconds(5));
 } // namespace record

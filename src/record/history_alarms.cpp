@@ -15,7 +15,7 @@ QString newUuid()
     return QUuid::createUuid().toString(QUuid::WithoutBraces);
 }
 
-QString alarmRows(const QString& inner)
+QString selectAlarms(const QString& inner)
 {
     return QStringLiteral("SELECT a.number, a.uuid, a.servo, s.id, s.model, s.label, a.\"key\", "
                           "a.derived, a.at, a.went, a.port FROM (%1) a JOIN servos s ON s.number = "
@@ -23,7 +23,7 @@ QString alarmRows(const QString& inner)
         .arg(inner);
 }
 
-HistoryAlarm alarmIn(const QVariantList& row)
+HistoryAlarm readAlarmRow(const QVariantList& row)
 {
     HistoryAlarm alarm;
     int column = 0;
@@ -35,19 +35,19 @@ HistoryAlarm alarmIn(const QVariantList& row)
     alarm.label = row.value(column++).toString();
     alarm.key = row.value(column++).toString();
     alarm.derived = row.value(column++).toBool();
-    alarm.at = timeIn(row.value(column++));
-    alarm.went = timeIn(row.value(column++));
+    alarm.at = readTime(row.value(column++));
+    alarm.clearedAt = readTime(row.value(column++));
     alarm.port = row.value(column++).toString();
     return alarm;
 }
 
-HistoryRecording recordingIn(const QVariantList& row)
+HistoryRecording readRecordingRow(const QVariantList& row)
 {
     HistoryRecording recording;
     int column = 0;
     recording.number = row.value(column++).toLongLong();
     recording.uuid = row.value(column++).toString();
-    recording.at = timeIn(row.value(column++));
+    recording.at = readTime(row.value(column++));
     recording.length = base::Duration(row.value(column++).toLongLong());
     recording.file = row.value(column++).toString();
     recording.rows = row.value(column++).toLongLong();
@@ -60,8 +60,8 @@ base::Result<void> addServos(const HistoryFile& file, std::int64_t recording,
                              const std::vector<base::ServoIdentity>& servos)
 {
     int place = 0;
-    for (const base::ServoIdentity& who : servos) {
-        const auto servo = meetServo(file, who);
+    for (const base::ServoIdentity& identity : servos) {
+        const auto servo = findOrAddServo(file, identity);
         if (!servo)
             return tl::unexpected(servo.error());
         const auto added =
@@ -97,48 +97,49 @@ base::Result<void> readServos(const HistoryFile& file, std::vector<HistoryRecord
 }
 } // namespace
 
-base::Result<void> HistoryLog::alarmCame(const base::ServoIdentity& who, const QString& key,
-                                         bool derived, const QDateTime& at) const
+base::Result<void> HistoryLog::recordAlarmStart(const base::ServoIdentity& identity,
+                                                const QString& key, bool derived,
+                                                const QDateTime& at) const
 {
-    return m_file.together([&]() -> base::Result<void> {
-        const auto servo = meetServo(m_file, who);
+    return m_file.transaction([&]() -> base::Result<void> {
+        const auto servo = findOrAddServo(m_file, identity);
         if (!servo)
             return tl::unexpected(servo.error());
         const auto added = m_file.run(
             QStringLiteral("INSERT INTO alarms (uuid, servo, \"key\", derived, at, port) "
                            "SELECT ?, ?, ?, ?, ?, ? WHERE NOT EXISTS (SELECT 1 FROM alarms "
                            "WHERE servo = ? AND \"key\" = ? AND went IS NULL)"),
-            {newUuid(), qint64(*servo), notNull(key), int(derived), at.toMSecsSinceEpoch(),
-             notNull(who.port), qint64(*servo), notNull(key)});
+            {newUuid(), qint64(*servo), nonNull(key), int(derived), at.toMSecsSinceEpoch(),
+             nonNull(identity.port), qint64(*servo), nonNull(key)});
         return added ? base::Result<void>() : tl::unexpected(added.error());
     });
 }
 
-base::Result<void> HistoryLog::alarmWent(const base::ServoIdentity& who, const QString& key,
-                                         const QDateTime& at) const
+base::Result<void> HistoryLog::recordAlarmEnd(const base::ServoIdentity& identity,
+                                              const QString& key, const QDateTime& at) const
 {
-    return m_file.together([&]() -> base::Result<void> {
-        const auto servo = meetServo(m_file, who);
+    return m_file.transaction([&]() -> base::Result<void> {
+        const auto servo = findOrAddServo(m_file, identity);
         if (!servo)
             return tl::unexpected(servo.error());
         const auto gone = m_file.run(QStringLiteral("UPDATE alarms SET went = ? WHERE servo = ? "
                                                     "AND \"key\" = ? AND went IS NULL"),
-                                     {at.toMSecsSinceEpoch(), qint64(*servo), notNull(key)});
+                                     {at.toMSecsSinceEpoch(), qint64(*servo), nonNull(key)});
         return gone ? base::Result<void>() : tl::unexpected(gone.error());
     });
 }
 
 base::Result<std::vector<HistoryAlarm>> HistoryLog::alarms(const HistoryFilter& filter) const
 {
-    HistoryChoice more;
+    SqlConditions extra;
     if (!filter.key.isEmpty())
-        more.add(QStringLiteral("\"key\" = ?"), {filter.key});
-    if (filter.onlyTrouble)
-        more.add(QStringLiteral("went IS NULL"));
-    const auto rows = pageOf(m_file, filter, QStringLiteral("alarms"), more, alarmRows);
+        extra.add(QStringLiteral("\"key\" = ?"), {filter.key});
+    if (filter.onlyProblems)
+        extra.add(QStringLiteral("went IS NULL"));
+    const auto rows = readPage(m_file, filter, QStringLiteral("alarms"), extra, selectAlarms);
     if (!rows)
         return tl::unexpected(rows.error());
-    return newestFirst<HistoryAlarm>(*rows, alarmIn, filter.most);
+    return newestFirst<HistoryAlarm>(*rows, readAlarmRow, filter.limit);
 }
 
 base::Result<std::int64_t>
@@ -146,12 +147,12 @@ HistoryLog::addRecording(const HistoryRecording& recording,
                          const std::vector<base::ServoIdentity>& servos) const
 {
     std::int64_t number = 0;
-    const auto done = m_file.together([&]() -> base::Result<void> {
+    const auto done = m_file.transaction([&]() -> base::Result<void> {
         const auto added = m_file.run(
             QStringLiteral("INSERT INTO recordings (uuid, at, length, file, readings, port, "
                            "simulated) VALUES (?, ?, ?, ?, ?, ?, ?)"),
             {newUuid(), recording.at.toMSecsSinceEpoch(), qint64(recording.length.count()),
-             notNull(recording.file), recording.rows, notNull(recording.port),
+             nonNull(recording.file), recording.rows, nonNull(recording.port),
              int(recording.simulated)});
         if (!added)
             return tl::unexpected(added.error());
@@ -166,29 +167,29 @@ HistoryLog::addRecording(const HistoryRecording& recording,
 base::Result<std::vector<HistoryRecording>>
 HistoryLog::recordings(const HistoryFilter& filter) const
 {
-    const auto servos = servosOf(m_file, filter);
+    const auto servos = matchingServos(m_file, filter);
     if (!servos)
         return tl::unexpected(servos.error());
-    HistoryChoice more;
+    SqlConditions extra;
     if (*servos)
-        more.add(QStringLiteral("number IN (SELECT recording FROM recording_servos WHERE servo IN "
-                                "(%1))")
-                     .arg(numberList(**servos)));
+        extra.add(QStringLiteral("number IN (SELECT recording FROM recording_servos WHERE servo IN "
+                                 "(%1))")
+                      .arg(numberList(**servos)));
     // The servos are chosen; what is left of the filter is time and page.
     HistoryFilter rest;
     rest.from = filter.from;
     rest.until = filter.until;
     rest.after = filter.after;
-    rest.most = filter.most;
+    rest.limit = filter.limit;
     const auto rows =
-        pageOf(m_file, rest, QStringLiteral("recordings"), more, [](const QString& inner) {
+        readPage(m_file, rest, QStringLiteral("recordings"), extra, [](const QString& inner) {
             return QStringLiteral("SELECT number, uuid, at, length, file, readings, port, "
                                   "simulated FROM (%1) r ORDER BY at DESC, number DESC")
                 .arg(inner);
         });
     if (!rows)
         return tl::unexpected(rows.error());
-    auto recordings = newestFirst<HistoryRecording>(*rows, recordingIn, filter.most);
+    auto recordings = newestFirst<HistoryRecording>(*rows, readRecordingRow, filter.limit);
     if (const auto read = readServos(m_file, recordings); !read)
         return tl::unexpected(read.error());
     return recordings;
@@ -201,7 +202,7 @@ base::Result<void> HistoryLog::removeRecording(std::int64_t number) const
     if (!done)
         return tl::unexpected(done.error());
     if (done->changed < 1)
-        return notInHistory(QStringLiteral("recording"), number);
+        return notFoundError(QStringLiteral("recording"), number);
     return {};
 }
 } // namespace record

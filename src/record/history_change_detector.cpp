@@ -7,7 +7,7 @@ namespace record {
 /// A connection that has the file to itself, as on a full disk, would lock other programs out.
 bool HistoryChangeDetector::open()
 {
-    auto opened = HistoryFile::open(m_path, historyPatience);
+    auto opened = HistoryFile::open(m_path, historyTimeout);
     if (!opened)
         return false;
     const auto mode = (*opened)->run(QStringLiteral("PRAGMA locking_mode"));
@@ -21,16 +21,16 @@ bool HistoryChangeDetector::open()
 /// SQLite counts the commits of all other connections, per connection.
 std::optional<qint64> HistoryChangeDetector::version()
 {
-    const auto there = FileHandle::infoOf(m_path);
-    if (!there)
+    const auto fileInfo = FileHandle::infoOf(m_path);
+    if (!fileInfo)
         return std::nullopt;
-    if (m_file && !(there->mark == m_mark)) {
+    if (m_file && !(fileInfo->id == m_fileId)) {
         m_file.reset();
         m_lost = true;
     }
     if (!m_file && !open())
         return std::nullopt;
-    m_mark = there->mark;
+    m_fileId = fileInfo->id;
     const auto asked = m_file->run(QStringLiteral("PRAGMA data_version"));
     if (!asked || asked->rows.empty())
         return std::nullopt;

@@ -25,7 +25,7 @@ private:
 
     const QString m_path;
     std::unique_ptr<HistoryFile> m_file;
-    FileMark m_mark{}; ///< of the open file
+    FileId m_fileId{}; ///< of the open file
     std::optional<qint64> m_version;
     bool m_lost = false; ///< it could not be read since the last answer
 };

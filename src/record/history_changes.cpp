@@ -16,55 +16,56 @@ struct Child {
     bool ofServo = false;
 };
 
-struct Copied {
+struct SyncedTable {
     QString table;
     QStringList columns; ///< without number, uuid, revision and servo
     bool ofServo = false;
     std::vector<Child> children{};
 };
 
-QStringList words(const char* list)
+QStringList splitWords(const char* list)
 {
     return QString::fromLatin1(list).split(QLatin1Char(' '));
 }
 
 /// Blobs come last, so that they are met only where they are wanted.
-const std::vector<Copied>& tables()
+const std::vector<SyncedTable>& tables()
 {
-    static const std::vector<Copied> all{
-        {QStringLiteral("servos"), words("protocol model_major model_minor firmware_major "
-                                         "firmware_minor map id label model simulated current")},
+    static const std::vector<SyncedTable> all{
+        {QStringLiteral("servos"),
+         splitWords("protocol model_major model_minor firmware_major "
+                    "firmware_minor map id label model simulated current")},
         {QStringLiteral("intents"),
-         words("at kind temporary lock_opened port baud program ended outcome detail"),
+         splitWords("at kind temporary lock_opened port baud program ended outcome detail"),
          true,
          {{"writes", "intent", "place",
-           words("place at key address old new read_back outcome trouble"), true}}},
+           splitWords("place at key address old new read_back outcome trouble"), true}}},
         {QStringLiteral("snapshots"),
-         words("at reason program port baud file label note registers data"), true},
-        {QStringLiteral("alarms"), words("key derived at went port"), true},
+         splitWords("at reason program port baud file label note registers data"), true},
+        {QStringLiteral("alarms"), splitWords("key derived at went port"), true},
         {QStringLiteral("recordings"),
-         words("at length file readings port simulated"),
+         splitWords("at length file readings port simulated"),
          false,
-         {{"recording_servos", "recording", "place", words("place"), true}}},
-        {QStringLiteral("facts"), words("name at content"), true},
+         {{"recording_servos", "recording", "place", splitWords("place"), true}}},
+        {QStringLiteral("facts"), splitWords("name at content"), true},
         {QStringLiteral("runs"),
-         words("kind at program port simulated verdict ended operator note length"),
+         splitWords("kind at program port simulated verdict ended operator note length"),
          false,
          {{"run_servos", "run", "place",
-           words("place id model map firmware verdict label reference")},
-          {"run_texts", "run", "part", words("part data")},
-          {"run_files", "run", "place", words("place path")}}},
+           splitWords("place id model map firmware verdict label reference")},
+          {"run_texts", "run", "part", splitWords("part data")},
+          {"run_files", "run", "place", splitWords("place path")}}},
     };
     return all;
 }
 
-const Copied& tableOf(const QString& name)
+const SyncedTable& tableOf(const QString& name)
 {
     return *std::find_if(tables().begin(), tables().end(),
-                         [&](const Copied& copied) { return copied.table == name; });
+                         [&](const SyncedTable& copied) { return copied.table == name; });
 }
 
-QString selectOf(const QStringList& columns, bool ofServo, const QString& table)
+QString selectStatement(const QStringList& columns, bool ofServo, const QString& table)
 {
     QStringList list;
     for (const QString& column : columns)
@@ -75,7 +76,8 @@ QString selectOf(const QStringList& columns, bool ofServo, const QString& table)
            QStringLiteral(" FROM %1 t ").arg(table);
 }
 
-QVariantMap named(const QVariantList& row, const QStringList& columns, bool ofServo, qint64& bytes)
+QVariantMap toValueMap(const QVariantList& row, const QStringList& columns, bool ofServo,
+                       qint64& bytes)
 {
     QVariantMap values;
     for (qsizetype i = 0; i < columns.size(); ++i) {
@@ -89,7 +91,7 @@ QVariantMap named(const QVariantList& row, const QStringList& columns, bool ofSe
 }
 
 /// A row that has changed or gone, not read yet.
-struct News {
+struct ChangeEntry {
     std::int64_t revision = 0;
     QString table;
     QString uuid;
@@ -99,7 +101,8 @@ struct News {
 /// The first `most` after `revision`, of all tables. One statement, so that it sees one state of
 /// the file: table by table, a row that comes meanwhile into one that was asked already would be
 /// passed over by a later one of another table.
-base::Result<std::vector<News>> newsAfter(const HistoryFile& file, std::int64_t revision, int most)
+base::Result<std::vector<ChangeEntry>> changesAfter(const HistoryFile& file, std::int64_t revision,
+                                                    int limit)
 {
     QStringList parts;
     QVariantList values;
@@ -107,49 +110,49 @@ base::Result<std::vector<News>> newsAfter(const HistoryFile& file, std::int64_t 
         parts.append(QStringLiteral("SELECT * FROM (SELECT %1 FROM %2 WHERE revision > ? "
                                     "ORDER BY revision LIMIT ?)")
                          .arg(columns, table));
-        values << qint64(revision) << most;
+        values << qint64(revision) << limit;
     };
-    for (const QString& table : copiedTables())
+    for (const QString& table : syncedTables())
         add(QStringLiteral("revision, '%1', uuid, number").arg(table), table);
     add(QStringLiteral("revision, kind, uuid, 0"), QStringLiteral("removed"));
-    values << most;
+    values << limit;
     const auto found = file.run(
         parts.join(QStringLiteral(" UNION ALL ")) + QStringLiteral(" ORDER BY 1 LIMIT ?"), values);
     if (!found)
         return tl::unexpected(found.error());
-    std::vector<News> news;
+    std::vector<ChangeEntry> changes;
     for (const QVariantList& row : found->rows)
-        news.push_back({row.value(0).toLongLong(), row.value(1).toString(), row.value(2).toString(),
-                        row.value(3).toLongLong()});
-    return news;
+        changes.push_back({row.value(0).toLongLong(), row.value(1).toString(),
+                           row.value(2).toString(), row.value(3).toLongLong()});
+    return changes;
 }
 
 /// Nothing: it has been deleted since, which is a later change.
-base::Result<std::optional<ChangedRow>> readRow(const HistoryFile& file, const News& news,
+base::Result<std::optional<ChangedRow>> readRow(const HistoryFile& file, const ChangeEntry& changes,
                                                 qint64& bytes)
 {
-    const Copied& copied = tableOf(news.table);
-    const auto found = file.run(selectOf(copied.columns, copied.ofServo, copied.table) +
+    const SyncedTable& copied = tableOf(changes.table);
+    const auto found = file.run(selectStatement(copied.columns, copied.ofServo, copied.table) +
                                     QStringLiteral("WHERE t.number = ?"),
-                                {qint64(news.number)});
+                                {qint64(changes.number)});
     if (!found)
         return tl::unexpected(found.error());
     if (found->rows.empty())
         return std::nullopt;
-    ChangedRow row{news.revision, news.table, news.uuid, false, {}, {}};
-    row.values = named(found->rows.front(), copied.columns, copied.ofServo, bytes);
+    ChangedRow row{changes.revision, changes.table, changes.uuid, false, {}, {}};
+    row.values = toValueMap(found->rows.front(), copied.columns, copied.ofServo, bytes);
     for (const Child& child : copied.children) {
         const QString table = QString::fromLatin1(child.table);
         const auto rows =
-            file.run(selectOf(child.columns, child.ofServo, table) +
+            file.run(selectStatement(child.columns, child.ofServo, table) +
                          QStringLiteral("WHERE t.%1 = ? ORDER BY t.%2")
                              .arg(QLatin1String(child.parent), QLatin1String(child.order)),
-                     {qint64(news.number)});
+                     {qint64(changes.number)});
         if (!rows)
             return tl::unexpected(rows.error());
         QVector<QVariantMap>& list = row.children[table];
         for (const QVariantList& one : rows->rows)
-            list.append(named(one, child.columns, child.ofServo, bytes));
+            list.append(toValueMap(one, child.columns, child.ofServo, bytes));
     }
     return row;
 }
@@ -173,15 +176,15 @@ base::Result<std::int64_t> HistoryChanges::revision() const
     return found->rows.front().value(0).toLongLong();
 }
 
-base::Result<std::vector<ChangedRow>> HistoryChanges::after(std::int64_t revision, int most,
+base::Result<std::vector<ChangedRow>> HistoryChanges::after(std::int64_t revision, int limit,
                                                             qint64 bytes) const
 {
-    const auto news = newsAfter(m_file, revision, most);
-    if (!news)
-        return tl::unexpected(news.error());
+    const auto changes = changesAfter(m_file, revision, limit);
+    if (!changes)
+        return tl::unexpected(changes.error());
     std::vector<ChangedRow> rows;
     qint64 size = 0;
-    for (const News& one : *news) {
+    for (const ChangeEntry& one : *changes) {
         if (!rows.empty() && size >= bytes)
             break;
         if (one.number == 0) {
@@ -197,10 +200,10 @@ base::Result<std::vector<ChangedRow>> HistoryChanges::after(std::int64_t revisio
     return rows;
 }
 
-base::Result<std::int64_t> HistoryChanges::waiting(std::int64_t revision) const
+base::Result<std::int64_t> HistoryChanges::pendingCount(std::int64_t revision) const
 {
     QStringList parts;
-    for (const QString& table : copiedTables())
+    for (const QString& table : syncedTables())
         parts.append(QStringLiteral("(SELECT COUNT(*) FROM %1 WHERE revision > %2)")
                          .arg(table)
                          .arg(qint64(revision)));

@@ -47,10 +47,10 @@ public:
     base::Result<std::int64_t> revision() const;
     /// In order of revision, a row that changed several times once, with its present values. At
     /// most `most` rows, and no more than about `bytes` of blobs unless a single row has more.
-    base::Result<std::vector<ChangedRow>> after(std::int64_t revision, int most = 500,
+    base::Result<std::vector<ChangedRow>> after(std::int64_t revision, int limit = 500,
                                                 qint64 bytes = qint64(8) << 20) const;
     /// How many rows wait.
-    base::Result<std::int64_t> waiting(std::int64_t revision) const;
+    base::Result<std::int64_t> pendingCount(std::int64_t revision) const;
 
 private:
     const HistoryFile& m_file;

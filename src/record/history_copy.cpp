@@ -10,8 +10,8 @@
 
 namespace record {
 namespace {
-constexpr std::size_t rowsAtOnce = 200;
-constexpr qint64 bytesAtOnce = qint64(4) << 20; ///< of blobs in one statement
+constexpr std::size_t maxRowsPerStatement = 200;
+constexpr qint64 maxBytesPerStatement = qint64(4) << 20; ///< of blobs in one statement
 
 QString quotedName(const QString& name)
 {
@@ -24,22 +24,23 @@ qint64 now()
 }
 
 /// Rows to be put into one table, as values in place of `?`.
-class Insert {
+class InsertStatement {
 public:
     /// `then`: what follows the values. Each row has a value for each of `columns`; a servo's is
     /// its uuid.
-    Insert(const HistoryServer& server, const char* table, QStringList columns, QString then)
+    InsertStatement(const HistoryServer& server, const char* table, QStringList columns,
+                    QString suffix)
         : m_server(server)
         , m_table(QString::fromLatin1(table))
         , m_columns(std::move(columns))
-        , m_then(std::move(then))
+        , m_suffix(std::move(suffix))
     {
-        QStringList marks;
+        QStringList placeholders;
         for (const QString& column : m_columns)
-            marks.append(column == QLatin1String("servo")
-                             ? QStringLiteral("(SELECT number FROM servos WHERE uuid = ?)")
-                             : QStringLiteral("?"));
-        m_marks = u'(' + marks.join(QStringLiteral(", ")) + u')';
+            placeholders.append(column == QLatin1String("servo")
+                                    ? QStringLiteral("(SELECT number FROM servos WHERE uuid = ?)")
+                                    : QStringLiteral("?"));
+        m_placeholders = u'(' + placeholders.join(QStringLiteral(", ")) + u')';
     }
 
     base::Result<void> add(const QVariantList& row)
@@ -48,7 +49,8 @@ public:
         ++m_rows;
         for (const QVariant& value : row)
             m_bytes += value.typeId() == QMetaType::QByteArray ? value.toByteArray().size() : 0;
-        return m_rows < rowsAtOnce && m_bytes < bytesAtOnce ? base::Result<void>() : flush();
+        return m_rows < maxRowsPerStatement && m_bytes < maxBytesPerStatement ? base::Result<void>()
+                                                                              : flush();
     }
 
     base::Result<void> flush()
@@ -58,11 +60,11 @@ public:
         QStringList names;
         for (const QString& column : m_columns)
             names.append(quotedName(column));
-        const QStringList marks(qsizetype(m_rows), m_marks);
+        const QStringList placeholders(qsizetype(m_rows), m_placeholders);
         const auto done =
             m_server.run(QStringLiteral("INSERT INTO ") + m_table + QStringLiteral(" (") +
                              names.join(QStringLiteral(", ")) + QStringLiteral(") VALUES ") +
-                             marks.join(QStringLiteral(", ")) + u' ' + m_then,
+                             placeholders.join(QStringLiteral(", ")) + u' ' + m_suffix,
                          m_values);
         m_values.clear();
         m_rows = 0;
@@ -79,8 +81,8 @@ private:
     const HistoryServer& m_server;
     const QString m_table;
     const QStringList m_columns;
-    const QString m_then;
-    QString m_marks;
+    const QString m_suffix;
+    QString m_placeholders;
     QVariantList m_values;
     std::size_t m_rows = 0;
     qint64 m_bytes = 0;
@@ -89,7 +91,7 @@ private:
 
 using Rows = std::vector<const ChangedRow*>;
 
-QString replacing(const QStringList& columns, const QString& unique)
+QString upsertClause(const QStringList& columns, const QString& unique)
 {
     QStringList sets;
     for (const QString& column : columns)
@@ -99,22 +101,22 @@ QString replacing(const QStringList& columns, const QString& unique)
 }
 
 /// Rows that name a servo the server has not got yet: it comes with a later revision.
-base::Result<void> nameServos(const HistoryServer& server, std::int64_t bench, const Rows& rows)
+base::Result<void> insertServos(const HistoryServer& server, std::int64_t bench, const Rows& rows)
 {
     QStringList uuids;
-    const auto look = [&](const QVariantMap& values) {
+    const auto collectUuid = [&](const QVariantMap& values) {
         const QString uuid = values.value(QStringLiteral("servo_uuid")).toString();
         if (!uuid.isEmpty())
             uuids.append(uuid);
     };
     for (const ChangedRow* row : rows) {
-        look(row->values);
+        collectUuid(row->values);
         for (const QVector<QVariantMap>& children : row->children)
-            std::for_each(children.begin(), children.end(), look);
+            std::for_each(children.begin(), children.end(), collectUuid);
     }
     uuids.removeDuplicates();
-    Insert insert(server, "servos", {QStringLiteral("uuid"), QStringLiteral("bench")},
-                  QStringLiteral("ON CONFLICT (uuid) DO NOTHING"));
+    InsertStatement insert(server, "servos", {QStringLiteral("uuid"), QStringLiteral("bench")},
+                           QStringLiteral("ON CONFLICT (uuid) DO NOTHING"));
     for (const QString& uuid : uuids) {
         if (const auto added = insert.add({uuid, qint64(bench)}); !added)
             return added;
@@ -131,9 +133,9 @@ QVariantList valuesOf(const QVariantMap& values, const QStringList& columns)
 }
 
 /// The children become those of the rows: replaced by their order, and what is left over goes.
-base::Result<void> putChildren(const HistoryServer& server, const CopiedTable::Child& child,
-                               std::int64_t bench, const Rows& rows,
-                               const QMap<QString, qint64>& numbers)
+base::Result<void> upsertChildren(const HistoryServer& server, const ServerTable::Child& child,
+                                  std::int64_t bench, const Rows& rows,
+                                  const QMap<QString, qint64>& numbers)
 {
     QVariantList fixed;
     QStringList columns{QString::fromLatin1(child.parent)};
@@ -144,9 +146,10 @@ base::Result<void> putChildren(const HistoryServer& server, const CopiedTable::C
         fixed.append(qint64(bench));
     }
     const QString order = QString::fromLatin1(child.order);
-    Insert insert(server, child.name, columns + child.columns,
-                  replacing(columns.mid(1) + child.columns,
-                            QString::fromLatin1(child.parent) + QStringLiteral(", ") + order));
+    InsertStatement insert(
+        server, child.name, columns + child.columns,
+        upsertClause(columns.mid(1) + child.columns,
+                     QString::fromLatin1(child.parent) + QStringLiteral(", ") + order));
     QStringList ends;
     for (const ChangedRow* row : rows) {
         const qint64 parent = numbers.value(row->uuid);
@@ -173,15 +176,16 @@ base::Result<void> putChildren(const HistoryServer& server, const CopiedTable::C
     return rest ? base::Result<void>() : tl::unexpected(rest.error());
 }
 
-base::Result<void> putRows(const HistoryServer& server, const CopiedTable& table,
-                           std::int64_t bench, const Rows& rows)
+base::Result<void> upsertRows(const HistoryServer& server, const ServerTable& table,
+                              std::int64_t bench, const Rows& rows)
 {
     QStringList columns{QStringLiteral("bench")};
     if (table.ofServo)
         columns.append(QStringLiteral("servo"));
-    Insert insert(server, table.name, QStringList{QStringLiteral("uuid")} + columns + table.columns,
-                  replacing(columns + table.columns, QStringLiteral("uuid")) +
-                      QStringLiteral(" RETURNING uuid, number"));
+    InsertStatement insert(server, table.name,
+                           QStringList{QStringLiteral("uuid")} + columns + table.columns,
+                           upsertClause(columns + table.columns, QStringLiteral("uuid")) +
+                               QStringLiteral(" RETURNING uuid, number"));
     for (const ChangedRow* row : rows) {
         QVariantList list{row->uuid, qint64(bench)};
         if (table.ofServo)
@@ -194,14 +198,14 @@ base::Result<void> putRows(const HistoryServer& server, const CopiedTable& table
     QMap<QString, qint64> numbers;
     for (const QVariantList& answer : insert.answers())
         numbers.insert(answer.value(0).toString(), answer.value(1).toLongLong());
-    for (const CopiedTable::Child& child : table.children) {
-        if (const auto put = putChildren(server, child, bench, rows, numbers); !put)
+    for (const ServerTable::Child& child : table.children) {
+        if (const auto put = upsertChildren(server, child, bench, rows, numbers); !put)
             return put;
     }
     return {};
 }
 
-base::Result<void> removeRows(const HistoryServer& server, const CopiedTable& table,
+base::Result<void> removeRows(const HistoryServer& server, const ServerTable& table,
                               std::int64_t bench, const Rows& rows)
 {
     if (rows.empty())
@@ -209,15 +213,16 @@ base::Result<void> removeRows(const HistoryServer& server, const CopiedTable& ta
     QVariantList values{qint64(bench)};
     for (const ChangedRow* row : rows)
         values.append(row->uuid);
-    const QStringList marks(qsizetype(rows.size()), QStringLiteral("?"));
-    const auto gone = server.run(QStringLiteral("DELETE FROM %1 WHERE bench = ? AND uuid IN (%2)")
-                                     .arg(QString::fromLatin1(table.name), marks.join(u',')),
-                                 values);
-    return gone ? base::Result<void>() : tl::unexpected(gone.error());
+    const QStringList placeholders(qsizetype(rows.size()), QStringLiteral("?"));
+    const auto deleted =
+        server.run(QStringLiteral("DELETE FROM %1 WHERE bench = ? AND uuid IN (%2)")
+                       .arg(QString::fromLatin1(table.name), placeholders.join(u',')),
+                   values);
+    return deleted ? base::Result<void>() : tl::unexpected(deleted.error());
 }
 } // namespace
 
-base::Result<std::int64_t> HistoryCopy::greet()
+base::Result<std::int64_t> HistoryServerWriter::registerBench()
 {
     const auto known = m_server.run(
         QStringLiteral("INSERT INTO benches (uuid, name, program, sent) VALUES (?, ?, ?, ?) "
@@ -241,7 +246,7 @@ base::Result<std::int64_t> HistoryCopy::greet()
     return reached->rows.front().value(0).toLongLong();
 }
 
-base::Result<void> HistoryCopy::restart()
+base::Result<void> HistoryServerWriter::restart()
 {
     const auto done = m_server.run(
         QStringLiteral("UPDATE progress SET revision = 0 WHERE bench = ? AND origin = ?"),
@@ -249,11 +254,11 @@ base::Result<void> HistoryCopy::restart()
     return done ? base::Result<void>() : tl::unexpected(done.error());
 }
 
-base::Result<std::int64_t> HistoryCopy::take(const std::vector<ChangedRow>& rows, std::int64_t from,
-                                             std::int64_t until)
+base::Result<std::int64_t> HistoryServerWriter::apply(const std::vector<ChangedRow>& rows,
+                                                      std::int64_t from, std::int64_t until)
 {
     std::int64_t reached = from;
-    const auto done = m_server.together([&]() -> base::Result<void> {
+    const auto done = m_server.transaction([&]() -> base::Result<void> {
         const auto present =
             m_server.run(QStringLiteral("SELECT revision FROM progress WHERE bench = ? AND "
                                         "origin = ? FOR UPDATE"),
@@ -263,8 +268,8 @@ base::Result<std::int64_t> HistoryCopy::take(const std::vector<ChangedRow>& rows
         reached = present->rows.empty() ? 0 : present->rows.front().value(0).toLongLong();
         if (reached != from)
             return {};
-        if (const auto taken = takeRows(rows); !taken)
-            return taken;
+        if (const auto applied = applyRows(rows); !applied)
+            return applied;
         reached = until;
         const auto marked =
             m_server.run(QStringLiteral("UPDATE progress SET revision = ? WHERE bench = ? AND "
@@ -282,25 +287,25 @@ base::Result<std::int64_t> HistoryCopy::take(const std::vector<ChangedRow>& rows
     return reached;
 }
 
-base::Result<void> HistoryCopy::takeRows(const std::vector<ChangedRow>& rows) const
+base::Result<void> HistoryServerWriter::applyRows(const std::vector<ChangedRow>& rows) const
 {
     Rows present;
     for (const ChangedRow& row : rows) {
         if (!row.removed)
             present.push_back(&row);
     }
-    if (const auto named = nameServos(m_server, m_bench, present); !named)
+    if (const auto named = insertServos(m_server, m_bench, present); !named)
         return named;
-    for (const CopiedTable& table : serverTables()) {
-        Rows here;
-        Rows gone;
+    for (const ServerTable& table : serverTables()) {
+        Rows presentRows;
+        Rows deleted;
         for (const ChangedRow& row : rows) {
             if (row.table == QLatin1String(table.name))
-                (row.removed ? gone : here).push_back(&row);
+                (row.removed ? deleted : presentRows).push_back(&row);
         }
-        if (const auto put = putRows(m_server, table, m_bench, here); !put)
+        if (const auto put = upsertRows(m_server, table, m_bench, presentRows); !put)
             return put;
-        if (const auto removed = removeRows(m_server, table, m_bench, gone); !removed)
+        if (const auto removed = removeRows(m_server, table, m_bench, deleted); !removed)
             return removed;
     }
     return {};

@@ -16,25 +16,25 @@ struct HistoryOrigin {
     QString program{}; ///< name and version
 };
 
-class HistoryCopy {
+class HistoryServerWriter {
 public:
-    HistoryCopy(const HistoryServer& server, HistoryOrigin sender)
+    HistoryServerWriter(const HistoryServer& server, HistoryOrigin sender)
         : m_server(server)
         , m_sender(std::move(sender))
     {}
 
     /// Makes the bench known, by its present name. Answers the revision the server has all up to.
-    base::Result<std::int64_t> greet();
+    base::Result<std::int64_t> registerBench();
     /// All of `rows` or none of them. `from`: the revision they come after; `until`: the one that
     /// is reached with them. Answers the revision reached, which is another where somebody else
     /// has sent meanwhile; then nothing was taken.
-    base::Result<std::int64_t> take(const std::vector<ChangedRow>& rows, std::int64_t from,
-                                    std::int64_t until);
+    base::Result<std::int64_t> apply(const std::vector<ChangedRow>& rows, std::int64_t from,
+                                     std::int64_t until);
     /// Begin again: the file is older than what the server has from it (a backup put back).
     base::Result<void> restart();
 
 private:
-    base::Result<void> takeRows(const std::vector<ChangedRow>& rows) const;
+    base::Result<void> applyRows(const std::vector<ChangedRow>& rows) const;
 
     const HistoryServer& m_server;
     const HistoryOrigin m_sender;

@@ -40,7 +40,7 @@ constexpr std::array kindNames{
              "simulated program files"},
 };
 
-const KindName& entryOf(HistoryKind kind)
+const KindName& nameEntryOf(HistoryKind kind)
 {
     return *std::find_if(kindNames.begin(), kindNames.end(),
                          [&](const KindName& entry) { return entry.kind == kind; });
@@ -93,10 +93,10 @@ using RowSink = std::function<bool(const QVariantList& row)>;
 /// Hands over all pages of a list; false: the sink has had enough.
 template <typename Row>
 base::Result<std::int64_t>
-eachPage(HistoryFilter filter, const RowSink& sink,
-         const std::function<base::Result<std::vector<Row>>(const HistoryFilter&)>& page)
+forEachPage(HistoryFilter filter, const RowSink& sink,
+            const std::function<base::Result<std::vector<Row>>(const HistoryFilter&)>& page)
 {
-    filter.most = pageSize;
+    filter.limit = pageSize;
     filter.after.reset();
     std::int64_t count = 0;
     for (;;) {
@@ -110,7 +110,7 @@ eachPage(HistoryFilter filter, const RowSink& sink,
         }
         if (rows->size() < std::size_t(pageSize))
             return count;
-        filter.after = PageMark{rows->back().at, rows->back().number};
+        filter.after = PageCursor{rows->back().at, rows->back().number};
     }
 }
 
@@ -126,24 +126,24 @@ base::Result<std::int64_t> all(const base::Result<std::vector<Row>>& rows, const
     return std::int64_t(rows->size());
 }
 
-base::Result<std::int64_t> eachRow(const History& history, HistoryKind kind,
-                                   const HistoryFilter& filter, const RowSink& sink)
+base::Result<std::int64_t> forEachRow(const History& history, HistoryKind kind,
+                                      const HistoryFilter& filter, const RowSink& sink)
 {
     const HistoryLog log = history.log();
     switch (kind) {
     case HistoryKind::Servos:
         return all(log.servos(filter), sink);
     case HistoryKind::Writes:
-        return eachPage<HistoryWrite>(filter, sink,
-                                      [&](const HistoryFilter& f) { return log.writes(f); });
+        return forEachPage<HistoryWrite>(filter, sink,
+                                         [&](const HistoryFilter& f) { return log.writes(f); });
     case HistoryKind::Snapshots:
-        return eachPage<HistorySnapshot>(filter, sink,
-                                         [&](const HistoryFilter& f) { return log.snapshots(f); });
+        return forEachPage<HistorySnapshot>(
+            filter, sink, [&](const HistoryFilter& f) { return log.snapshots(f); });
     case HistoryKind::Alarms:
-        return eachPage<HistoryAlarm>(filter, sink,
-                                      [&](const HistoryFilter& f) { return log.alarms(f); });
+        return forEachPage<HistoryAlarm>(filter, sink,
+                                         [&](const HistoryFilter& f) { return log.alarms(f); });
     case HistoryKind::Recordings:
-        return eachPage<HistoryRecording>(
+        return forEachPage<HistoryRecording>(
             filter, sink, [&](const HistoryFilter& f) { return log.recordings(f); });
     case HistoryKind::Runs:
         break;
@@ -154,9 +154,9 @@ base::Result<std::int64_t> eachRow(const History& history, HistoryKind kind,
 }
 
 /// Rows are short; the disk is given more at a time.
-class Pieces {
+class BufferedSink {
 public:
-    explicit Pieces(const TextSink& sink)
+    explicit BufferedSink(const TextSink& sink)
         : m_sink(sink)
     {}
 
@@ -179,14 +179,14 @@ private:
 };
 
 /// Nothing takes the file's place unless all of it could be read.
-base::Result<std::int64_t> save(const QString& path,
-                                const std::function<base::Result<std::int64_t>(Pieces&)>& write)
+base::Result<std::int64_t>
+save(const QString& path, const std::function<base::Result<std::int64_t>(BufferedSink&)>& write)
 {
     std::int64_t count = 0;
-    const auto saved = saveIfMade(
+    const auto saved = saveTextFileIfValid(
         operation,
         [&](const TextSink& sink) -> base::Result<void> {
-            Pieces out(sink);
+            BufferedSink out(sink);
             const auto written = write(out);
             if (!written)
                 return tl::unexpected(written.error());
@@ -211,7 +211,7 @@ QByteArray jsonLine(const QStringList& columns, const QVariantList& row)
 
 QString historyKindName(HistoryKind kind)
 {
-    return entryOf(kind).name;
+    return nameEntryOf(kind).name;
 }
 
 std::optional<HistoryKind> historyKindFromName(const QString& name)
@@ -225,25 +225,25 @@ std::optional<HistoryKind> historyKindFromName(const QString& name)
 
 QStringList historyColumns(HistoryKind kind)
 {
-    return QString::fromLatin1(entryOf(kind).columns).split(QLatin1Char(' '));
+    return QString::fromLatin1(nameEntryOf(kind).columns).split(QLatin1Char(' '));
 }
 
 QVariantList valuesOf(const HistoryServo& servo)
 {
-    const base::ServoIdentity& who = servo.who;
+    const base::ServoIdentity& identity = servo.identity;
     return {number(servo.number),
             servo.uuid,
-            who.model,
-            base::protocolName(who.protocol),
-            versionOf(who.modelMajor, who.modelMinor),
-            versionOf(who.firmwareMajor, who.firmwareMinor),
-            who.map,
-            who.id,
+            identity.model,
+            base::protocolName(identity.protocol),
+            versionOf(identity.modelMajor, identity.modelMinor),
+            versionOf(identity.firmwareMajor, identity.firmwareMinor),
+            identity.map,
+            identity.id,
             servo.label,
             servo.current,
             servo.lastWrite,
-            who.port,
-            who.baud};
+            identity.port,
+            identity.baud};
 }
 
 QVariantList valuesOf(const HistoryWrite& write)
@@ -291,7 +291,7 @@ QVariantList valuesOf(const HistorySnapshot& snapshot)
 QVariantList valuesOf(const HistoryAlarm& alarm)
 {
     return {number(alarm.number), alarm.uuid,          alarm.at,
-            alarm.went,           number(alarm.servo), alarm.servoId,
+            alarm.clearedAt,      number(alarm.servo), alarm.servoId,
             alarm.model,          alarm.label,         alarm.key,
             alarm.derived,        alarm.port};
 }
@@ -359,9 +359,9 @@ base::Result<RunFilter> runFilterOf(const History& history, const HistoryFilter&
         const auto servo = history.log().servo(*filter.servo);
         if (!servo)
             return tl::unexpected(servo.error());
-        runs.id = servo->who.id;
-        runs.model = servo->who.model;
-        runs.firmware = versionOf(servo->who.firmwareMajor, servo->who.firmwareMinor);
+        runs.id = servo->identity.id;
+        runs.model = servo->identity.model;
+        runs.firmware = versionOf(servo->identity.firmwareMajor, servo->identity.firmwareMinor);
     }
     return runs;
 }
@@ -369,9 +369,9 @@ base::Result<RunFilter> runFilterOf(const History& history, const HistoryFilter&
 base::Result<std::int64_t> exportHistoryCsv(const History& history, HistoryKind kind,
                                             const HistoryFilter& filter, const QString& path)
 {
-    return save(path, [&](Pieces& out) {
+    return save(path, [&](BufferedSink& out) {
         out.put(csvLine(historyColumns(kind)));
-        return eachRow(history, kind, filter, [&](const QVariantList& row) {
+        return forEachRow(history, kind, filter, [&](const QVariantList& row) {
             QStringList cells;
             for (const QVariant& value : row)
                 cells.append(cellOf(value));
@@ -384,14 +384,14 @@ base::Result<std::int64_t> exportHistoryJson(const History& history,
                                              const std::vector<HistoryKind>& kinds,
                                              const HistoryFilter& filter, const QString& path)
 {
-    return save(path, [&](Pieces& out) -> base::Result<std::int64_t> {
+    return save(path, [&](BufferedSink& out) -> base::Result<std::int64_t> {
         std::int64_t count = 0;
         out.put("{\"format\": \"servodesk-history\", \"version\": 1");
         for (const HistoryKind kind : kinds) {
             const QStringList columns = historyColumns(kind);
             out.put(",\n\"" + historyKindName(kind).toLatin1() + "\": [");
             bool first = true;
-            const auto rows = eachRow(history, kind, filter, [&](const QVariantList& row) {
+            const auto rows = forEachRow(history, kind, filter, [&](const QVariantList& row) {
                 const bool put = out.put((first ? "\n" : ",\n") + jsonLine(columns, row));
                 first = false;
                 return put;

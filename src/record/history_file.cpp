@@ -23,23 +23,23 @@ const QString driver = QStringLiteral("QSQLITE");
 
 // The result codes of SQLite, as its documentation fixes them; the low byte of the extended ones.
 enum SqliteCode : int {
-    unfit = 1, ///< "no such column": not the tables of this program
+    schemaMismatch = 1, ///< "no such column": not the tables of this program
     inputOutput = 10,
     damaged = 11,
     full = 13,
     cannotOpen = 14,
     noDatabase = 26,
     baseCode = 0xff,
-    noRoomForIndex = 4874, ///< SQLITE_IOERR_SHMSIZE
+    noSpaceForIndex = 4874, ///< SQLITE_IOERR_SHMSIZE
 };
 
 /// Less than SQLite needs for its index of what is not in the database file yet.
-constexpr qint64 leastRoom = 64 * 1024;
+constexpr qint64 minFreeSpace = 64 * 1024;
 
-bool hasRoom(const QString& path)
+bool hasFreeSpace(const QString& path)
 {
     const QStorageInfo disk(QFileInfo(path).absolutePath());
-    return !disk.isValid() || disk.bytesAvailable() >= leastRoom;
+    return !disk.isValid() || disk.bytesAvailable() >= minFreeSpace;
 }
 
 int newest()
@@ -49,14 +49,14 @@ int newest()
 } // namespace
 
 base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path,
-                                                             std::chrono::milliseconds patience)
+                                                             std::chrono::milliseconds timeout)
 {
     if (!QSqlDatabase::isDriverAvailable(driver))
         return base::fail(base::ErrorCode::NotSupported, operation,
                           QStringLiteral("Qt's SQLite driver is missing (libqt6sql6-sqlite)"));
     const QString folder = QFileInfo(path).absolutePath();
     const bool isNew = !QFileInfo::exists(path);
-    const QString topmostOld = existingFolder(path);
+    const QString existingAncestor = existingFolder(path);
     // SQLite would wait for ever for a pipe to say something.
     if (!isNew && !QFileInfo(path).isFile())
         return base::fail(base::ErrorCode::FileUnwritable, operation,
@@ -70,16 +70,16 @@ base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path
         QSqlDatabase database = QSqlDatabase::addDatabase(driver, file->m_connection);
         database.setDatabaseName(path);
         database.setConnectOptions(
-            QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(qint64(patience.count())));
+            QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(qint64(timeout.count())));
         if (!database.open())
             return tl::unexpected(file->error(database.lastError()));
     }
     auto ready = file->prepare();
     if (!ready && ready.error().code == base::ErrorCode::DiskFull)
-        ready = file->prepareAlone();
+        ready = file->prepareExclusive();
     if (!ready)
         return tl::unexpected(ready.error());
-    if (isNew && !syncFolders(path, topmostOld))
+    if (isNew && !syncFolders(path, existingAncestor))
         return base::fail(base::ErrorCode::FileUnwritable, operation,
                           folder + QStringLiteral(": the folder cannot be written to the disk"));
     return file;
@@ -104,7 +104,7 @@ base::Error HistoryFile::error(const QSqlError& error) const
 {
     base::ErrorCode code = base::ErrorCode::FileUnwritable;
     switch (error.nativeErrorCode().toInt() & baseCode) {
-    case unfit:
+    case schemaMismatch:
     case damaged:
     case noDatabase:
         code = base::ErrorCode::FileFormat;
@@ -114,7 +114,7 @@ base::Error HistoryFile::error(const QSqlError& error) const
         break;
     case inputOutput:
     case cannotOpen:
-        if (error.nativeErrorCode().toInt() == noRoomForIndex || !hasRoom(m_path))
+        if (error.nativeErrorCode().toInt() == noSpaceForIndex || !hasFreeSpace(m_path))
             code = base::ErrorCode::DiskFull;
         break;
     default:
@@ -123,7 +123,7 @@ base::Error HistoryFile::error(const QSqlError& error) const
     return {code, operation, m_path + QStringLiteral(": ") + error.databaseText()};
 }
 
-base::Result<HistoryAnswer> HistoryFile::run(const QString& sql, const QVariantList& values) const
+base::Result<QueryResult> HistoryFile::run(const QString& sql, const QVariantList& values) const
 {
     QSqlQuery query(QSqlDatabase::database(m_connection, false));
     query.setForwardOnly(true);
@@ -131,7 +131,7 @@ base::Result<HistoryAnswer> HistoryFile::run(const QString& sql, const QVariantL
     for (const QVariant& value : values)
         query.addBindValue(value);
     fine = fine && query.exec();
-    HistoryAnswer answer;
+    QueryResult answer;
     if (fine && query.isSelect()) {
         const int columns = query.record().count();
         while (query.next()) {
@@ -149,7 +149,7 @@ base::Result<HistoryAnswer> HistoryFile::run(const QString& sql, const QVariantL
     return answer;
 }
 
-base::Result<void> HistoryFile::together(const std::function<base::Result<void>()>& work) const
+base::Result<void> HistoryFile::transaction(const std::function<base::Result<void>()>& work) const
 {
     if (const auto begun = run(QStringLiteral("BEGIN IMMEDIATE")); !begun)
         return tl::unexpected(begun.error());
@@ -183,14 +183,14 @@ base::Result<int> HistoryFile::version() const
 /// On a full disk there is no room for the index that programs share. Alone, one needs none: what
 /// is there can still be read, also what is not in the database file yet. The connection must not
 /// have looked for the index before.
-base::Result<void> HistoryFile::prepareAlone() const
+base::Result<void> HistoryFile::prepareExclusive() const
 {
     QSqlDatabase database = QSqlDatabase::database(m_connection, false);
     database.close();
     if (!database.open())
         return tl::unexpected(error(database.lastError()));
-    const auto alone = run(QStringLiteral("PRAGMA locking_mode = EXCLUSIVE"));
-    return alone ? prepare() : tl::unexpected(alone.error());
+    const auto lockingResult = run(QStringLiteral("PRAGMA locking_mode = EXCLUSIVE"));
+    return lockingResult ? prepare() : tl::unexpected(lockingResult.error());
 }
 
 base::Result<void> HistoryFile::prepare() const
@@ -211,7 +211,7 @@ base::Result<void> HistoryFile::prepare() const
 
 base::Result<void> HistoryFile::migrate() const
 {
-    return together([this]() -> base::Result<void> {
+    return transaction([this]() -> base::Result<void> {
         // Another program may have been first.
         const auto found = version();
         if (!found)

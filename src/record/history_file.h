@@ -18,7 +18,7 @@
 class QSqlError;
 
 namespace record {
-struct HistoryAnswer {
+struct QueryResult {
     std::vector<QVariantList> rows{};
     std::int64_t insertedId = 0;
     int changed = 0; ///< rows
@@ -28,18 +28,18 @@ class HistoryFile {
 public:
     /// Made if it is not there, with its folder; brought up to the present schema.
     static base::Result<std::unique_ptr<HistoryFile>> open(const QString& path,
-                                                           std::chrono::milliseconds patience);
+                                                           std::chrono::milliseconds timeout);
     HistoryFile(const HistoryFile&) = delete;
     HistoryFile& operator=(const HistoryFile&) = delete;
     virtual ~HistoryFile();
 
     // Virtual, because a copy on a server is asked the same questions: record/history_server.h.
     /// One statement with its values in place of `?`.
-    virtual base::Result<HistoryAnswer> run(const QString& sql,
-                                            const QVariantList& values = {}) const;
+    virtual base::Result<QueryResult> run(const QString& sql,
+                                          const QVariantList& values = {}) const;
     /// All of `work` or nothing of it. Has the file to itself from the beginning, since one that
     /// begins by reading could not wait for another writer.
-    virtual base::Result<void> together(const std::function<base::Result<void>()>& work) const;
+    virtual base::Result<void> transaction(const std::function<base::Result<void>()>& work) const;
 
     /// A condition to append where two rows must come from one bench; here all do.
     virtual QString sameBench(const QString& one, const QString& other) const;
@@ -51,7 +51,7 @@ protected:
 
 private:
     base::Result<void> prepare() const;
-    base::Result<void> prepareAlone() const;
+    base::Result<void> prepareExclusive() const;
     base::Result<void> migrate() const;
     base::Result<int> version() const;
     base::Error error(const QSqlError& error) const;

@@ -10,29 +10,32 @@
 namespace record {
 /// These belong inside HistoryFile::together(), which makes them one with what is around them.
 /// The number of the servo that answers like this, made if it was never met.
-base::Result<std::int64_t> meetServo(const HistoryFile& file, const base::ServoIdentity& who);
+base::Result<std::int64_t> findOrAddServo(const HistoryFile& file,
+                                          const base::ServoIdentity& identity);
 /// True: from now on the one with this label is meant by those alike; made if it was never met.
-base::Result<std::int64_t> preferServo(const HistoryFile& file, const base::ServoIdentity& who,
-                                       const QString& label);
+base::Result<std::int64_t> makeCurrentServo(const HistoryFile& file,
+                                            const base::ServoIdentity& identity,
+                                            const QString& label);
 /// uuid and time are those of `intent`. Does nothing if one with this uuid is there.
 base::Result<void> insertIntent(const HistoryFile& file, const base::Intent& intent,
                                 const QString& program);
 /// Whether a line that is taken over may overrule what is there.
-enum class Overrule : std::uint8_t { Always, UnlessOlder };
+enum class ConflictPolicy : std::uint8_t { Always, UnlessOlder };
 /// False: there is no such intent.
 base::Result<bool> endIntent(const HistoryFile& file, const QString& uuid,
-                             const base::IntentEnd& end, const QDateTime& at,
-                             Overrule overrule = Overrule::Always);
-base::Result<void> keepFact(const HistoryFile& file, const base::ServoIdentity& servo,
+                             const base::IntentResult& end, const QDateTime& at,
+                             ConflictPolicy conflictPolicy = ConflictPolicy::Always);
+base::Result<void> saveFact(const HistoryFile& file, const base::ServoIdentity& servo,
                             const QString& name, const std::vector<std::int64_t>& values,
-                            const QDateTime& at, Overrule overrule = Overrule::Always);
+                            const QDateTime& at,
+                            ConflictPolicy conflictPolicy = ConflictPolicy::Always);
 
 base::Result<std::optional<std::vector<std::int64_t>>>
-factOf(const HistoryFile& file, const base::ServoIdentity& servo, const QString& name);
+loadFact(const HistoryFile& file, const base::ServoIdentity& servo, const QString& name);
 /// What follows FROM intents i: a condition and an order. Oldest first.
 base::Result<std::vector<base::JournalEntry>>
-readEntries(const HistoryFile& file, const QString& chosen, const QVariantList& values);
+readEntries(const HistoryFile& file, const QString& whereClause, const QVariantList& values);
 /// The latest `most` of one servo, and of those that were on their way to its ID.
 base::Result<std::vector<base::JournalEntry>>
-entriesOfServo(const HistoryFile& file, const base::ServoIdentity& servo, int most);
+readServoEntries(const HistoryFile& file, const base::ServoIdentity& servo, int limit);
 } // namespace record

@@ -16,21 +16,21 @@
 namespace record {
 namespace {
 /// For what has been written to a servo already: its record is worth a wait.
-constexpr std::chrono::milliseconds endPatience{5000};
+constexpr std::chrono::milliseconds endTimeout{5000};
 
 /// SQLite's, while this lives.
-class Patience {
+class BusyTimeout {
 public:
-    Patience(const HistoryFile& file, std::chrono::milliseconds meanwhile,
-             std::chrono::milliseconds afterwards)
+    BusyTimeout(const HistoryFile& file, std::chrono::milliseconds meanwhile,
+                std::chrono::milliseconds afterwards)
         : m_file(file)
         , m_afterwards(afterwards)
     {
         set(meanwhile);
     }
-    ~Patience() { set(m_afterwards); }
-    Patience(const Patience&) = delete;
-    Patience& operator=(const Patience&) = delete;
+    ~BusyTimeout() { set(m_afterwards); }
+    BusyTimeout(const BusyTimeout&) = delete;
+    BusyTimeout& operator=(const BusyTimeout&) = delete;
 
 private:
     void set(std::chrono::milliseconds span) const
@@ -47,10 +47,10 @@ private:
 /// there from the first call on.
 class HistoryJournal::Worker {
 public:
-    Worker(QString path, QString program, std::chrono::milliseconds patience)
+    Worker(QString path, QString program, std::chrono::milliseconds timeout)
         : m_path(std::move(path))
         , m_program(std::move(program))
-        , m_patience(patience)
+        , m_timeout(timeout)
     {}
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
@@ -58,31 +58,31 @@ public:
 
     /// `work` on the worker's thread with the history open; its answer.
     template <typename T>
-    base::Result<T> ask(const std::function<base::Result<T>(const HistoryFile&)>& work)
+    base::Result<T> call(const std::function<base::Result<T>(const HistoryFile&)>& work)
     {
         base::Result<T> answer = tl::unexpected(base::Error{});
         run([&] {
-            const auto file = ready();
+            const auto file = ensureOpen();
             answer = file ? work(**file) : base::Result<T>(tl::unexpected(file.error()));
         });
         return answer;
     }
 
     /// Neither a history nor what would have to be taken over: nothing is made by looking.
-    bool nothingThere() const;
+    bool isNothingStored() const;
     const QString& program() const { return m_program; }
-    std::chrono::milliseconds patience() const { return m_patience; }
+    std::chrono::milliseconds timeout() const { return m_timeout; }
 
 private:
     void run(const std::function<void()>& work);
-    void live();
-    base::Result<const HistoryFile*> ready();
+    void runLoop();
+    base::Result<const HistoryFile*> ensureOpen();
 
     const QString m_path;
     const QString m_program;
-    const std::chrono::milliseconds m_patience;
+    const std::chrono::milliseconds m_timeout;
 
-    std::mutex m_turn; ///< one caller at a time
+    std::mutex m_callMutex; ///< one caller at a time
     std::mutex m_mutex;
     std::condition_variable m_changed;
     const std::function<void()>* m_work = nullptr; ///< of the caller who waits
@@ -91,7 +91,7 @@ private:
 
     // Of the worker's thread.
     std::unique_ptr<HistoryFile> m_file;
-    FileMark m_mark; ///< of the file that is open
+    FileId m_fileId; ///< of the file that is open
 };
 
 HistoryJournal::Worker::~Worker()
@@ -107,16 +107,16 @@ HistoryJournal::Worker::~Worker()
 
 void HistoryJournal::Worker::run(const std::function<void()>& work)
 {
-    const std::lock_guard turn(m_turn);
+    const std::lock_guard turn(m_callMutex);
     if (!m_thread.joinable())
-        m_thread = std::thread([this] { live(); });
+        m_thread = std::thread([this] { runLoop(); });
     std::unique_lock lock(m_mutex);
     m_work = &work;
     m_changed.notify_all();
     m_changed.wait(lock, [this] { return m_work == nullptr; });
 }
 
-void HistoryJournal::Worker::live()
+void HistoryJournal::Worker::runLoop()
 {
     std::unique_lock lock(m_mutex);
     for (;;) {
@@ -134,32 +134,32 @@ void HistoryJournal::Worker::live()
 }
 
 /// A file that was moved away or replaced meanwhile must not swallow what is written to it.
-base::Result<const HistoryFile*> HistoryJournal::Worker::ready()
+base::Result<const HistoryFile*> HistoryJournal::Worker::ensureOpen()
 {
     const auto present = FileHandle::infoOf(m_path);
-    if (m_file && !(present && present->mark == m_mark))
+    if (m_file && !(present && present->id == m_fileId))
         m_file.reset();
     if (!m_file) {
-        auto opened = HistoryFile::open(m_path, m_patience);
+        auto opened = HistoryFile::open(m_path, m_timeout);
         if (!opened)
             return tl::unexpected(opened.error());
         m_file = std::move(*opened);
-        m_mark = FileHandle::infoOf(m_path).value_or(FileHandle::Info()).mark;
+        m_fileId = FileHandle::infoOf(m_path).value_or(FileHandle::Info()).id;
     }
-    if (const auto taken = takeOverJournal(*m_file); !taken)
+    if (const auto taken = importJournal(*m_file); !taken)
         return tl::unexpected(taken.error());
     return m_file.get();
 }
 
-bool HistoryJournal::Worker::nothingThere() const
+bool HistoryJournal::Worker::isNothingStored() const
 {
-    return !QFileInfo::exists(m_path) && !QFileInfo::exists(oldJournalBeside(m_path));
+    return !QFileInfo::exists(m_path) && !QFileInfo::exists(legacyJournalPath(m_path));
 }
 
 HistoryJournal::HistoryJournal(QString historyPath, QString program,
-                               std::chrono::milliseconds patience)
+                               std::chrono::milliseconds timeout)
     : m_path(std::move(historyPath))
-    , m_worker(std::make_unique<Worker>(m_path, std::move(program), patience))
+    , m_worker(std::make_unique<Worker>(m_path, std::move(program), timeout))
     , m_locks(QFileInfo(m_path).absolutePath() + QStringLiteral("/running"))
 {}
 
@@ -170,32 +170,33 @@ base::Result<QString> HistoryJournal::begin(const base::Intent& intent)
     base::Intent kept = intent;
     kept.uuid = QUuid::createUuid().toString(QUuid::WithoutBraces);
     kept.at = QDateTime::currentDateTimeUtc();
-    m_locks.take(kept.uuid); // before any other program can see it
-    auto begun = m_worker->ask<QString>([&](const HistoryFile& file) -> base::Result<QString> {
-        const auto done =
-            file.together([&] { return insertIntent(file, kept, m_worker->program()); });
-        if (!done)
-            return tl::unexpected(done.error());
-        ++m_begun;
-        return kept.uuid;
-    });
-    if (!begun)
-        m_locks.free(kept.uuid);
-    return begun;
+    m_locks.acquire(kept.uuid); // before any other program can see it
+    auto intentCount =
+        m_worker->call<QString>([&](const HistoryFile& file) -> base::Result<QString> {
+            const auto done =
+                file.transaction([&] { return insertIntent(file, kept, m_worker->program()); });
+            if (!done)
+                return tl::unexpected(done.error());
+            ++m_intentCount;
+            return kept.uuid;
+        });
+    if (!intentCount)
+        m_locks.release(kept.uuid);
+    return intentCount;
 }
 
 void HistoryJournal::release()
 {
-    m_locks.freeAll();
+    m_locks.releaseAll();
 }
 
-base::Result<void> HistoryJournal::end(const QString& uuid, const base::IntentEnd& end)
+base::Result<void> HistoryJournal::end(const QString& uuid, const base::IntentResult& end)
 {
     const QDateTime now = QDateTime::currentDateTimeUtc();
-    auto recorded = m_worker->ask<void>([&](const HistoryFile& file) {
-        const auto usual = m_worker->patience();
-        const Patience patience(file, std::max(endPatience, usual), usual);
-        return file.together([&]() -> base::Result<void> {
+    auto recorded = m_worker->call<void>([&](const HistoryFile& file) {
+        const auto previousTimeout = m_worker->timeout();
+        const BusyTimeout timeout(file, std::max(endTimeout, previousTimeout), previousTimeout);
+        return file.transaction([&]() -> base::Result<void> {
             const auto ended = endIntent(file, uuid, end, now);
             if (!ended)
                 return tl::unexpected(ended.error());
@@ -205,16 +206,16 @@ base::Result<void> HistoryJournal::end(const QString& uuid, const base::IntentEn
         });
     });
     if (recorded)
-        m_locks.free(uuid);
+        m_locks.release(uuid);
     return recorded;
 }
 
 base::Result<std::vector<base::JournalEntry>> HistoryJournal::entries() const
 {
     using All = std::vector<base::JournalEntry>;
-    if (m_worker->nothingThere())
+    if (m_worker->isNothingStored())
         return All();
-    return m_worker->ask<All>([](const HistoryFile& file) {
+    return m_worker->call<All>([](const HistoryFile& file) {
         return readEntries(file, QStringLiteral("ORDER BY i.at, i.number"), {});
     });
 }
@@ -222,9 +223,9 @@ base::Result<std::vector<base::JournalEntry>> HistoryJournal::entries() const
 base::Result<std::vector<base::Intent>> HistoryJournal::open() const
 {
     using All = std::vector<base::JournalEntry>;
-    if (m_worker->nothingThere())
+    if (m_worker->isNothingStored())
         return std::vector<base::Intent>();
-    const auto entries = m_worker->ask<All>([](const HistoryFile& file) {
+    const auto entries = m_worker->call<All>([](const HistoryFile& file) {
         return readEntries(file, QStringLiteral("WHERE i.outcome IS NULL ORDER BY i.at, i.number"),
                            {});
     });
@@ -233,36 +234,38 @@ base::Result<std::vector<base::Intent>> HistoryJournal::open() const
     std::vector<base::Intent> intents;
     for (const base::JournalEntry& entry : *entries) {
         intents.push_back(entry.intent);
-        intents.back().underWayElsewhere = m_locks.isHeldElsewhere(entry.intent.uuid);
+        intents.back().isActiveElsewhere = m_locks.isHeldElsewhere(entry.intent.uuid);
     }
     return intents;
 }
 
 base::Result<std::vector<base::JournalEntry>>
-HistoryJournal::entriesOf(const base::ServoIdentity& servo, int most) const
+HistoryJournal::entriesFor(const base::ServoIdentity& servo, int limit) const
 {
     using All = std::vector<base::JournalEntry>;
-    if (m_worker->nothingThere())
+    if (m_worker->isNothingStored())
         return All();
-    return m_worker->ask<All>(
-        [&](const HistoryFile& file) { return entriesOfServo(file, servo, most); });
+    return m_worker->call<All>(
+        [&](const HistoryFile& file) { return readServoEntries(file, servo, limit); });
 }
 
-base::Result<void> HistoryJournal::keep(const base::ServoIdentity& servo, const QString& name,
-                                        const std::vector<std::int64_t>& values)
+base::Result<void> HistoryJournal::saveServoValues(const base::ServoIdentity& servo,
+                                                   const QString& name,
+                                                   const std::vector<std::int64_t>& values)
 {
     const QDateTime now = QDateTime::currentDateTimeUtc();
-    return m_worker->ask<void>([&](const HistoryFile& file) {
-        return file.together([&] { return keepFact(file, servo, name, values, now); });
+    return m_worker->call<void>([&](const HistoryFile& file) {
+        return file.transaction([&] { return saveFact(file, servo, name, values, now); });
     });
 }
 
 base::Result<std::optional<std::vector<std::int64_t>>>
-HistoryJournal::kept(const base::ServoIdentity& servo, const QString& name) const
+HistoryJournal::servoValues(const base::ServoIdentity& servo, const QString& name) const
 {
     using Fact = std::optional<std::vector<std::int64_t>>;
-    if (m_worker->nothingThere())
+    if (m_worker->isNothingStored())
         return Fact();
-    return m_worker->ask<Fact>([&](const HistoryFile& file) { return factOf(file, servo, name); });
+    return m_worker->call<Fact>(
+        [&](const HistoryFile& file) { return loadFact(file, servo, name); });
 }
 } // namespace record

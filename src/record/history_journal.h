@@ -28,31 +28,31 @@ class HistoryJournal final : public base::Journal {
 public:
     /// Nothing is opened or created here. `program` is written beside every intent.
     HistoryJournal(QString historyPath, QString program,
-                   std::chrono::milliseconds patience = historyPatience);
+                   std::chrono::milliseconds timeout = historyTimeout);
     ~HistoryJournal() override;
 
     base::Result<QString> begin(const base::Intent& intent) override;
-    base::Result<void> end(const QString& uuid, const base::IntentEnd& end) override;
+    base::Result<void> end(const QString& uuid, const base::IntentResult& end) override;
     base::Result<std::vector<base::JournalEntry>> entries() const override;
     base::Result<std::vector<base::Intent>> open() const override;
-    base::Result<std::vector<base::JournalEntry>> entriesOf(const base::ServoIdentity& servo,
-                                                            int most) const override;
-    base::Result<void> keep(const base::ServoIdentity& servo, const QString& name,
-                            const std::vector<std::int64_t>& values) override;
-    base::Result<std::optional<std::vector<std::int64_t>>> kept(const base::ServoIdentity& servo,
-                                                                const QString& name) const override;
+    base::Result<std::vector<base::JournalEntry>> entriesFor(const base::ServoIdentity& servo,
+                                                             int limit) const override;
+    base::Result<void> saveServoValues(const base::ServoIdentity& servo, const QString& name,
+                                       const std::vector<std::int64_t>& values) override;
+    base::Result<std::optional<std::vector<std::int64_t>>>
+    servoValues(const base::ServoIdentity& servo, const QString& name) const override;
 
     /// The job is over: what it has left open, any program may settle from now on.
     void release();
 
     const QString& path() const { return m_path; }
     /// Intents recorded by this object so far. Any thread.
-    std::uint64_t begun() const { return m_begun; }
+    std::uint64_t intentCount() const { return m_intentCount; }
 
 private:
     class Worker;
     const QString m_path;
-    std::atomic<std::uint64_t> m_begun{0};
+    std::atomic<std::uint64_t> m_intentCount{0};
     std::unique_ptr<Worker> m_worker;
     IntentLocks m_locks;
 };

@@ -23,14 +23,14 @@ public:
     // now; nullopt: never met.
     base::Result<std::vector<HistoryServo>> servos(const HistoryFilter& filter = {}) const;
     base::Result<HistoryServo> servo(std::int64_t number) const;
-    base::Result<std::optional<HistoryServo>> of(const base::ServoIdentity& who) const;
+    base::Result<std::optional<HistoryServo>> of(const base::ServoIdentity& identity) const;
     /// The same, made if it was never met.
-    base::Result<HistoryServo> meet(const base::ServoIdentity& who) const;
+    base::Result<HistoryServo> findOrAdd(const base::ServoIdentity& identity) const;
     /// A name for this servo, with all its past. BadArgument "label-in-use" where one alike has it.
     base::Result<void> setLabel(std::int64_t servo, const QString& label) const;
     /// From now on the one that answers like this is another: the one with this label, met before
     /// or not. What was kept for the way back from multi-turn stays with the former.
-    base::Result<HistoryServo> another(std::int64_t servo, const QString& label) const;
+    base::Result<HistoryServo> assignToOther(std::int64_t servo, const QString& label) const;
 
     base::Result<std::vector<HistoryWrite>> writes(const HistoryFilter& filter = {}) const;
     base::Result<std::int64_t> countWrites(const HistoryFilter& filter = {}) const;
@@ -50,10 +50,10 @@ public:
     base::Result<void> removeSnapshot(std::int64_t number) const;
 
     /// Of one that came and has not gone, only the first call counts.
-    base::Result<void> alarmCame(const base::ServoIdentity& who, const QString& key, bool derived,
-                                 const QDateTime& at) const;
-    base::Result<void> alarmWent(const base::ServoIdentity& who, const QString& key,
-                                 const QDateTime& at) const;
+    base::Result<void> recordAlarmStart(const base::ServoIdentity& identity, const QString& key,
+                                        bool derived, const QDateTime& at) const;
+    base::Result<void> recordAlarmEnd(const base::ServoIdentity& identity, const QString& key,
+                                      const QDateTime& at) const;
     base::Result<std::vector<HistoryAlarm>> alarms(const HistoryFilter& filter = {}) const;
 
     /// number, uuid and the servos' own members are made here; the file itself stays where it is.

@@ -7,5 +7,5 @@
 #include <chrono>
 
 namespace record {
-constexpr std::chrono::milliseconds historyPatience{600};
+constexpr std::chrono::milliseconds historyTimeout{600};
 } // namespace record

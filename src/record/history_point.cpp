@@ -13,7 +13,7 @@ namespace {
 const QLatin1String idKey("id");
 
 /// One register of one write that may have changed it after the snapshot.
-struct Step {
+struct WriteStep {
     QString key;
     std::int64_t oldRaw = 0;
     std::int64_t newRaw = 0;
@@ -26,20 +26,20 @@ struct Step {
     std::int64_t number = 0; ///< of the write, among those of one moment
     std::int64_t ended = 0;  ///< ms; where no end is known, its begin
 
-    bool isBefore(const Step& other) const
+    bool isBefore(const WriteStep& other) const
     {
         return std::tie(began, number) < std::tie(other.began, other.number);
     }
-    bool wasKept() const
+    bool isPersistent() const
     {
         return !temporary && (outcome == QLatin1String("kept") || outcome == QLatin1String("done"));
     }
-    bool isNewId() const { return key == idKey && wasKept() && newRaw != oldRaw; }
+    bool isNewId() const { return key == idKey && isPersistent() && newRaw != oldRaw; }
 };
 
-Step stepFrom(const QVariantList& row, std::int64_t until)
+WriteStep stepFrom(const QVariantList& row, std::int64_t until)
 {
-    Step step;
+    WriteStep step;
     step.key = row.value(0).toString();
     step.oldRaw = row.value(1).toLongLong();
     step.newRaw = row.value(2).toLongLong();
@@ -62,8 +62,8 @@ Step stepFrom(const QVariantList& row, std::int64_t until)
 /// In the order in which they began: a recovery leaves alone what a later write has replaced. One
 /// that began before the snapshot counts where its end after it may have written; being given up
 /// writes nothing.
-base::Result<std::vector<Step>> stepsBetween(const HistoryFile& file, std::int64_t servo,
-                                             const QDateTime& from, const QDateTime& until)
+base::Result<std::vector<WriteStep>> stepsBetween(const HistoryFile& file, std::int64_t servo,
+                                                  const QDateTime& from, const QDateTime& until)
 {
     const qint64 first = from.toMSecsSinceEpoch();
     const qint64 last = until.toMSecsSinceEpoch();
@@ -80,7 +80,7 @@ base::Result<std::vector<Step>> stepsBetween(const HistoryFile& file, std::int64
         {qint64(servo), last, first, first, last, first});
     if (!rows)
         return tl::unexpected(rows.error());
-    std::vector<Step> steps;
+    std::vector<WriteStep> steps;
     for (const QVariantList& row : rows->rows)
         steps.push_back(stepFrom(row, last));
     return steps;
@@ -90,10 +90,10 @@ base::Result<std::vector<Step>> stepsBetween(const HistoryFile& file, std::int64
 /// stands. A label follows a servo to its new ID, but may have been given later.
 struct NextId {
     std::int64_t servo = 0; ///< has that ID
-    Step change;
+    WriteStep change;
 };
 base::Result<std::optional<NextId>> nextId(const HistoryFile& file, std::int64_t servo,
-                                           const Step& from, const QDateTime& until)
+                                           const WriteStep& from, const QDateTime& until)
 {
     const auto rows = file.run(
         QStringLiteral(
@@ -122,65 +122,67 @@ base::Result<std::optional<NextId>> nextId(const HistoryFile& file, std::int64_t
 
 /// What was written to a servo under other IDs since `away`, until it came back to `ownId`. If it
 /// has not come back, only which IDs it had: the rest is in the history of those.
-base::Result<std::vector<Step>> stepsElsewhere(const HistoryFile& file, std::int64_t servo,
-                                               int ownId, const Step& away, const QDateTime& until)
+base::Result<std::vector<WriteStep>> stepsUnderOtherIds(const HistoryFile& file, std::int64_t servo,
+                                                        int ownId, const WriteStep& away,
+                                                        const QDateTime& until)
 {
-    std::vector<Step> steps;
-    Step from = away;
+    std::vector<WriteStep> steps;
+    WriteStep from = away;
     while (from.newRaw != ownId) {
         const auto next = nextId(file, servo, from, until);
         if (!next)
             return tl::unexpected(next.error());
         if (!*next) {
-            std::erase_if(steps, [](const Step& step) { return !step.isNewId(); });
+            std::erase_if(steps, [](const WriteStep& step) { return !step.isNewId(); });
             return steps;
         }
-        const Step& last = (*next)->change;
-        const auto there = stepsBetween(file, (*next)->servo,
-                                        QDateTime::fromMSecsSinceEpoch(from.began, Qt::UTC), until);
-        if (!there)
-            return tl::unexpected(there.error());
-        std::copy_if(there->begin(), there->end(), std::back_inserter(steps),
-                     [&](const Step& step) { return from.isBefore(step) && !last.isBefore(step); });
+        const WriteStep& last = (*next)->change;
+        const auto stepsThere = stepsBetween(
+            file, (*next)->servo, QDateTime::fromMSecsSinceEpoch(from.began, Qt::UTC), until);
+        if (!stepsThere)
+            return tl::unexpected(stepsThere.error());
+        std::copy_if(
+            stepsThere->begin(), stepsThere->end(), std::back_inserter(steps),
+            [&](const WriteStep& step) { return from.isBefore(step) && !last.isBefore(step); });
         from = last;
     }
     return steps;
 }
 
 /// With those under other IDs, in the order in which they began.
-base::Result<std::vector<Step>> allSteps(const HistoryFile& file, const HistoryServo& servo,
-                                         const QDateTime& from, const QDateTime& until)
+base::Result<std::vector<WriteStep>> allSteps(const HistoryFile& file, const HistoryServo& servo,
+                                              const QDateTime& from, const QDateTime& until)
 {
     auto steps = stepsBetween(file, servo.number, from, until);
     if (!steps)
         return steps;
-    for (const Step& step : std::vector(*steps)) {
-        if (!step.isNewId() || step.newRaw == servo.who.id)
+    for (const WriteStep& step : std::vector(*steps)) {
+        if (!step.isNewId() || step.newRaw == servo.identity.id)
             continue;
-        const auto more = stepsElsewhere(file, servo.number, servo.who.id, step, until);
+        const auto more = stepsUnderOtherIds(file, servo.number, servo.identity.id, step, until);
         if (!more)
             return more;
         steps->insert(steps->end(), more->begin(), more->end());
     }
     std::stable_sort(steps->begin(), steps->end(),
-                     [](const Step& a, const Step& b) { return a.isBefore(b); });
+                     [](const WriteStep& a, const WriteStep& b) { return a.isBefore(b); });
     return steps;
 }
 
 /// Follows the writes over the snapshot.
 class Replay {
 public:
-    explicit Replay(TablePoint& point)
-        : m_point(point)
+    explicit Replay(TableState& state)
+        : m_state(state)
     {}
 
-    void take(const Step& step)
+    void apply(const WriteStep& step)
     {
         if (step.outcome == QLatin1String("refused") || step.outcome == QLatin1String("not-sent"))
             return;
         // Gone with the next power-off, by design; what a test or blinking had set is put back.
         if (step.temporary || step.outcome == QLatin1String("temporary")) {
-            leaveOut(step);
+            noteTemporary(step);
             return;
         }
         // Old and new are the same in all rows where the servo took what it had stored itself
@@ -188,7 +190,7 @@ public:
         const bool measured = step.kind == base::IntentKind::Calibrate; // by the servo itself
         if (step.kind == base::IntentKind::Restore && !step.valuesKnown) {
             forgetSettings();
-        } else if (!measured && step.wasKept()) {
+        } else if (!measured && step.isPersistent()) {
             set(step.key, step.readBack.value_or(step.newRaw));
             if (step.isNewId())
                 noteId(step);
@@ -203,24 +205,24 @@ private:
     SnapshotRegister* find(const QString& key)
     {
         const auto row =
-            std::find_if(m_point.table.registers.begin(), m_point.table.registers.end(),
+            std::find_if(m_state.table.registers.begin(), m_state.table.registers.end(),
                          [&](const SnapshotRegister& one) { return one.key == key; });
-        return row == m_point.table.registers.end() ? nullptr : &*row;
+        return row == m_state.table.registers.end() ? nullptr : &*row;
     }
-    void noteId(const Step& step)
+    void noteId(const WriteStep& step)
     {
-        m_point.changedId.reset();
-        if (step.newRaw != m_point.table.servo.id)
-            m_point.changedId = {int(step.newRaw),
+        m_state.changedId.reset();
+        if (step.newRaw != m_state.table.servo.id)
+            m_state.changedId = {int(step.newRaw),
                                  QDateTime::fromMSecsSinceEpoch(step.ended, Qt::UTC)};
     }
     /// Until power-off the servo has another value than the one it stores.
-    void leaveOut(const Step& step)
+    void noteTemporary(const WriteStep& step)
     {
         const SnapshotRegister* row = find(step.key);
         if (row != nullptr && row->area == catalog::Area::Eprom &&
-            step.outcome != QLatin1String("undone") && !m_point.temporary.contains(step.key))
-            m_point.temporary.append(step.key);
+            step.outcome != QLatin1String("undone") && !m_state.temporary.contains(step.key))
+            m_state.temporary.append(step.key);
     }
     void set(const QString& key, std::int64_t raw)
     {
@@ -229,10 +231,10 @@ private:
             return;
         row->raw = raw;
         row->value.reset();
-        m_point.unknown.removeAll(key);
-        m_point.temporary.removeAll(key);
-        if (!m_point.replayed.contains(key))
-            m_point.replayed.append(key);
+        m_state.unknown.removeAll(key);
+        m_state.temporary.removeAll(key);
+        if (!m_state.replayed.contains(key))
+            m_state.replayed.append(key);
     }
     void forget(const QString& key)
     {
@@ -241,31 +243,31 @@ private:
             return;
         row->raw.reset();
         row->value.reset();
-        m_point.replayed.removeAll(key);
-        if (!m_point.unknown.contains(key))
-            m_point.unknown.append(key);
+        m_state.replayed.removeAll(key);
+        if (!m_state.unknown.contains(key))
+            m_state.unknown.append(key);
     }
     /// Whatever had been stored is there now, and nobody has read it.
     void forgetSettings()
     {
-        for (const SnapshotRegister& row : std::vector(m_point.table.registers)) {
+        for (const SnapshotRegister& row : std::vector(m_state.table.registers)) {
             if (row.area == catalog::Area::Eprom && row.access != catalog::Access::ReadOnly)
                 forget(row.key);
         }
     }
 
-    TablePoint& m_point;
+    TableState& m_state;
 };
 
 /// Physical values anew: what a write has changed may decide the meaning of others.
-void giveValues(Snapshot& table, const catalog::Catalog& catalog, const base::ServoIdentity& who)
+void fillValues(Snapshot& table, const catalog::Catalog& catalog, const base::ServoIdentity& servo)
 {
     catalog::Identity identity;
-    identity.firmwareMajor = who.firmwareMajor;
-    identity.firmwareMinor = who.firmwareMinor;
-    identity.modelMajor = who.modelMajor;
-    identity.modelMinor = who.modelMinor;
-    identity.protocol = who.protocol;
+    identity.firmwareMajor = servo.firmwareMajor;
+    identity.firmwareMinor = servo.firmwareMinor;
+    identity.modelMajor = servo.modelMajor;
+    identity.modelMinor = servo.modelMinor;
+    identity.protocol = servo.protocol;
     const catalog::ProfilePtr profile = catalog.resolve(identity);
     if (!profile || profile->mapKey != table.servo.map)
         return;
@@ -280,24 +282,24 @@ void giveValues(Snapshot& table, const catalog::Catalog& catalog, const base::Se
         const catalog::Register* reg = profile->find(row.key);
         if (reg == nullptr || !row.raw)
             continue;
-        const catalog::Meaning meaning = catalog::meaningOf(*reg, *profile, lookup);
+        const catalog::ValueFormat meaning = catalog::valueFormat(*reg, *profile, lookup);
         row.value = catalog::toPhysical(*row.raw, meaning);
         row.unit = meaning.unit;
     }
 }
 } // namespace
 
-base::Result<TablePoint> tableAt(const HistoryFile& file, const catalog::Catalog& catalog,
+base::Result<TableState> tableAt(const HistoryFile& file, const catalog::Catalog& catalog,
                                  std::int64_t servo, const QDateTime& at)
 {
     const HistoryLog log(file);
-    const auto who = log.servo(servo);
-    if (!who)
-        return tl::unexpected(who.error());
+    const auto identity = log.servo(servo);
+    if (!identity)
+        return tl::unexpected(identity.error());
     HistoryFilter before;
     before.servo = servo;
     before.until = at.addMSecs(1);
-    before.most = 1;
+    before.limit = 1;
     const auto last = log.snapshots(before);
     if (!last)
         return tl::unexpected(last.error());
@@ -307,15 +309,15 @@ base::Result<TablePoint> tableAt(const HistoryFile& file, const catalog::Catalog
     const auto table = log.snapshot(last->front().number);
     if (!table)
         return tl::unexpected(table.error());
-    const auto steps = allSteps(file, *who, last->front().at, at);
+    const auto steps = allSteps(file, *identity, last->front().at, at);
     if (!steps)
         return tl::unexpected(steps.error());
-    TablePoint point{*table, last->front()};
-    point.table.at = at.toUTC();
-    Replay replay(point);
-    for (const Step& step : *steps)
-        replay.take(step);
-    giveValues(point.table, catalog, who->who);
-    return point;
+    TableState state{*table, last->front()};
+    state.table.at = at.toUTC();
+    Replay replay(state);
+    for (const WriteStep& step : *steps)
+        replay.apply(step);
+    fillValues(state.table, catalog, identity->identity);
+    return state;
 }
 } // namespace record

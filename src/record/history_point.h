@@ -17,11 +17,11 @@ struct ChangedId {
     QDateTime at{};
 };
 
-struct TablePoint {
+struct TableState {
     Snapshot table{}; ///< `at` is the moment asked for
     HistorySnapshot base{};
     QStringList replayed{}; ///< keys whose value comes from a write after the snapshot
-    /// Keys that were changed without a record of the value (centring, stored parameters put back,
+    /// Keys that were changed without a record of the value (centering, stored parameters put back,
     /// interrupted or failed writes, writes that had not ended at the moment): they have no value
     /// in `table`.
     QStringList unknown{};
@@ -31,6 +31,6 @@ struct TablePoint {
 };
 
 /// Physical values follow the catalog's profile of that servo; without one they are left out.
-base::Result<TablePoint> tableAt(const HistoryFile& file, const catalog::Catalog& catalog,
+base::Result<TableState> tableAt(const HistoryFile& file, const catalog::Catalog& catalog,
                                  std::int64_t servo, const QDateTime& at);
 } // namespace record

@@ -9,7 +9,7 @@ void HistoryProfiles::add(const std::vector<HistoryServo>& servos)
 {
     for (const HistoryServo& servo : servos) {
         Snapshot like;
-        const base::ServoIdentity& is = servo.who;
+        const base::ServoIdentity& is = servo.identity;
         like.servo = {is.id,
                       is.model,
                       QStringLiteral("%1.%2").arg(is.modelMajor).arg(is.modelMinor),
@@ -47,7 +47,7 @@ QString HistoryProfiles::valueText(const HistoryWrite& row, std::int64_t raw, bo
     if (reg == nullptr)
         return number;
     const QString words = catalog::formatValue(
-        raw, *reg, catalog::meaningOf(*reg, *known->second, catalog::knowNothing), chinese);
+        raw, *reg, catalog::valueFormat(*reg, *known->second, catalog::noLookup), chinese);
     return words == number ? number : number + QStringLiteral(" · ") + words;
 }
 } // namespace record

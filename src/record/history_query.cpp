@@ -2,64 +2,66 @@
 #include "record/history_query.h"
 
 namespace record {
-tl::unexpected<base::Error> notInHistory(const QString& what, std::int64_t number)
+tl::unexpected<base::Error> notFoundError(const QString& what, std::int64_t number)
 {
     return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history"),
                       QStringLiteral("no %1 %2").arg(what).arg(qint64(number)));
 }
 
-void HistoryChoice::add(const QString& condition, const QVariantList& with)
+void SqlConditions::add(const QString& condition, const QVariantList& with)
 {
     conditions.append(condition);
     values += with;
 }
 
-QString HistoryChoice::where() const
+QString SqlConditions::where() const
 {
     return conditions.isEmpty()
                ? QString()
                : QStringLiteral(" WHERE ") + conditions.join(QStringLiteral(" AND "));
 }
 
-HistoryChoice choiceOf(const HistoryFilter& filter)
+SqlConditions toConditions(const HistoryFilter& filter)
 {
-    HistoryChoice choice;
+    SqlConditions sqlConditions;
     if (filter.from.isValid())
-        choice.add(QStringLiteral("at >= ?"), {filter.from.toMSecsSinceEpoch()});
+        sqlConditions.add(QStringLiteral("at >= ?"), {filter.from.toMSecsSinceEpoch()});
     if (filter.until.isValid())
-        choice.add(QStringLiteral("at < ?"), {filter.until.toMSecsSinceEpoch()});
+        sqlConditions.add(QStringLiteral("at < ?"), {filter.until.toMSecsSinceEpoch()});
     if (filter.after) {
         const qint64 at = filter.after->at.toMSecsSinceEpoch();
-        choice.add(QStringLiteral("at <= ?"), {at});
-        choice.add(QStringLiteral("(at < ? OR number < ?)"), {at, qint64(filter.after->number)});
+        sqlConditions.add(QStringLiteral("at <= ?"), {at});
+        sqlConditions.add(QStringLiteral("(at < ? OR number < ?)"),
+                          {at, qint64(filter.after->number)});
     }
-    return choice;
+    return sqlConditions;
 }
 
-base::Result<std::optional<std::vector<std::int64_t>>> servosOf(const HistoryFile& file,
-                                                                const HistoryFilter& filter)
+base::Result<std::optional<std::vector<std::int64_t>>> matchingServos(const HistoryFile& file,
+                                                                      const HistoryFilter& filter)
 {
-    HistoryChoice choice;
+    SqlConditions sqlConditions;
     // A label stays with a servo when its ID changes.
     if (filter.servo)
-        choice.add(QStringLiteral("EXISTS (SELECT 1 FROM servos s WHERE s.number = ? AND (s.number "
-                                  "= servos.number OR (s.label <> '' AND s.label = servos.label "
-                                  "AND s.simulated = servos.simulated AND s.protocol = "
-                                  "servos.protocol AND s.model_major = servos.model_major AND "
-                                  "s.model_minor = servos.model_minor AND s.map = servos.map") +
-                       file.sameBench(QStringLiteral("s"), QStringLiteral("servos")) +
-                       QStringLiteral(")))"),
-                   {qint64(*filter.servo)});
+        sqlConditions.add(
+            QStringLiteral("EXISTS (SELECT 1 FROM servos s WHERE s.number = ? AND (s.number "
+                           "= servos.number OR (s.label <> '' AND s.label = servos.label "
+                           "AND s.simulated = servos.simulated AND s.protocol = "
+                           "servos.protocol AND s.model_major = servos.model_major AND "
+                           "s.model_minor = servos.model_minor AND s.map = servos.map") +
+                file.sameBench(QStringLiteral("s"), QStringLiteral("servos")) +
+                QStringLiteral(")))"),
+            {qint64(*filter.servo)});
     if (filter.id)
-        choice.add(QStringLiteral("id = ?"), {*filter.id});
+        sqlConditions.add(QStringLiteral("id = ?"), {*filter.id});
     if (!filter.model.isEmpty())
-        choice.add(QStringLiteral("lower(model) = ?"), {filter.model.toLower()});
+        sqlConditions.add(QStringLiteral("lower(model) = ?"), {filter.model.toLower()});
     if (!filter.label.isEmpty())
-        choice.add(QStringLiteral("label = ?"), {filter.label});
-    if (choice.conditions.isEmpty())
+        sqlConditions.add(QStringLiteral("label = ?"), {filter.label});
+    if (sqlConditions.conditions.isEmpty())
         return std::nullopt;
-    const auto found =
-        file.run(QStringLiteral("SELECT number FROM servos") + choice.where(), choice.values);
+    const auto found = file.run(QStringLiteral("SELECT number FROM servos") + sqlConditions.where(),
+                                sqlConditions.values);
     if (!found)
         return tl::unexpected(found.error());
     std::vector<std::int64_t> numbers;
@@ -69,23 +71,23 @@ base::Result<std::optional<std::vector<std::int64_t>>> servosOf(const HistoryFil
 }
 
 base::Result<std::vector<QVariantList>>
-pageOf(const HistoryFile& file, const HistoryFilter& filter, const QString& table,
-       const HistoryChoice& more, const std::function<QString(const QString& inner)>& rows)
+readPage(const HistoryFile& file, const HistoryFilter& filter, const QString& table,
+         const SqlConditions& extra, const std::function<QString(const QString& inner)>& rows)
 {
-    const auto servos = servosOf(file, filter);
+    const auto servos = matchingServos(file, filter);
     if (!servos)
         return tl::unexpected(servos.error());
     std::vector<QVariantList> all;
     const auto add = [&](const std::optional<std::int64_t>& servo) -> base::Result<void> {
-        HistoryChoice choice = choiceOf(filter);
-        choice.conditions += more.conditions;
-        choice.values += more.values;
+        SqlConditions sqlConditions = toConditions(filter);
+        sqlConditions.conditions += extra.conditions;
+        sqlConditions.values += extra.values;
         if (servo)
-            choice.add(QStringLiteral("servo = ?"), {qint64(*servo)});
-        const QString inner =
-            QStringLiteral("SELECT * FROM ") + table + choice.where() +
-            QStringLiteral(" ORDER BY at DESC, number DESC LIMIT %1").arg(std::max(filter.most, 0));
-        auto found = file.run(rows(inner), choice.values);
+            sqlConditions.add(QStringLiteral("servo = ?"), {qint64(*servo)});
+        const QString inner = QStringLiteral("SELECT * FROM ") + table + sqlConditions.where() +
+                              QStringLiteral(" ORDER BY at DESC, number DESC LIMIT %1")
+                                  .arg(std::max(filter.limit, 0));
+        auto found = file.run(rows(inner), sqlConditions.values);
         if (!found)
             return tl::unexpected(found.error());
         std::move(found->rows.begin(), found->rows.end(), std::back_inserter(all));
@@ -119,21 +121,21 @@ QString servoColumns()
                           "s.firmware_major, s.firmware_minor, s.map, s.id, s.label, s.model");
 }
 
-HistoryServo servoIn(const QVariantList& row, int from)
+HistoryServo readServoRow(const QVariantList& row, int from)
 {
     HistoryServo servo;
     servo.number = row.value(from++).toLongLong();
     servo.uuid = row.value(from++).toString();
-    servo.who.protocol =
+    servo.identity.protocol =
         base::protocolFromName(row.value(from++).toString()).value_or(base::Protocol::Feetech);
-    servo.who.modelMajor = row.value(from++).toInt();
-    servo.who.modelMinor = row.value(from++).toInt();
-    servo.who.firmwareMajor = row.value(from++).toInt();
-    servo.who.firmwareMinor = row.value(from++).toInt();
-    servo.who.map = row.value(from++).toString();
-    servo.who.id = row.value(from++).toInt();
+    servo.identity.modelMajor = row.value(from++).toInt();
+    servo.identity.modelMinor = row.value(from++).toInt();
+    servo.identity.firmwareMajor = row.value(from++).toInt();
+    servo.identity.firmwareMinor = row.value(from++).toInt();
+    servo.identity.map = row.value(from++).toString();
+    servo.identity.id = row.value(from++).toInt();
     servo.label = row.value(from++).toString();
-    servo.who.model = row.value(from++).toString();
+    servo.identity.model = row.value(from++).toString();
     return servo;
 }
 } // namespace record

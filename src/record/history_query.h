@@ -13,20 +13,20 @@
 
 namespace record {
 /// An SQL NULL is not an empty text.
-inline QString notNull(const QString& text)
+inline QString nonNull(const QString& text)
 {
     return text.isNull() ? QStringLiteral("") : text;
 }
 
-inline QDateTime timeIn(const QVariant& value)
+inline QDateTime readTime(const QVariant& value)
 {
     return value.isNull() ? QDateTime()
                           : QDateTime::fromMSecsSinceEpoch(value.toLongLong(), Qt::UTC);
 }
 
-tl::unexpected<base::Error> notInHistory(const QString& what, std::int64_t number);
+tl::unexpected<base::Error> notFoundError(const QString& what, std::int64_t number);
 
-struct HistoryChoice {
+struct SqlConditions {
     QStringList conditions{};
     QVariantList values{};
 
@@ -36,22 +36,22 @@ struct HistoryChoice {
 };
 
 /// Time span and page, as they are the same for every list.
-HistoryChoice choiceOf(const HistoryFilter& filter);
+SqlConditions toConditions(const HistoryFilter& filter);
 
 /// The numbers of the servos the filter names; nullopt: it names none, all are meant.
-base::Result<std::optional<std::vector<std::int64_t>>> servosOf(const HistoryFile& file,
-                                                                const HistoryFilter& filter);
+base::Result<std::optional<std::vector<std::int64_t>>> matchingServos(const HistoryFile& file,
+                                                                      const HistoryFilter& filter);
 
 /// Newest first: all of `table` that fits, as far as `filter.most`. Each servo is asked for by
 /// itself, so that an index answers; `rows` makes the whole SELECT around the inner one.
 base::Result<std::vector<QVariantList>>
-pageOf(const HistoryFile& file, const HistoryFilter& filter, const QString& table,
-       const HistoryChoice& more, const std::function<QString(const QString& inner)>& rows);
+readPage(const HistoryFile& file, const HistoryFilter& filter, const QString& table,
+         const SqlConditions& extra, const std::function<QString(const QString& inner)>& rows);
 
 /// Rows of several servos in one order, no more than `most`.
 template <typename Row>
 std::vector<Row> newestFirst(const std::vector<QVariantList>& rows,
-                             Row (*rowIn)(const QVariantList& row), int most)
+                             Row (*rowIn)(const QVariantList& row), int limit)
 {
     std::vector<Row> all;
     all.reserve(rows.size());
@@ -60,16 +60,16 @@ std::vector<Row> newestFirst(const std::vector<QVariantList>& rows,
     std::stable_sort(all.begin(), all.end(), [](const Row& a, const Row& b) {
         return a.at != b.at ? a.at > b.at : a.number > b.number;
     });
-    if (all.size() > std::size_t(std::max(most, 0)))
-        all.erase(all.begin() + std::max(most, 0), all.end());
+    if (all.size() > std::size_t(std::max(limit, 0)))
+        all.erase(all.begin() + std::max(limit, 0), all.end());
     return all;
 }
 
 /// "1, 2, 3"; "-1", which nothing has, for none.
 QString numberList(const std::vector<std::int64_t>& numbers);
 
-/// A SELECT's columns of servos in the order servoIn() takes them, from the alias s.
+/// A SELECT's columns of servos in the order readServoRow() takes them, from the alias s.
 QString servoColumns();
 constexpr int servoColumnCount = 11;
-HistoryServo servoIn(const QVariantList& row, int from = 0);
+HistoryServo readServoRow(const QVariantList& row, int from = 0);
 } // namespace record

@@ -13,12 +13,12 @@ namespace {
 const QString columns = QStringLiteral("number, uuid, kind, at, program, port, simulated, verdict, "
                                        "ended, operator, note, length");
 
-Grade gradeIn(const QVariant& value)
+Grade readGrade(const QVariant& value)
 {
     return gradeFromName(value.toString()).value_or(Grade::NotMeasured);
 }
 
-TestRun runIn(const QVariantList& row)
+TestRun readRunRow(const QVariantList& row)
 {
     TestRun run;
     int column = 0;
@@ -29,7 +29,7 @@ TestRun runIn(const QVariantList& row)
     run.program = row.value(column++).toString();
     run.port = row.value(column++).toString();
     run.simulated = row.value(column++).toBool();
-    run.verdict = gradeIn(row.value(column++));
+    run.verdict = readGrade(row.value(column++));
     run.end = row.value(column++).toString();
     run.operatorName = row.value(column++).toString();
     run.note = row.value(column++).toString();
@@ -37,16 +37,16 @@ TestRun runIn(const QVariantList& row)
     return run;
 }
 
-TestServo servoIn(const QVariantList& row)
+TestServo readServoRow(const QVariantList& row)
 {
     return {row.value(1).toInt(),    row.value(2).toString(), row.value(3).toString(),
-            row.value(4).toString(), gradeIn(row.value(5)),   row.value(6).toString(),
+            row.value(4).toString(), readGrade(row.value(5)), row.value(6).toString(),
             row.value(7).toBool()};
 }
 
 /// A list has no figures, but it knows how the run ended. With several servos it does not know
 /// which of them is to blame: then the run itself says so.
-void judgeByEnd(TestRun& run)
+void applyEndToVerdict(TestRun& run)
 {
     const auto end = sweepEndFromName(run.end);
     if (!end || run.kind != QLatin1StringView("sweep"))
@@ -57,7 +57,7 @@ void judgeByEnd(TestRun& run)
 }
 
 /// What the user typed, anywhere in a text.
-QString pattern(QString text)
+QString likePattern(QString text)
 {
     text.replace(u'\\', QStringLiteral("\\\\"))
         .replace(u'%', QStringLiteral("\\%"))
@@ -66,7 +66,7 @@ QString pattern(QString text)
 }
 
 /// The conditions of a filter, and the values that go with them.
-struct Choice {
+struct RunConditions {
     QStringList conditions;
     QVariantList values;
 
@@ -77,36 +77,37 @@ struct Choice {
     }
 };
 
-Choice choiceOf(const RunFilter& filter)
+RunConditions toConditions(const RunFilter& filter)
 {
-    Choice choice;
+    RunConditions sqlConditions;
     if (!filter.kind.isEmpty())
-        choice.add("kind = ?", filter.kind);
+        sqlConditions.add("kind = ?", filter.kind);
     if (!filter.model.isEmpty())
-        choice.add("number IN (SELECT run FROM run_servos WHERE lower(model) = lower(?))",
-                   filter.model);
+        sqlConditions.add("number IN (SELECT run FROM run_servos WHERE lower(model) = lower(?))",
+                          filter.model);
     if (!filter.firmware.isEmpty())
-        choice.add("number IN (SELECT run FROM run_servos WHERE firmware = ?)", filter.firmware);
+        sqlConditions.add("number IN (SELECT run FROM run_servos WHERE firmware = ?)",
+                          filter.firmware);
     if (filter.id)
-        choice.add("number IN (SELECT run FROM run_servos WHERE id = ?)", *filter.id);
+        sqlConditions.add("number IN (SELECT run FROM run_servos WHERE id = ?)", *filter.id);
     if (filter.from.isValid())
-        choice.add("at >= ?", filter.from.toMSecsSinceEpoch());
+        sqlConditions.add("at >= ?", filter.from.toMSecsSinceEpoch());
     if (filter.until.isValid())
-        choice.add("at < ?", filter.until.toMSecsSinceEpoch());
+        sqlConditions.add("at < ?", filter.until.toMSecsSinceEpoch());
     if (!filter.text.isEmpty()) {
-        choice.add(
+        sqlConditions.add(
             R"((lower(note) LIKE lower(?) ESCAPE '\' OR lower(operator) LIKE lower(?) ESCAPE '\' )"
             R"(OR lower(port) LIKE lower(?) ESCAPE '\' OR number IN (SELECT run FROM run_servos WHERE )"
             R"(lower(model) LIKE lower(?) ESCAPE '\' OR lower(firmware) LIKE lower(?) ESCAPE '\' )"
             R"(OR lower(label) LIKE lower(?) ESCAPE '\')))",
-            pattern(filter.text));
+            likePattern(filter.text));
         for (int i = 0; i < 5; ++i)
-            choice.values.append(pattern(filter.text));
+            sqlConditions.values.append(likePattern(filter.text));
     }
-    return choice;
+    return sqlConditions;
 }
 
-base::Error notThere(std::int64_t number)
+base::Error noSuchRun(std::int64_t number)
 {
     return {base::ErrorCode::BadArgument, QStringLiteral("history"),
             QStringLiteral("no test run %1").arg(qint64(number))};
@@ -114,23 +115,23 @@ base::Error notThere(std::int64_t number)
 } // namespace
 
 /// `chosen`: what follows FROM runs. Two questions for all servos and files, however many runs.
-base::Result<std::vector<TestRun>> History::read(const QString& chosen,
+base::Result<std::vector<TestRun>> History::read(const QString& whereClause,
                                                  const QVariantList& values) const
 {
     const auto heads =
-        m_file->run(QStringLiteral("SELECT %1 FROM runs ").arg(columns) + chosen, values);
+        m_file->run(QStringLiteral("SELECT %1 FROM runs ").arg(columns) + whereClause, values);
     if (!heads)
         return tl::unexpected(heads.error());
     std::vector<TestRun> runs;
     std::map<std::int64_t, std::size_t> places;
     for (const QVariantList& row : heads->rows) {
         places[row.value(0).toLongLong()] = runs.size();
-        runs.push_back(runIn(row));
+        runs.push_back(readRunRow(row));
     }
-    const QString those = QStringLiteral(" WHERE run IN (SELECT number FROM runs ") + chosen +
-                          QStringLiteral(") ORDER BY run, place");
-    const auto each = [&](const QString& what, const auto& take) -> base::Result<void> {
-        const auto rows = m_file->run(what + those, values);
+    const QString fromClause = QStringLiteral(" WHERE run IN (SELECT number FROM runs ") +
+                               whereClause + QStringLiteral(") ORDER BY run, place");
+    const auto forEachRow = [&](const QString& what, const auto& take) -> base::Result<void> {
+        const auto rows = m_file->run(what + fromClause, values);
         if (!rows)
             return tl::unexpected(rows.error());
         for (const QVariantList& row : rows->rows) {
@@ -140,31 +141,33 @@ base::Result<std::vector<TestRun>> History::read(const QString& chosen,
         }
         return {};
     };
-    if (const auto read =
-            each(QStringLiteral("SELECT run, id, model, map, firmware, verdict, label, reference "
-                                "FROM run_servos"),
-                 [](TestRun& run, const QVariantList& row) { run.servos.push_back(servoIn(row)); });
+    if (const auto read = forEachRow(
+            QStringLiteral("SELECT run, id, model, map, firmware, verdict, label, reference "
+                           "FROM run_servos"),
+            [](TestRun& run, const QVariantList& row) { run.servos.push_back(readServoRow(row)); });
         !read)
         return tl::unexpected(read.error());
-    if (const auto read = each(QStringLiteral("SELECT run, path FROM run_files"),
-                               [](TestRun& run, const QVariantList& row) {
-                                   run.files.append(row.value(1).toString());
-                               });
+    if (const auto read = forEachRow(QStringLiteral("SELECT run, path FROM run_files"),
+                                     [](TestRun& run, const QVariantList& row) {
+                                         run.files.append(row.value(1).toString());
+                                     });
         !read)
         return tl::unexpected(read.error());
     for (TestRun& run : runs)
-        judgeByEnd(run);
+        applyEndToVerdict(run);
     return runs;
 }
 
 base::Result<std::vector<TestRun>> History::runs(const RunFilter& filter) const
 {
-    Choice choice = choiceOf(filter);
-    QString chosen;
-    if (!choice.conditions.isEmpty())
-        chosen = QStringLiteral("WHERE ") + choice.conditions.join(QStringLiteral(" AND "));
-    choice.values.append(filter.most);
-    return read(chosen + QStringLiteral(" ORDER BY at DESC, number DESC LIMIT ?"), choice.values);
+    RunConditions sqlConditions = toConditions(filter);
+    QString whereClause;
+    if (!sqlConditions.conditions.isEmpty())
+        whereClause =
+            QStringLiteral("WHERE ") + sqlConditions.conditions.join(QStringLiteral(" AND "));
+    sqlConditions.values.append(filter.limit);
+    return read(whereClause + QStringLiteral(" ORDER BY at DESC, number DESC LIMIT ?"),
+                sqlConditions.values);
 }
 
 base::Result<TestRun> History::run(std::int64_t number) const
@@ -173,7 +176,7 @@ base::Result<TestRun> History::run(std::int64_t number) const
     if (!found)
         return tl::unexpected(found.error());
     if (found->empty())
-        return tl::unexpected(notThere(number));
+        return tl::unexpected(noSuchRun(number));
     return found->front();
 }
 
@@ -186,7 +189,7 @@ base::Result<QByteArray> runText(const HistoryFile& file, std::int64_t number)
         return tl::unexpected(rows.error());
     QByteArray text;
     if (rows->rows.empty())
-        return tl::unexpected(notThere(number));
+        return tl::unexpected(noSuchRun(number));
     for (const QVariantList& row : rows->rows)
         text += qUncompress(row.value(0).toByteArray());
     return text;
@@ -202,10 +205,10 @@ base::Result<SweepRun> History::sweep(std::int64_t number) const
     const auto head = run(number);
     if (!head)
         return tl::unexpected(head.error());
-    const auto whole = text(number);
-    if (!whole)
-        return tl::unexpected(whole.error());
-    auto sweep = decodeSweepRun(*whole);
+    const auto fullText = text(number);
+    if (!fullText)
+        return tl::unexpected(fullText.error());
+    auto sweep = decodeSweepRun(*fullText);
     if (!sweep)
         return sweep;
     sweep->spec.note = head->note;
@@ -220,14 +223,14 @@ base::Result<StepRun> History::step(std::int64_t number) const
     const auto head = run(number);
     if (!head)
         return tl::unexpected(head.error());
-    const auto whole = text(number);
-    if (!whole)
-        return tl::unexpected(whole.error());
-    auto runs = decodeStepRuns(*whole);
+    const auto fullText = text(number);
+    if (!fullText)
+        return tl::unexpected(fullText.error());
+    auto runs = decodeStepRuns(*fullText);
     if (!runs)
         return tl::unexpected(runs.error());
     if (runs->empty())
-        return tl::unexpected(notThere(number));
+        return tl::unexpected(noSuchRun(number));
     StepRun step = std::move(runs->front());
     step.spec.note = head->note;
     if (!head->servos.empty())

@@ -12,7 +12,7 @@ struct ReasonName {
 
 constexpr std::array reasonNames{
     ReasonName{SnapshotReason::Automatic, QLatin1String("automatic")},
-    ReasonName{SnapshotReason::Asked, QLatin1String("asked")},
+    ReasonName{SnapshotReason::Manual, QLatin1String("asked")},
     ReasonName{SnapshotReason::Bundle, QLatin1String("bundle")},
     ReasonName{SnapshotReason::Commission, QLatin1String("commission")},
 };
@@ -36,7 +36,7 @@ std::optional<SnapshotReason> snapshotReasonFromName(const QString& name)
     return std::nullopt;
 }
 
-bool HistoryWrite::good() const
+bool HistoryWrite::isGood() const
 {
     return outcome == QLatin1String("kept") || outcome == QLatin1String("temporary") ||
            outcome == QLatin1String("done") || outcome == QLatin1String("undone");

@@ -16,8 +16,9 @@ namespace record {
 struct HistoryServo {
     std::int64_t number = 0;
     QString uuid{};
-    base::ServoIdentity who{}; ///< port and baud as when it was last written to; model for people
-    QString label{};           ///< the user's; empty: none yet
+    base::ServoIdentity
+        identity{};  ///< port and baud as when it was last written to; model for people
+    QString label{}; ///< the user's; empty: none yet
     /// Of those alike but for the label, the one that is meant when such a servo answers now.
     bool current = true;
     QDateTime lastWrite{}; ///< invalid: never written to
@@ -50,10 +51,10 @@ struct HistoryWrite {
     QString port{};
     int baud = 0;
     QString program{};
-    bool good() const; ///< kept, temporary, done or undone
+    bool isGood() const; ///< kept, temporary, done or undone
 };
 
-enum class SnapshotReason : std::uint8_t { Automatic, Asked, Bundle, Commission };
+enum class SnapshotReason : std::uint8_t { Automatic, Manual, Bundle, Commission };
 QString snapshotReasonName(SnapshotReason reason); ///< "automatic", "asked" …
 std::optional<SnapshotReason> snapshotReasonFromName(const QString& name);
 
@@ -67,7 +68,7 @@ struct HistorySnapshot {
     QString label{}; ///< of the snapshot; setSnapshotNote() changes both
     QString note{};
     QDateTime at{};
-    SnapshotReason reason = SnapshotReason::Asked;
+    SnapshotReason reason = SnapshotReason::Manual;
     QString program{};
     QString port{};
     int baud = 0;
@@ -83,10 +84,10 @@ struct HistoryAlarm {
     int servoId = -1;
     QString model{};
     QString label{};
-    QString key{};        ///< "overload", "voltage" …
-    bool derived = false; ///< worked out from the limits, not reported by the servo
-    QDateTime at{};       ///< when it came
-    QDateTime went{};     ///< invalid: not seen to go
+    QString key{};         ///< "overload", "voltage" …
+    bool derived = false;  ///< worked out from the limits, not reported by the servo
+    QDateTime at{};        ///< when it came
+    QDateTime clearedAt{}; ///< invalid: not seen to go
     QString port{};
 };
 
@@ -109,10 +110,10 @@ struct HistoryRecording {
 };
 
 /// Where a list goes on: after the last row of the page before.
-struct PageMark {
+struct PageCursor {
     QDateTime at{};
     std::int64_t number = 0;
-    bool operator==(const PageMark&) const = default;
+    bool operator==(const PageCursor&) const = default;
 };
 
 /// Empty members do not choose; from inclusive, until exclusive. Newest first, always.
@@ -123,11 +124,11 @@ struct HistoryFilter {
     QString label{};
     QDateTime from{};
     QDateTime until{};
-    QString key{};            ///< of the register (writes) or of the alarm
-    bool onlyTrouble = false; ///< writes that did not end well, alarms that have not gone
+    QString key{};             ///< of the register (writes) or of the alarm
+    bool onlyProblems = false; ///< writes that did not end well, alarms that have not gone
     std::optional<SnapshotReason> reason{};
-    std::optional<PageMark> after{};
-    int most = 200;
+    std::optional<PageCursor> after{};
+    int limit = 200;
     bool operator==(const HistoryFilter&) const = default;
 };
 } // namespace record

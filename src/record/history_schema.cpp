@@ -36,7 +36,7 @@ QStringList testRuns()
 
 /// `about`: the name of this file among copies. `clock`: the revision given last. `removed`: what
 /// is gone. `taken`: how much of which old journal file is already here.
-QStringList bookkeeping()
+QStringList metadataTables()
 {
     return {
         QStringLiteral("CREATE TABLE about (name TEXT NOT NULL PRIMARY KEY, value TEXT NOT NULL)"),
@@ -146,7 +146,7 @@ QStringList alarmsAndRecordings()
 }
 
 /// Every change of a row gives it the next revision; whoever writes cannot forget it.
-QStringList revisions(const QString& table, const QString& columns)
+QStringList revisionTriggers(const QString& table, const QString& columns)
 {
     const QString next = QStringLiteral("UPDATE clock SET revision = revision + 1; ");
     const QString mark = next + QStringLiteral("UPDATE %1 SET revision = (SELECT revision FROM "
@@ -167,18 +167,18 @@ QStringList revisions(const QString& table, const QString& columns)
     return made;
 }
 
-QStringList everythingElse()
+QStringList allButRuns()
 {
-    QStringList all = bookkeeping() + servos() + writes() + snapshots() + alarmsAndRecordings();
+    QStringList all = metadataTables() + servos() + writes() + snapshots() + alarmsAndRecordings();
     all << QStringLiteral("ALTER TABLE runs ADD COLUMN revision INTEGER NOT NULL DEFAULT 0")
         << QStringLiteral("UPDATE runs SET revision = number");
-    all += revisions(QStringLiteral("servos"), QStringLiteral("label, model, current"));
-    all += revisions(QStringLiteral("intents"), QStringLiteral("outcome, detail, ended"));
-    all += revisions(QStringLiteral("snapshots"), QStringLiteral("label, note, file"));
-    all += revisions(QStringLiteral("alarms"), QStringLiteral("went"));
-    all += revisions(QStringLiteral("recordings"), QStringLiteral("file"));
-    all += revisions(QStringLiteral("facts"), QStringLiteral("content"));
-    all += revisions(QStringLiteral("runs"), QStringLiteral("note, operator"));
+    all += revisionTriggers(QStringLiteral("servos"), QStringLiteral("label, model, current"));
+    all += revisionTriggers(QStringLiteral("intents"), QStringLiteral("outcome, detail, ended"));
+    all += revisionTriggers(QStringLiteral("snapshots"), QStringLiteral("label, note, file"));
+    all += revisionTriggers(QStringLiteral("alarms"), QStringLiteral("went"));
+    all += revisionTriggers(QStringLiteral("recordings"), QStringLiteral("file"));
+    all += revisionTriggers(QStringLiteral("facts"), QStringLiteral("content"));
+    all += revisionTriggers(QStringLiteral("runs"), QStringLiteral("note, operator"));
     all << QStringLiteral("CREATE TRIGGER run_servos_changed AFTER UPDATE ON run_servos BEGIN "
                           "UPDATE clock SET revision = revision + 1; UPDATE runs SET revision = "
                           "(SELECT revision FROM clock) WHERE number = NEW.run; END");
@@ -188,11 +188,11 @@ QStringList everythingElse()
 
 const std::vector<QStringList>& historyMigrations()
 {
-    static const std::vector<QStringList> all{testRuns(), everythingElse()};
+    static const std::vector<QStringList> all{testRuns(), allButRuns()};
     return all;
 }
 
-const QStringList& copiedTables()
+const QStringList& syncedTables()
 {
     static const QStringList all{QStringLiteral("servos"),     QStringLiteral("intents"),
                                  QStringLiteral("snapshots"),  QStringLiteral("alarms"),

@@ -12,5 +12,5 @@ namespace record {
 const std::vector<QStringList>& historyMigrations();
 
 /// The tables whose rows have a uuid and a revision, those others refer to first.
-const QStringList& copiedTables();
+const QStringList& syncedTables();
 } // namespace record

@@ -20,13 +20,13 @@ namespace {
 const QString driverName = QStringLiteral("QPSQL");
 
 using Clock = std::chrono::steady_clock;
-constexpr auto guardPeriod = std::chrono::milliseconds(50);
-constexpr auto guardPatience = std::chrono::seconds(30);
+constexpr auto watchdogInterval = std::chrono::milliseconds(50);
+constexpr auto watchdogTimeout = std::chrono::seconds(30);
 constexpr int defaultConnectSeconds = 3;
 constexpr int maxConnectSeconds = 30; ///< nothing can end the wait for a connection
 
 /// What a service file names is known to libpq only.
-bool mayBeElsewhere(ServerAddress address)
+bool mayBeRemote(ServerAddress address)
 {
     const QString host = QStringLiteral("host");
     const QString hostaddr = QStringLiteral("hostaddr");
@@ -42,7 +42,7 @@ bool mayBeElsewhere(ServerAddress address)
 
 /// The authorities that this computer trusts, where the user has named none. Only for verify-full:
 /// with any lesser check a certificate of somebody else's would do.
-void setDefaultRoots(ServerAddress& address)
+void setDefaultRootCertificates(ServerAddress& address)
 {
     static const QString systemRoots = QStringLiteral("/etc/ssl/certs/ca-certificates.crt");
     if (address.value(QStringLiteral("sslmode")) == QLatin1String("verify-full") &&
@@ -55,9 +55,9 @@ void setDefaultRoots(ServerAddress& address)
 /// Another computer has to prove who it is, unless the user says otherwise.
 void setDefaultTls(ServerAddress& address)
 {
-    if (mayBeElsewhere(address) && !qEnvironmentVariableIsSet("PGSSLMODE"))
+    if (mayBeRemote(address) && !qEnvironmentVariableIsSet("PGSSLMODE"))
         address.setDefault(QStringLiteral("sslmode"), QStringLiteral("verify-full"));
-    setDefaultRoots(address);
+    setDefaultRootCertificates(address);
 }
 
 /// So that a dead line is found out, and a bench that vanishes holds up no other one.
@@ -116,7 +116,7 @@ QString literal(const QSqlDriver& driver, const QVariant& value)
 } // namespace
 
 HistoryServer::HistoryServer(ServerAddress address, Purpose purpose)
-    : HistoryFile(address.shown(), QString())
+    : HistoryFile(address.displayText(), QString())
     , m_address(withDefaults(std::move(address)))
     , m_purpose(purpose)
     , m_name(QStringLiteral("history-server-") + QUuid::createUuid().toString(QUuid::WithoutBraces))
@@ -125,9 +125,9 @@ HistoryServer::HistoryServer(ServerAddress address, Purpose purpose)
 HistoryServer::~HistoryServer()
 {
     m_ending = true;
-    if (m_guard.joinable())
-        m_guard.join();
-    m_socket.release();
+    if (m_watchdog.joinable())
+        m_watchdog.join();
+    m_socket.detach();
     QSqlDatabase::removeDatabase(m_name);
 }
 
@@ -136,50 +136,50 @@ void HistoryServer::abort()
     m_socket.close();
 }
 
-void HistoryServer::guard(const base::Stop& stop, std::chrono::milliseconds patience)
+void HistoryServer::startWatchdog(const base::StopToken& stop, std::chrono::milliseconds timeout)
 {
     m_stop = &stop;
-    m_guard = std::thread([this, patience] {
+    m_watchdog = std::thread([this, timeout] {
         while (!m_ending) {
-            const auto since = m_askedAt.load();
+            const auto since = m_queryStartedAt.load();
             const auto silence = Clock::now().time_since_epoch() - Clock::duration(since);
-            if (m_stop->requested() || (since != 0 && silence > patience)) {
+            if (m_stop->isRequested() || (since != 0 && silence > timeout)) {
                 abort();
                 return;
             }
-            std::this_thread::sleep_for(guardPeriod);
+            std::this_thread::sleep_for(watchdogInterval);
         }
     });
 }
 
 base::Error HistoryServer::error(const QSqlError& error, bool connecting) const
 {
-    if (m_stop != nullptr && m_stop->requested())
+    if (m_stop != nullptr && m_stop->isRequested())
         return {base::ErrorCode::Stopped, serverOperation};
-    if (m_socket.closed())
-        return serverError(ServerTrouble::Hung, {});
+    if (m_socket.isClosed())
+        return serverError(ServerErrorKind::TimedOut, {});
     return serverError(error.databaseText(), error.nativeErrorCode(), connecting);
 }
 
 base::Result<void> HistoryServer::connect()
 {
     if (!QSqlDatabase::isDriverAvailable(driverName))
-        return tl::unexpected(serverError(ServerTrouble::Driver, {}));
-    const PlainMessages plain;
+        return tl::unexpected(serverError(ServerErrorKind::Driver, {}));
+    const EnglishMessages plain;
     QSqlDatabase database = QSqlDatabase::addDatabase(driverName, m_name);
     if (!database.isValid())
-        return tl::unexpected(serverError(ServerTrouble::Driver, {}));
+        return tl::unexpected(serverError(ServerErrorKind::Driver, {}));
     database.setUserName(m_address.value(QStringLiteral("user")));
     database.setDatabaseName(m_address.value(QStringLiteral("dbname")));
     database.setConnectOptions(m_address.options());
     if (!database.open())
         return tl::unexpected(error(database.lastError(), true));
-    m_socket.take(*database.driver());
-    return enter();
+    m_socket.attach(*database.driver());
+    return initializeSession();
 }
 
 /// Where tables are and how long the server waits for us; then the schema.
-base::Result<void> HistoryServer::enter() const
+base::Result<void> HistoryServer::initializeSession() const
 {
     const auto encoding = run(QStringLiteral("SHOW server_encoding"));
     if (!encoding)
@@ -187,7 +187,7 @@ base::Result<void> HistoryServer::enter() const
     const QString found =
         encoding->rows.empty() ? QString() : encoding->rows.front().value(0).toString();
     if (found != QLatin1String("UTF8"))
-        return tl::unexpected(serverError(ServerTrouble::Encoding, found));
+        return tl::unexpected(serverError(ServerErrorKind::Encoding, found));
     for (const char* setting :
          {"SET search_path = servodesk", "SET idle_in_transaction_session_timeout = '60s'",
           "SET lock_timeout = '30s'", "SET client_min_messages = error"}) {
@@ -195,7 +195,7 @@ base::Result<void> HistoryServer::enter() const
             return tl::unexpected(set.error());
     }
     if (m_purpose == Purpose::Send)
-        return bringUpToDate(*this);
+        return migrateSchema(*this);
     if (const auto set = run(QStringLiteral("SET default_transaction_read_only = on")); !set)
         return tl::unexpected(set.error());
     return checkSchema(*this);
@@ -222,18 +222,19 @@ QString HistoryServer::statement(const QString& sql, const QVariantList& values)
     return text;
 }
 
-base::Result<HistoryAnswer> HistoryServer::run(const QString& sql, const QVariantList& values) const
+base::Result<QueryResult> HistoryServer::run(const QString& sql, const QVariantList& values) const
 {
-    const PlainMessages plain;
+    const EnglishMessages plain;
     const QSqlDatabase database = QSqlDatabase::database(m_name, false);
     if (!database.isOpen()) // any more
-        return tl::unexpected(
-            serverError(m_socket.closed() ? ServerTrouble::Hung : ServerTrouble::Away, QString()));
+        return tl::unexpected(serverError(m_socket.isClosed() ? ServerErrorKind::TimedOut
+                                                              : ServerErrorKind::Unreachable,
+                                          QString()));
     QSqlQuery query(database);
-    HistoryAnswer answer;
-    m_askedAt = Clock::now().time_since_epoch().count();
+    QueryResult answer;
+    m_queryStartedAt = Clock::now().time_since_epoch().count();
     const bool answered = query.exec(statement(sql, values));
-    m_askedAt = 0;
+    m_queryStartedAt = 0;
     if (!answered)
         return tl::unexpected(error(query.lastError(), false));
     if (!query.isSelect()) {
@@ -249,11 +250,11 @@ base::Result<HistoryAnswer> HistoryServer::run(const QString& sql, const QVarian
     return answer;
 }
 
-base::Result<void> HistoryServer::together(const std::function<base::Result<void>()>& work) const
+base::Result<void> HistoryServer::transaction(const std::function<base::Result<void>()>& work) const
 {
     // The server would refuse as well, but what it says depends on how the work begins.
     if (m_purpose == Purpose::Browse)
-        return tl::unexpected(serverError(ServerTrouble::Rights,
+        return tl::unexpected(serverError(ServerErrorKind::Permission,
                                           QStringLiteral("copies are changed at their own bench")));
     if (const auto begun = run(QStringLiteral("BEGIN")); !begun)
         return tl::unexpected(begun.error());
@@ -288,7 +289,7 @@ base::Result<std::vector<HistoryBench>> HistoryServer::benches() const
     return all;
 }
 
-base::Result<void> HistoryServer::choose(std::optional<std::int64_t> bench) const
+base::Result<void> HistoryServer::selectBench(std::optional<std::int64_t> bench) const
 {
     const QString path =
         bench ? QStringLiteral("servodesk_bench, servodesk") : QStringLiteral("servodesk");
@@ -299,7 +300,7 @@ base::Result<void> HistoryServer::choose(std::optional<std::int64_t> bench) cons
 }
 
 base::Result<QMap<qint64, QString>>
-HistoryServer::benchesOf(const QString& table, const std::vector<std::int64_t>& numbers) const
+HistoryServer::benchNames(const QString& table, const std::vector<std::int64_t>& numbers) const
 {
     QMap<qint64, QString> names;
     if (numbers.empty())
@@ -318,15 +319,16 @@ HistoryServer::benchesOf(const QString& table, const std::vector<std::int64_t>& 
     return names;
 }
 
-base::Result<std::unique_ptr<HistoryServer>>
-connectHistoryServer(const QString& text, HistoryServer::Purpose purpose, const base::Stop* stop)
+base::Result<std::unique_ptr<HistoryServer>> connectHistoryServer(const QString& text,
+                                                                  HistoryServer::Purpose purpose,
+                                                                  const base::StopToken* stop)
 {
     const auto address = ServerAddress::parse(text);
     if (!address)
         return tl::unexpected(address.error());
     auto server = std::make_unique<HistoryServer>(*address, purpose);
     if (stop != nullptr)
-        server->guard(*stop, guardPatience);
+        server->startWatchdog(*stop, watchdogTimeout);
     if (const auto connected = server->connect(); !connected)
         return tl::unexpected(connected.error());
     return server;

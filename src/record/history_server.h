@@ -44,26 +44,26 @@ public:
     base::Result<void> connect();
     /// For a caller with nothing else to do: from now on a thread of its own aborts when `stop` is
     /// requested (Stopped then), or when one answer takes longer than `patience` (hung).
-    void guard(const base::Stop& stop, std::chrono::milliseconds patience);
+    void startWatchdog(const base::StopToken& stop, std::chrono::milliseconds timeout);
     /// What waits for the server fails at once (hung), and whatever is asked later. Any thread.
     void abort();
 
-    base::Result<HistoryAnswer> run(const QString& sql,
-                                    const QVariantList& values = {}) const override;
-    base::Result<void> together(const std::function<base::Result<void>()>& work) const override;
+    base::Result<QueryResult> run(const QString& sql,
+                                  const QVariantList& values = {}) const override;
+    base::Result<void> transaction(const std::function<base::Result<void>()>& work) const override;
     QString sameBench(const QString& one, const QString& other) const override;
 
     /// By name.
     base::Result<std::vector<HistoryBench>> benches() const;
     /// From now on lists have only what this one has sent; nullopt: what all have.
-    base::Result<void> choose(std::optional<std::int64_t> bench) const;
+    base::Result<void> selectBench(std::optional<std::int64_t> bench) const;
     /// Who sent these rows of "servos", "writes", "snapshots", "alarms", "recordings" or "runs":
     /// number → name.
-    base::Result<QMap<qint64, QString>> benchesOf(const QString& table,
-                                                  const std::vector<std::int64_t>& numbers) const;
+    base::Result<QMap<qint64, QString>> benchNames(const QString& table,
+                                                   const std::vector<std::int64_t>& numbers) const;
 
 private:
-    base::Result<void> enter() const;
+    base::Result<void> initializeSession() const;
     base::Error error(const QSqlError& error, bool connecting) const;
     QString statement(const QString& sql, const QVariantList& values) const;
 
@@ -71,15 +71,16 @@ private:
     const Purpose m_purpose;
     const QString m_name; ///< of Qt's connection
     ServerSocket m_socket;
-    mutable std::atomic<std::chrono::steady_clock::rep> m_askedAt{0}; ///< 0: nothing is asked
-    const base::Stop* m_stop = nullptr;
+    mutable std::atomic<std::chrono::steady_clock::rep> m_queryStartedAt{
+        0}; ///< 0: nothing is asked
+    const base::StopToken* m_stop = nullptr;
     std::atomic<bool> m_ending{false};
-    std::thread m_guard;
+    std::thread m_watchdog;
 };
 
 /// The connection string in the user's hands → one ready to be asked. Waits like connect(). With
 /// `stop`: guarded by it, with a patience that ends any wait.
-base::Result<std::unique_ptr<HistoryServer>> connectHistoryServer(const QString& text,
-                                                                  HistoryServer::Purpose purpose,
-                                                                  const base::Stop* stop = nullptr);
+base::Result<std::unique_ptr<HistoryServer>>
+connectHistoryServer(const QString& text, HistoryServer::Purpose purpose,
+                     const base::StopToken* stop = nullptr);
 } // namespace record

@@ -8,7 +8,7 @@
 namespace record {
 namespace {
 /// Any number, the same in all versions of the program: two that change the schema take turns.
-constexpr const char* turn = "SELECT pg_advisory_xact_lock(7310579043018)";
+constexpr const char* lockStatement = "SELECT pg_advisory_xact_lock(7310579043018)";
 
 /// `progress`: up to which revision the server has what a bench's file has. `origin` tells two
 /// files apart that one was copied from, so that neither hides what the other has to send.
@@ -143,7 +143,7 @@ QStringList testRuns()
 
 /// The same lists of one bench, chosen by a setting of the connection; what is not here belongs
 /// to a row that is.
-QStringList viewsOfOneBench()
+QStringList benchViews()
 {
     QStringList all;
     for (const char* name :
@@ -157,8 +157,8 @@ QStringList viewsOfOneBench()
 /// One element a schema version. What has been published is never changed, only added to.
 const std::vector<QStringList>& migrations()
 {
-    static const std::vector<QStringList> all{
-        benches() + servos() + writes() + snapshotsAndAlarms() + testRuns() + viewsOfOneBench()};
+    static const std::vector<QStringList> all{benches() + servos() + writes() +
+                                              snapshotsAndAlarms() + testRuns() + benchViews()};
     return all;
 }
 
@@ -172,12 +172,12 @@ base::Result<int> versionOf(const HistoryFile& server)
 {
     // Not to_regclass(): within a transaction it may remember that there was none, although another
     // bench has made it while this one waited for its turn.
-    const auto there = server.run(QStringLiteral("SELECT 1 FROM pg_catalog.pg_tables WHERE "
-                                                 "schemaname = 'servodesk' AND tablename = "
-                                                 "'about'"));
-    if (!there)
-        return tl::unexpected(there.error());
-    if (there->rows.empty())
+    const auto existing = server.run(QStringLiteral("SELECT 1 FROM pg_catalog.pg_tables WHERE "
+                                                    "schemaname = 'servodesk' AND tablename = "
+                                                    "'about'"));
+    if (!existing)
+        return tl::unexpected(existing.error());
+    if (existing->rows.empty())
         return 0;
     const auto asked = server.run(QStringLiteral("SELECT max(version) FROM servodesk.about"));
     if (!asked)
@@ -185,7 +185,7 @@ base::Result<int> versionOf(const HistoryFile& server)
     const int found = asked->rows.front().value(0).toInt();
     if (found > newest())
         return tl::unexpected(serverError(
-            ServerTrouble::Newer,
+            ServerErrorKind::Newer,
             QStringLiteral("schema %1, this program knows up to %2").arg(found).arg(newest())));
     return found;
 }
@@ -200,15 +200,15 @@ base::Result<void> runAll(const HistoryFile& server, const QStringList& statemen
 }
 
 /// Made by hand, the schemas need no right to make any.
-base::Result<void> makeSchemas(const HistoryFile& server)
+base::Result<void> createSchemas(const HistoryFile& server)
 {
     for (const char* name : {"servodesk", "servodesk_bench"}) {
-        const auto there =
+        const auto existing =
             server.run(QStringLiteral("SELECT 1 FROM pg_namespace WHERE nspname = '%1'")
                            .arg(QString::fromLatin1(name)));
-        if (!there)
-            return tl::unexpected(there.error());
-        if (!there->rows.empty())
+        if (!existing)
+            return tl::unexpected(existing.error());
+        if (!existing->rows.empty())
             continue;
         const auto made =
             server.run(QStringLiteral("CREATE SCHEMA %1").arg(QString::fromLatin1(name)));
@@ -220,22 +220,22 @@ base::Result<void> makeSchemas(const HistoryFile& server)
 }
 } // namespace
 
-base::Result<void> bringUpToDate(const HistoryFile& server)
+base::Result<void> migrateSchema(const HistoryFile& server)
 {
     const auto before = versionOf(server);
     if (!before)
         return tl::unexpected(before.error());
     if (*before == newest())
         return {};
-    return server.together([&]() -> base::Result<void> {
-        if (const auto mine = server.run(QString::fromLatin1(turn)); !mine)
+    return server.transaction([&]() -> base::Result<void> {
+        if (const auto mine = server.run(QString::fromLatin1(lockStatement)); !mine)
             return tl::unexpected(mine.error());
         const auto found = versionOf(server); // another bench may have been first
         if (!found)
             return tl::unexpected(found.error());
         if (*found == newest())
             return {};
-        if (const auto made = makeSchemas(server); !made)
+        if (const auto made = createSchemas(server); !made)
             return made;
         for (int step = *found; step < newest(); ++step) {
             if (const auto done = runAll(server, migrations()[std::size_t(step)]); !done)
@@ -253,41 +253,43 @@ base::Result<void> checkSchema(const HistoryFile& server)
     if (!found)
         return tl::unexpected(found.error());
     if (*found == 0)
-        return tl::unexpected(serverError(ServerTrouble::Empty, {}));
+        return tl::unexpected(serverError(ServerErrorKind::Empty, {}));
     if (*found < newest())
         return tl::unexpected(serverError(
-            ServerTrouble::Older,
+            ServerErrorKind::Older,
             QStringLiteral("schema %1, this program needs %2").arg(*found).arg(newest())));
     return {};
 }
 
-const std::vector<CopiedTable>& serverTables()
+const std::vector<ServerTable>& serverTables()
 {
-    const auto words = [](const char* text) {
+    const auto toKeywords = [](const char* text) {
         return QString::fromLatin1(text).split(QLatin1Char(' '));
     };
-    static const std::vector<CopiedTable> all{
-        {"servos", words("protocol model_major model_minor firmware_major firmware_minor map id "
-                         "label model simulated current")},
+    static const std::vector<ServerTable> all{
+        {"servos",
+         toKeywords("protocol model_major model_minor firmware_major firmware_minor map id "
+                    "label model simulated current")},
         {"intents",
-         words("at kind temporary lock_opened port baud program ended outcome detail"),
+         toKeywords("at kind temporary lock_opened port baud program ended outcome detail"),
          true,
          {{"writes", "intent", "place",
-           words("place at key address old new read_back outcome trouble"), true, true}}},
-        {"snapshots", words("at reason program port baud file label note registers data"), true},
-        {"alarms", words("key derived at went port"), true},
+           toKeywords("place at key address old new read_back outcome trouble"), true, true}}},
+        {"snapshots", toKeywords("at reason program port baud file label note registers data"),
+         true},
+        {"alarms", toKeywords("key derived at went port"), true},
         {"recordings",
-         words("at length file readings port simulated"),
+         toKeywords("at length file readings port simulated"),
          false,
-         {{"recording_servos", "recording", "place", words("place"), true}}},
-        {"facts", words("name at content"), true},
+         {{"recording_servos", "recording", "place", toKeywords("place"), true}}},
+        {"facts", toKeywords("name at content"), true},
         {"runs",
-         words("kind at program port simulated verdict ended operator note length"),
+         toKeywords("kind at program port simulated verdict ended operator note length"),
          false,
          {{"run_servos", "run", "place",
-           words("place id model map firmware verdict label reference")},
-          {"run_texts", "run", "part", words("part data")},
-          {"run_files", "run", "place", words("place path")}}},
+           toKeywords("place id model map firmware verdict label reference")},
+          {"run_texts", "run", "part", toKeywords("part data")},
+          {"run_files", "run", "place", toKeywords("place path")}}},
     };
     return all;
 }

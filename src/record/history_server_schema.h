@@ -8,12 +8,12 @@
 
 namespace record {
 /// Makes the schema or brings it up to date; Newer if it is beyond this program.
-base::Result<void> bringUpToDate(const HistoryFile& server);
+base::Result<void> migrateSchema(const HistoryFile& server);
 /// That it is there, and the one this program reads: Empty, Older, Newer.
 base::Result<void> checkSchema(const HistoryFile& server);
 
 /// A table, its columns beside number, uuid, bench and what refers to others, and its children.
-struct CopiedTable {
+struct ServerTable {
     const char* name;
     QStringList columns;
     bool ofServo = false; ///< has a column `servo`, which a bench names by uuid
@@ -28,5 +28,5 @@ struct CopiedTable {
     std::vector<Child> children{};
 };
 /// Those others refer to first.
-const std::vector<CopiedTable>& serverTables();
+const std::vector<ServerTable>& serverTables();
 } // namespace record

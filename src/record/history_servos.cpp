@@ -21,12 +21,12 @@ base::Result<std::vector<HistoryServo>> read(const HistoryFile& file, const QStr
         return tl::unexpected(found.error());
     std::vector<HistoryServo> servos;
     for (const QVariantList& row : found->rows) {
-        HistoryServo servo = servoIn(row);
+        HistoryServo servo = readServoRow(row);
         int column = servoColumnCount;
         servo.current = row.value(column++).toBool();
-        servo.lastWrite = timeIn(row.value(column++));
-        servo.who.port = row.value(column++).toString();
-        servo.who.baud = row.value(column++).toInt();
+        servo.lastWrite = readTime(row.value(column++));
+        servo.identity.port = row.value(column++).toString();
+        servo.identity.baud = row.value(column++).toInt();
         servos.push_back(std::move(servo));
     }
     return servos;
@@ -38,27 +38,27 @@ base::Result<HistoryServo> readOne(const HistoryFile& file, std::int64_t number)
     if (!found)
         return tl::unexpected(found.error());
     if (found->empty())
-        return notInHistory(QStringLiteral("servo"), number);
+        return notFoundError(QStringLiteral("servo"), number);
     return found->front();
 }
 } // namespace
 
 base::Result<std::vector<HistoryServo>> HistoryLog::servos(const HistoryFilter& filter) const
 {
-    HistoryChoice choice;
+    SqlConditions sqlConditions;
     if (filter.servo)
-        choice.add(QStringLiteral("s.number = ?"), {qint64(*filter.servo)});
+        sqlConditions.add(QStringLiteral("s.number = ?"), {qint64(*filter.servo)});
     if (filter.id)
-        choice.add(QStringLiteral("s.id = ?"), {*filter.id});
+        sqlConditions.add(QStringLiteral("s.id = ?"), {*filter.id});
     if (!filter.model.isEmpty())
-        choice.add(QStringLiteral("lower(s.model) = ?"), {filter.model.toLower()});
+        sqlConditions.add(QStringLiteral("lower(s.model) = ?"), {filter.model.toLower()});
     if (!filter.label.isEmpty())
-        choice.add(QStringLiteral("s.label = ?"), {filter.label});
+        sqlConditions.add(QStringLiteral("s.label = ?"), {filter.label});
     return read(
         m_file,
-        choice.where() +
+        sqlConditions.where() +
             QStringLiteral(" ORDER BY %1 DESC NULLS LAST, s.number DESC").arg(servoColumnCount + 2),
-        choice.values);
+        sqlConditions.values);
 }
 
 base::Result<HistoryServo> HistoryLog::servo(std::int64_t number) const
@@ -66,7 +66,7 @@ base::Result<HistoryServo> HistoryLog::servo(std::int64_t number) const
     return readOne(m_file, number);
 }
 
-base::Result<std::optional<HistoryServo>> HistoryLog::of(const base::ServoIdentity& who) const
+base::Result<std::optional<HistoryServo>> HistoryLog::of(const base::ServoIdentity& identity) const
 {
     auto found =
         read(m_file,
@@ -74,8 +74,9 @@ base::Result<std::optional<HistoryServo>> HistoryLog::of(const base::ServoIdenti
                  "WHERE s.current = 1 AND s.id = ? AND s.simulated = ? AND s.protocol = ? AND "
                  "s.model_major = ? AND s.model_minor = ? AND s.firmware_major = ? AND "
                  "s.firmware_minor = ? AND s.map = ?"),
-             {who.id, int(who.isSimulated()), base::protocolName(who.protocol), who.modelMajor,
-              who.modelMinor, who.firmwareMajor, who.firmwareMinor, notNull(who.map)});
+             {identity.id, int(identity.isSimulated()), base::protocolName(identity.protocol),
+              identity.modelMajor, identity.modelMinor, identity.firmwareMajor,
+              identity.firmwareMinor, nonNull(identity.map)});
     if (!found)
         return tl::unexpected(found.error());
     if (found->empty())
@@ -83,11 +84,11 @@ base::Result<std::optional<HistoryServo>> HistoryLog::of(const base::ServoIdenti
     return found->front();
 }
 
-base::Result<HistoryServo> HistoryLog::meet(const base::ServoIdentity& who) const
+base::Result<HistoryServo> HistoryLog::findOrAdd(const base::ServoIdentity& identity) const
 {
     std::int64_t number = 0;
-    const auto met = m_file.together([&]() -> base::Result<void> {
-        const auto found = meetServo(m_file, who);
+    const auto met = m_file.transaction([&]() -> base::Result<void> {
+        const auto found = findOrAddServo(m_file, identity);
         if (!found)
             return tl::unexpected(found.error());
         number = *found;
@@ -100,7 +101,7 @@ base::Result<HistoryServo> HistoryLog::meet(const base::ServoIdentity& who) cons
 
 base::Result<void> HistoryLog::setLabel(std::int64_t number, const QString& label) const
 {
-    return m_file.together([&]() -> base::Result<void> {
+    return m_file.transaction([&]() -> base::Result<void> {
         const auto named = m_file.run(
             QStringLiteral(
                 "UPDATE servos SET label = ? WHERE number = ? AND NOT EXISTS (SELECT 1 FROM servos "
@@ -109,36 +110,37 @@ base::Result<void> HistoryLog::setLabel(std::int64_t number, const QString& labe
                 "= servos.model_major AND "
                 "o.model_minor = servos.model_minor AND o.firmware_major = servos.firmware_major "
                 "AND o.firmware_minor = servos.firmware_minor AND o.map = servos.map)"),
-            {notNull(label), qint64(number), notNull(label)});
+            {nonNull(label), qint64(number), nonNull(label)});
         if (!named)
             return tl::unexpected(named.error());
         if (named->changed > 0)
             return {};
-        const auto there = readOne(m_file, number);
-        if (!there)
-            return tl::unexpected(there.error());
+        const auto servoThere = readOne(m_file, number);
+        if (!servoThere)
+            return tl::unexpected(servoThere.error());
         return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history"),
                           QStringLiteral("label-in-use"));
     });
 }
 
-base::Result<HistoryServo> HistoryLog::another(std::int64_t number, const QString& label) const
+base::Result<HistoryServo> HistoryLog::assignToOther(std::int64_t number,
+                                                     const QString& label) const
 {
     std::int64_t other = 0;
-    const auto done = m_file.together([&]() -> base::Result<void> {
+    const auto done = m_file.transaction([&]() -> base::Result<void> {
         auto former = readOne(m_file, number);
         if (!former)
             return tl::unexpected(former.error());
-        if (former->who.port.isEmpty()) { // never written to
+        if (former->identity.port.isEmpty()) { // never written to
             const auto port = m_file.run(
                 QStringLiteral("SELECT CASE simulated WHEN 1 THEN 'sim:' ELSE '' END FROM servos "
                                "WHERE number = ?"),
                 {qint64(number)});
             if (!port)
                 return tl::unexpected(port.error());
-            former->who.port = port->rows.front().value(0).toString();
+            former->identity.port = port->rows.front().value(0).toString();
         }
-        const auto found = preferServo(m_file, former->who, label);
+        const auto found = makeCurrentServo(m_file, former->identity, label);
         if (!found)
             return tl::unexpected(found.error());
         other = *found;

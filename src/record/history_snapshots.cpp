@@ -9,7 +9,7 @@
 
 namespace record {
 namespace {
-QString rowsOf(const QString& inner)
+QString selectRows(const QString& inner)
 {
     return QStringLiteral(
                "SELECT p.number, p.uuid, p.servo, s.id, s.model, s.firmware_major, "
@@ -27,7 +27,7 @@ QString versionText(int high, int low)
     return identity.firmware();
 }
 
-HistorySnapshot snapshotIn(const QVariantList& row)
+HistorySnapshot readSnapshotRow(const QVariantList& row)
 {
     HistorySnapshot snapshot;
     int column = 0;
@@ -40,9 +40,9 @@ HistorySnapshot snapshotIn(const QVariantList& row)
     snapshot.firmware = versionText(high, row.value(column++).toInt());
     snapshot.label = row.value(column++).toString();
     snapshot.note = row.value(column++).toString();
-    snapshot.at = timeIn(row.value(column++));
+    snapshot.at = readTime(row.value(column++));
     snapshot.reason =
-        snapshotReasonFromName(row.value(column++).toString()).value_or(SnapshotReason::Asked);
+        snapshotReasonFromName(row.value(column++).toString()).value_or(SnapshotReason::Manual);
     snapshot.program = row.value(column++).toString();
     snapshot.port = row.value(column++).toString();
     snapshot.baud = row.value(column++).toInt();
@@ -69,24 +69,24 @@ base::Result<void> changeOne(const HistoryFile& file, const QString& sql,
     if (!done)
         return tl::unexpected(done.error());
     if (done->changed < 1)
-        return notInHistory(QStringLiteral("snapshot"), number);
+        return notFoundError(QStringLiteral("snapshot"), number);
     return {};
 }
 } // namespace
 
 base::ServoIdentity identityOf(const Snapshot& snapshot)
 {
-    base::ServoIdentity who;
-    who.id = snapshot.servo.id;
-    std::tie(who.modelMajor, who.modelMinor) = numbersIn(snapshot.servo.modelId);
-    std::tie(who.firmwareMajor, who.firmwareMinor) = numbersIn(snapshot.servo.firmware);
-    who.map = snapshot.servo.map;
-    who.port = snapshot.port;
-    who.baud = snapshot.baud;
-    who.protocol =
+    base::ServoIdentity identity;
+    identity.id = snapshot.servo.id;
+    std::tie(identity.modelMajor, identity.modelMinor) = numbersIn(snapshot.servo.modelId);
+    std::tie(identity.firmwareMajor, identity.firmwareMinor) = numbersIn(snapshot.servo.firmware);
+    identity.map = snapshot.servo.map;
+    identity.port = snapshot.port;
+    identity.baud = snapshot.baud;
+    identity.protocol =
         base::protocolFromName(snapshot.servo.protocol).value_or(base::Protocol::Feetech);
-    who.model = snapshot.servo.model;
-    return who;
+    identity.model = snapshot.servo.model;
+    return identity;
 }
 
 base::Result<std::int64_t> HistoryLog::addSnapshot(const Snapshot& snapshot, SnapshotReason reason,
@@ -96,8 +96,8 @@ base::Result<std::int64_t> HistoryLog::addSnapshot(const Snapshot& snapshot, Sna
         std::count_if(snapshot.registers.begin(), snapshot.registers.end(),
                       [](const SnapshotRegister& row) { return row.raw.has_value(); });
     std::int64_t number = 0;
-    const auto done = m_file.together([&]() -> base::Result<void> {
-        const auto servo = meetServo(m_file, identityOf(snapshot));
+    const auto done = m_file.transaction([&]() -> base::Result<void> {
+        const auto servo = findOrAddServo(m_file, identityOf(snapshot));
         if (!servo)
             return tl::unexpected(servo.error());
         const auto added = m_file.run(
@@ -105,9 +105,9 @@ base::Result<std::int64_t> HistoryLog::addSnapshot(const Snapshot& snapshot, Sna
                            "file, label, note, registers, data) "
                            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
             {QUuid::createUuid().toString(QUuid::WithoutBraces), qint64(*servo),
-             snapshot.at.toMSecsSinceEpoch(), snapshotReasonName(reason), notNull(snapshot.program),
-             notNull(snapshot.port), snapshot.baud, notNull(file), notNull(snapshot.label),
-             notNull(snapshot.note), int(known), qCompress(encodeSnapshot(snapshot))});
+             snapshot.at.toMSecsSinceEpoch(), snapshotReasonName(reason), nonNull(snapshot.program),
+             nonNull(snapshot.port), snapshot.baud, nonNull(file), nonNull(snapshot.label),
+             nonNull(snapshot.note), int(known), qCompress(encodeSnapshot(snapshot))});
         if (!added)
             return tl::unexpected(added.error());
         number = added->insertedId;
@@ -120,24 +120,24 @@ base::Result<std::int64_t> HistoryLog::addSnapshot(const Snapshot& snapshot, Sna
 
 base::Result<std::vector<HistorySnapshot>> HistoryLog::snapshots(const HistoryFilter& filter) const
 {
-    HistoryChoice more;
+    SqlConditions extra;
     if (filter.reason)
-        more.add(QStringLiteral("reason = ?"), {snapshotReasonName(*filter.reason)});
-    const auto rows = pageOf(m_file, filter, QStringLiteral("snapshots"), more, rowsOf);
+        extra.add(QStringLiteral("reason = ?"), {snapshotReasonName(*filter.reason)});
+    const auto rows = readPage(m_file, filter, QStringLiteral("snapshots"), extra, selectRows);
     if (!rows)
         return tl::unexpected(rows.error());
-    return newestFirst<HistorySnapshot>(*rows, snapshotIn, filter.most);
+    return newestFirst<HistorySnapshot>(*rows, readSnapshotRow, filter.limit);
 }
 
 base::Result<HistorySnapshot> HistoryLog::snapshotRow(std::int64_t number) const
 {
-    const auto row = m_file.run(rowsOf(QStringLiteral("SELECT * FROM snapshots WHERE number = ?")),
-                                {qint64(number)});
+    const auto row = m_file.run(
+        selectRows(QStringLiteral("SELECT * FROM snapshots WHERE number = ?")), {qint64(number)});
     if (!row)
         return tl::unexpected(row.error());
     if (row->rows.empty())
-        return notInHistory(QStringLiteral("snapshot"), number);
-    return snapshotIn(row->rows.front());
+        return notFoundError(QStringLiteral("snapshot"), number);
+    return readSnapshotRow(row->rows.front());
 }
 
 base::Result<Snapshot> HistoryLog::snapshot(std::int64_t number) const
@@ -148,7 +148,7 @@ base::Result<Snapshot> HistoryLog::snapshot(std::int64_t number) const
     if (!row)
         return tl::unexpected(row.error());
     if (row->rows.empty())
-        return notInHistory(QStringLiteral("snapshot"), number);
+        return notFoundError(QStringLiteral("snapshot"), number);
     auto snapshot = decodeSnapshot(qUncompress(row->rows.front().value(0).toByteArray()));
     if (!snapshot)
         return snapshot;
@@ -162,7 +162,7 @@ base::Result<void> HistoryLog::setSnapshotNote(std::int64_t number, const QStrin
 {
     return changeOne(m_file,
                      QStringLiteral("UPDATE snapshots SET label = ?, note = ? WHERE number = ?"),
-                     {notNull(label), notNull(note), qint64(number)}, number);
+                     {nonNull(label), nonNull(note), qint64(number)}, number);
 }
 
 base::Result<void> HistoryLog::removeSnapshot(std::int64_t number) const

@@ -7,7 +7,7 @@
 
 namespace record {
 namespace {
-QString rowsOf(const QString& inner)
+QString selectRows(const QString& inner)
 {
     return QStringLiteral(
                "SELECT w.number, w.intent, i.uuid, w.place, w.servo, s.id, s.model, s.label, w.at, "
@@ -19,7 +19,7 @@ QString rowsOf(const QString& inner)
         .arg(inner);
 }
 
-HistoryWrite writeIn(const QVariantList& row)
+HistoryWrite readWriteRow(const QVariantList& row)
 {
     HistoryWrite write;
     int column = 0;
@@ -31,7 +31,7 @@ HistoryWrite writeIn(const QVariantList& row)
     write.servoId = row.value(column++).toInt();
     write.model = row.value(column++).toString();
     write.label = row.value(column++).toString();
-    write.at = timeIn(row.value(column++));
+    write.at = readTime(row.value(column++));
     write.kind =
         base::intentKindFromName(row.value(column++).toString()).value_or(base::IntentKind::Write);
     write.temporary = row.value(column++).toBool();
@@ -43,8 +43,8 @@ HistoryWrite writeIn(const QVariantList& row)
     if (!readBack.isNull())
         write.readBack = readBack.toLongLong();
     const QString own = row.value(column++).toString();
-    const QString whole = row.value(column++).toString();
-    write.outcome = own.isEmpty() ? whole : own;
+    const QString overallGrade = row.value(column++).toString();
+    write.outcome = own.isEmpty() ? overallGrade : own;
     write.detail = row.value(column++).toString();
     write.port = row.value(column++).toString();
     write.baud = row.value(column++).toInt();
@@ -56,40 +56,42 @@ HistoryWrite writeIn(const QVariantList& row)
     return write;
 }
 
-HistoryChoice moreOf(const HistoryFilter& filter)
+SqlConditions extraConditions(const HistoryFilter& filter)
 {
-    HistoryChoice more;
+    SqlConditions extra;
     if (!filter.key.isEmpty())
-        more.add(QStringLiteral("\"key\" = ?"), {filter.key});
-    if (filter.onlyTrouble)
-        more.add(QStringLiteral("trouble = 1"));
-    return more;
+        extra.add(QStringLiteral("\"key\" = ?"), {filter.key});
+    if (filter.onlyProblems)
+        extra.add(QStringLiteral("trouble = 1"));
+    return extra;
 }
 } // namespace
 
 base::Result<std::vector<HistoryWrite>> HistoryLog::writes(const HistoryFilter& filter) const
 {
-    const auto rows = pageOf(m_file, filter, QStringLiteral("writes"), moreOf(filter), rowsOf);
+    const auto rows =
+        readPage(m_file, filter, QStringLiteral("writes"), extraConditions(filter), selectRows);
     if (!rows)
         return tl::unexpected(rows.error());
-    return newestFirst<HistoryWrite>(*rows, writeIn, filter.most);
+    return newestFirst<HistoryWrite>(*rows, readWriteRow, filter.limit);
 }
 
 base::Result<std::int64_t> HistoryLog::countWrites(const HistoryFilter& filter) const
 {
-    const auto servos = servosOf(m_file, filter);
+    const auto servos = matchingServos(m_file, filter);
     if (!servos)
         return tl::unexpected(servos.error());
     HistoryFilter all = filter;
     all.after.reset();
-    HistoryChoice choice = choiceOf(all);
-    const HistoryChoice more = moreOf(filter);
-    choice.conditions += more.conditions;
-    choice.values += more.values;
+    SqlConditions sqlConditions = toConditions(all);
+    const SqlConditions extra = extraConditions(filter);
+    sqlConditions.conditions += extra.conditions;
+    sqlConditions.values += extra.values;
     if (*servos)
-        choice.add(QStringLiteral("servo IN (%1)").arg(numberList(**servos)));
+        sqlConditions.add(QStringLiteral("servo IN (%1)").arg(numberList(**servos)));
     const auto counted =
-        m_file.run(QStringLiteral("SELECT COUNT(*) FROM writes") + choice.where(), choice.values);
+        m_file.run(QStringLiteral("SELECT COUNT(*) FROM writes") + sqlConditions.where(),
+                   sqlConditions.values);
     if (!counted)
         return tl::unexpected(counted.error());
     return counted->rows.front().value(0).toLongLong();
@@ -97,13 +99,13 @@ base::Result<std::int64_t> HistoryLog::countWrites(const HistoryFilter& filter) 
 
 base::Result<HistoryWrite> HistoryLog::write(std::int64_t number) const
 {
-    const auto row = m_file.run(rowsOf(QStringLiteral("SELECT * FROM writes WHERE number = ?")),
+    const auto row = m_file.run(selectRows(QStringLiteral("SELECT * FROM writes WHERE number = ?")),
                                 {qint64(number)});
     if (!row)
         return tl::unexpected(row.error());
     if (row->rows.empty())
-        return notInHistory(QStringLiteral("write"), number);
-    return writeIn(row->rows.front());
+        return notFoundError(QStringLiteral("write"), number);
+    return readWriteRow(row->rows.front());
 }
 
 /// Goes from key to key by the index: a DISTINCT would look at every write there is.

@@ -10,43 +10,43 @@ IntentLocks::IntentLocks(QString folder)
 
 IntentLocks::~IntentLocks()
 {
-    freeAll();
+    releaseAll();
 }
 
-QString IntentLocks::fileOf(const QString& uuid) const
+QString IntentLocks::lockPathOf(const QString& uuid) const
 {
     return m_folder + QLatin1Char('/') + uuid;
 }
 
-void IntentLocks::take(const QString& uuid)
+void IntentLocks::acquire(const QString& uuid)
 {
     QDir().mkpath(m_folder);
-    auto file = std::make_unique<FileHandle>(fileOf(uuid), FileHandle::Mode::Append);
+    auto file = std::make_unique<FileHandle>(lockPathOf(uuid), FileHandle::Mode::Append);
     if (!file->isOpen())
         return;
-    if (file->tryLock(FileHandle::Lock::Exclusive) != FileHandle::Try::Locked) {
+    if (file->tryLock(FileHandle::Lock::Exclusive) != FileHandle::LockResult::Locked) {
         file.reset();
-        QFile::remove(fileOf(uuid));
+        QFile::remove(lockPathOf(uuid));
         return;
     }
     const std::lock_guard lock(m_mutex);
-    m_own[uuid] = std::move(file);
+    m_heldLocks[uuid] = std::move(file);
 }
 
-void IntentLocks::free(const QString& uuid)
+void IntentLocks::release(const QString& uuid)
 {
     const std::lock_guard lock(m_mutex);
-    if (m_own.erase(uuid) > 0)
-        QFile::remove(fileOf(uuid));
+    if (m_heldLocks.erase(uuid) > 0)
+        QFile::remove(lockPathOf(uuid));
 }
 
-void IntentLocks::freeAll()
+void IntentLocks::releaseAll()
 {
     const std::lock_guard lock(m_mutex);
-    while (!m_own.empty()) {
-        const QString uuid = m_own.begin()->first;
-        m_own.erase(m_own.begin()); // a file that is open cannot be removed everywhere
-        QFile::remove(fileOf(uuid));
+    while (!m_heldLocks.empty()) {
+        const QString uuid = m_heldLocks.begin()->first;
+        m_heldLocks.erase(m_heldLocks.begin()); // a file that is open cannot be removed everywhere
+        QFile::remove(lockPathOf(uuid));
     }
 }
 
@@ -54,21 +54,21 @@ bool IntentLocks::isHeldElsewhere(const QString& uuid) const
 {
     {
         const std::lock_guard lock(m_mutex);
-        if (m_own.count(uuid) > 0)
+        if (m_heldLocks.count(uuid) > 0)
             return false;
     }
     bool stale = false;
     {
-        FileHandle file(fileOf(uuid), FileHandle::Mode::Read);
+        FileHandle file(lockPathOf(uuid), FileHandle::Mode::Read);
         if (!file.isOpen())
             return false;
         const auto tried = file.tryLock(FileHandle::Lock::Shared); // others may ask as well
-        if (tried == FileHandle::Try::HeldElsewhere)
+        if (tried == FileHandle::LockResult::HeldElsewhere)
             return true;
-        stale = tried == FileHandle::Try::Locked;
+        stale = tried == FileHandle::LockResult::Locked;
     }
     if (stale)
-        QFile::remove(fileOf(uuid));
+        QFile::remove(lockPathOf(uuid));
     return false;
 }
 } // namespace record

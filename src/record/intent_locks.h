@@ -14,24 +14,24 @@
 namespace record {
 class IntentLocks {
 public:
-    /// The folder is made by the first take().
+    /// The folder is made by the first acquire().
     explicit IntentLocks(QString folder);
     ~IntentLocks();
     IntentLocks(const IntentLocks&) = delete;
     IntentLocks& operator=(const IntentLocks&) = delete;
 
-    void take(const QString& uuid);
-    void free(const QString& uuid); ///< does nothing if it is not held here
-    void freeAll();
+    void acquire(const QString& uuid);
+    void release(const QString& uuid); ///< does nothing if it is not held here
+    void releaseAll();
 
     /// Removes the file of a program that was killed.
     bool isHeldElsewhere(const QString& uuid) const;
 
 private:
-    QString fileOf(const QString& uuid) const;
+    QString lockPathOf(const QString& uuid) const;
 
     const QString m_folder;
     mutable std::mutex m_mutex;
-    std::map<QString, std::unique_ptr<FileHandle>> m_own;
+    std::map<QString, std::unique_ptr<FileHandle>> m_heldLocks;
 };
 } // namespace record

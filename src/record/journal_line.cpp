@@ -12,26 +12,26 @@ constexpr int formatVersion = 1;
 /// Lines from before there was more than one language do not name it.
 base::Protocol readProtocol(const JsonReader& json)
 {
-    if (!json.has("protocol"))
+    if (!json.contains("protocol"))
         return base::Protocol::Feetech;
     const QString name = json.text("protocol");
     const auto found = base::protocolFromName(name);
     if (!found)
-        json.complain("protocol", QStringLiteral("unknown word \"%1\"").arg(name));
+        json.reportError("protocol", QStringLiteral("unknown word \"%1\"").arg(name));
     return found.value_or(base::Protocol::Feetech);
 }
 
 base::ServoIdentity readServo(const JsonReader& json)
 {
     base::ServoIdentity servo;
-    servo.id = json.small("id");
-    servo.modelMajor = json.small("model_major");
-    servo.modelMinor = json.small("model_minor");
-    servo.firmwareMajor = json.small("firmware_major");
-    servo.firmwareMinor = json.small("firmware_minor");
+    servo.id = json.smallInteger("id");
+    servo.modelMajor = json.smallInteger("model_major");
+    servo.modelMinor = json.smallInteger("model_minor");
+    servo.firmwareMajor = json.smallInteger("firmware_major");
+    servo.firmwareMinor = json.smallInteger("firmware_minor");
     servo.map = json.text("map");
     servo.port = json.text("port");
-    servo.baud = json.small("baud");
+    servo.baud = json.smallInteger("baud");
     servo.protocol = readProtocol(json);
     return servo;
 }
@@ -41,7 +41,7 @@ base::IntentKind readKind(const JsonReader& json)
     const QString name = json.text("kind");
     const auto found = base::intentKindFromName(name);
     if (!found)
-        json.complain("kind", QStringLiteral("unknown word \"%1\"").arg(name));
+        json.reportError("kind", QStringLiteral("unknown word \"%1\"").arg(name));
     return found.value_or(base::IntentKind::Write);
 }
 
@@ -49,22 +49,22 @@ BeginLine readBegin(const JsonReader& json)
 {
     BeginLine line;
     base::Intent& intent = line.intent;
-    intent.uuid = json.filledText("uuid");
+    intent.uuid = json.nonEmptyText("uuid");
     intent.at = json.time("at");
     intent.kind = readKind(json);
     intent.temporary = json.flag("temporary");
     intent.lockOpened = json.flag("lock_opened");
     intent.servo = readServo(json.object("servo"));
     for (const JsonReader& item : json.objects("items")) {
-        intent.items.push_back({item.filledText("key"), item.small("address"), item.integer("old"),
-                                item.integer("new")});
+        intent.items.push_back({item.nonEmptyText("key"), item.smallInteger("address"),
+                                item.integer("old"), item.integer("new")});
     }
     return line;
 }
 
-KeepLine readKeep(const JsonReader& json)
+FactLine readFact(const JsonReader& json)
 {
-    return {readServo(json.object("servo")), json.filledText("name"), json.integers("values"),
+    return {readServo(json.object("servo")), json.nonEmptyText("name"), json.integers("values"),
             json.time("at")};
 }
 } // namespace
@@ -72,26 +72,27 @@ KeepLine readKeep(const JsonReader& json)
 base::Result<JournalLine> decodeJournalLine(const QByteArray& text)
 {
     const QString operation = QStringLiteral("journal");
-    JsonComplaint complaint;
+    JsonReadError readError;
     const auto document = parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, operation, document.error());
-    const JsonReader json(*document, complaint);
+    const JsonReader json(*document, readError);
     JournalLine line;
-    if (const int version = json.small("v"); version != formatVersion) {
-        json.complain("v", QStringLiteral("format version %1 is not known").arg(version));
+    if (const int version = json.smallInteger("v"); version != formatVersion) {
+        json.reportError("v", QStringLiteral("format version %1 is not known").arg(version));
     } else if (const QString type = json.text("type"); type == QLatin1String("begin")) {
         line = readBegin(json);
     } else if (type == QLatin1String("end")) {
-        line = EndLine{
-            json.filledText("uuid"), {json.text("outcome"), json.text("detail")}, json.time("at")};
+        line = EndLine{json.nonEmptyText("uuid"),
+                       {json.text("outcome"), json.text("detail")},
+                       json.time("at")};
     } else if (type == QLatin1String("keep")) {
-        line = readKeep(json);
+        line = readFact(json);
     } else {
-        json.complain("type", QStringLiteral("unknown word \"%1\"").arg(type));
+        json.reportError("type", QStringLiteral("unknown word \"%1\"").arg(type));
     }
-    if (complaint.made())
-        return base::fail(base::ErrorCode::FileFormat, operation, complaint.text());
+    if (readError.isSet())
+        return base::fail(base::ErrorCode::FileFormat, operation, readError.text());
     return line;
 }
 } // namespace record

@@ -17,18 +17,18 @@ struct BeginLine {
 
 struct EndLine {
     QString uuid;
-    base::IntentEnd end;
+    base::IntentResult end;
     QDateTime at{};
 };
 
-struct KeepLine {
+struct FactLine {
     base::ServoIdentity servo;
     QString name;
     std::vector<std::int64_t> values;
     QDateTime at{};
 };
 
-using JournalLine = std::variant<BeginLine, EndLine, KeepLine>;
+using JournalLine = std::variant<BeginLine, EndLine, FactLine>;
 
 /// FileFormat says what is wrong with it.
 base::Result<JournalLine> decodeJournalLine(const QByteArray& text);

@@ -15,7 +15,7 @@
 namespace record {
 namespace {
 const QString operation = QStringLiteral("journal");
-const QString takenMark = QStringLiteral(".taken-");
+const QString importedSuffix = QStringLiteral(".taken-");
 
 tl::unexpected<base::Error> unreadable(const QString& path)
 {
@@ -50,55 +50,57 @@ UnreadableFiles& unreadableFiles()
 }
 
 /// Of whichever name: its first line has a time and, mostly, a uuid.
-QString nameOf(const QByteArray& text)
+QString firstLineHash(const QByteArray& text)
 {
     const QByteArray line = text.left(text.indexOf('\n'));
     return QString::fromLatin1(QCryptographicHash::hash(line, QCryptographicHash::Sha256).toHex());
 }
 
-base::Result<void> takeLine(const HistoryFile& file, const QByteArray& text, Takeover& takeover)
+base::Result<void> importLine(const HistoryFile& file, const QByteArray& text,
+                              JournalImport& journalImport)
 {
-    ++takeover.lines;
+    ++journalImport.lines;
     const auto line = decodeJournalLine(text);
     if (!line) {
-        ++takeover.unreadable;
+        ++journalImport.unreadable;
         return {};
     }
     if (const auto* begin = std::get_if<BeginLine>(&*line))
         return insertIntent(file, begin->intent, {});
-    if (const auto* keep = std::get_if<KeepLine>(&*line))
-        return keepFact(file, keep->servo, keep->name, keep->values, keep->at,
-                        Overrule::UnlessOlder);
+    if (const auto* keep = std::get_if<FactLine>(&*line))
+        return saveFact(file, keep->servo, keep->name, keep->values, keep->at,
+                        ConflictPolicy::UnlessOlder);
     const auto& end = std::get<EndLine>(*line);
-    const auto ended = endIntent(file, end.uuid, end.end, end.at, Overrule::UnlessOlder);
+    const auto ended = endIntent(file, end.uuid, end.end, end.at, ConflictPolicy::UnlessOlder);
     if (!ended)
         return tl::unexpected(ended.error());
-    takeover.unreadable += *ended ? 0 : 1; // of an intent that is not there
+    journalImport.unreadable += *ended ? 0 : 1; // of an intent that is not there
     return {};
 }
 
 /// Only whole lines: what is still being written, or was torn, is left for the next time.
-base::Result<void> takeText(const HistoryFile& file, const QByteArray& text, Takeover& takeover)
+base::Result<void> importText(const HistoryFile& file, const QByteArray& text,
+                              JournalImport& journalImport)
 {
     const qsizetype size = text.lastIndexOf('\n') + 1;
     if (size == 0)
         return {};
-    const QString name = nameOf(text);
+    const QString name = firstLineHash(text);
     const auto known =
         file.run(QStringLiteral("SELECT bytes, unreadable FROM taken WHERE file = ?"), {name});
     if (!known)
         return tl::unexpected(known.error());
     qsizetype from = known->rows.empty() ? 0 : known->rows.front().value(0).toLongLong();
     const int unreadableBefore = known->rows.empty() ? 0 : known->rows.front().value(1).toInt();
-    Takeover found;
+    JournalImport found;
     while (from < size) {
         const qsizetype end = text.indexOf('\n', from);
         const QByteArray line = text.mid(from, end - from).trimmed();
         from = end + 1;
         if (line.isEmpty())
             continue;
-        if (const auto taken = takeLine(file, line, found); !taken)
-            return taken;
+        if (const auto imported = importLine(file, line, found); !imported)
+            return imported;
     }
     const auto noted =
         file.run(QStringLiteral("INSERT INTO taken (file, bytes, unreadable) VALUES (?, ?, ?) "
@@ -107,26 +109,26 @@ base::Result<void> takeText(const HistoryFile& file, const QByteArray& text, Tak
                  {name, size, unreadableBefore + found.unreadable});
     if (!noted)
         return tl::unexpected(noted.error());
-    takeover.lines += found.lines;
-    takeover.unreadable += found.unreadable;
+    journalImport.lines += found.lines;
+    journalImport.unreadable += found.unreadable;
     return {};
 }
 
 /// Its new name, which nothing had. Where it cannot be renamed it stays, and its end is known.
-QString setAside(const QString& path)
+QString renameImported(const QString& path)
 {
     for (int n = 1;; ++n) {
-        const QString aside = path + takenMark + QString::number(n);
-        if (!QFileInfo::exists(aside)) {
-            return QFile::rename(path, aside) ? aside : path;
+        const QString renamed = path + importedSuffix + QString::number(n);
+        if (!QFileInfo::exists(renamed)) {
+            return QFile::rename(path, renamed) ? renamed : path;
         }
     }
 }
 
 /// `current`: it is the one that programs write to, and is renamed afterwards. Held by a lock that
 /// whoever appends needs as well, until it has its new name.
-base::Result<void> takeFile(const HistoryFile& file, const QString& path, bool current,
-                            Takeover& takeover)
+base::Result<void> importFile(const HistoryFile& file, const QString& path, bool current,
+                              JournalImport& journalImport)
 {
     FileHandle source(path, FileHandle::Mode::Read);
     if (!source.isOpen())
@@ -138,74 +140,76 @@ base::Result<void> takeFile(const HistoryFile& file, const QString& path, bool c
     if (!info || !info->regular)
         return unreadable(path);
     const auto now = FileHandle::infoOf(path);
-    if (!now || !(now->mark == info->mark))
+    if (!now || !(now->id == info->id))
         return {}; // another program has just done it
     const auto text = source.read(0, info->size);
     if (!text)
         return unreadable(path);
-    const int before = takeover.unreadable;
+    const int before = journalImport.unreadable;
     if (!text->isEmpty()) {
-        const auto taken = file.together([&] { return takeText(file, *text, takeover); });
-        if (!taken)
-            return taken;
+        const auto imported =
+            file.transaction([&] { return importText(file, *text, journalImport); });
+        if (!imported)
+            return imported;
     }
-    const QString kept = current ? setAside(path) : path;
-    if (takeover.unreadable > before)
-        unreadableFiles().add(kept, takeover.unreadable - before);
+    const QString kept = current ? renameImported(path) : path;
+    if (journalImport.unreadable > before)
+        unreadableFiles().add(kept, journalImport.unreadable - before);
     return {};
 }
 
 /// The files set aside that have grown since; asked without a lock on the database.
-base::Result<bool> hasNews(const HistoryFile& file, const QFileInfo& aside)
+base::Result<bool> hasNewLines(const HistoryFile& file, const QFileInfo& renamed)
 {
-    QFile source(aside.absoluteFilePath());
+    QFile source(renamed.absoluteFilePath());
     if (!source.open(QIODevice::ReadOnly))
         return false; // it was taken, and may be moved away at will
-    constexpr qint64 longestLine = 1 << 20;
-    const QByteArray first = source.readLine(longestLine);
+    constexpr qint64 maxLineLength = 1 << 20;
+    const QByteArray first = source.readLine(maxLineLength);
     const auto known =
-        file.run(QStringLiteral("SELECT bytes FROM taken WHERE file = ?"), {nameOf(first)});
+        file.run(QStringLiteral("SELECT bytes FROM taken WHERE file = ?"), {firstLineHash(first)});
     if (!known)
         return tl::unexpected(known.error());
-    const qint64 taken = known->rows.empty() ? 0 : known->rows.front().value(0).toLongLong();
-    if (source.size() <= taken)
+    const qint64 imported = known->rows.empty() ? 0 : known->rows.front().value(0).toLongLong();
+    if (source.size() <= imported)
         return false;
-    source.seek(taken);
+    source.seek(imported);
     return source.readAll().contains('\n');
 }
 } // namespace
 
-std::vector<base::Error> takeUnreadableJournals()
+std::vector<base::Error> importUnreadableJournals()
 {
     return unreadableFiles().take();
 }
 
-QString oldJournalBeside(const QString& historyPath)
+QString legacyJournalPath(const QString& historyPath)
 {
     return QFileInfo(historyPath).absolutePath() + QStringLiteral("/journal.jsonl");
 }
 
-base::Result<Takeover> takeOverJournal(const HistoryFile& file)
+base::Result<JournalImport> importJournal(const HistoryFile& file)
 {
-    Takeover takeover;
-    const QString path = oldJournalBeside(file.path());
+    JournalImport journalImport;
+    const QString path = legacyJournalPath(file.path());
     const QFileInfo current(path);
     const QDir folder(current.absolutePath());
-    const auto aside = folder.entryInfoList({current.fileName() + takenMark + QLatin1Char('*')},
-                                            QDir::Files, QDir::Name);
-    for (const QFileInfo& one : aside) {
-        const auto news = hasNews(file, one);
+    const auto renamed = folder.entryInfoList(
+        {current.fileName() + importedSuffix + QLatin1Char('*')}, QDir::Files, QDir::Name);
+    for (const QFileInfo& one : renamed) {
+        const auto news = hasNewLines(file, one);
         if (!news)
             return tl::unexpected(news.error());
         if (!*news)
             continue;
-        if (const auto taken = takeFile(file, one.absoluteFilePath(), false, takeover); !taken)
-            return tl::unexpected(taken.error());
+        if (const auto imported = importFile(file, one.absoluteFilePath(), false, journalImport);
+            !imported)
+            return tl::unexpected(imported.error());
     }
     if (current.exists()) {
-        if (const auto taken = takeFile(file, path, true, takeover); !taken)
-            return tl::unexpected(taken.error());
+        if (const auto imported = importFile(file, path, true, journalImport); !imported)
+            return tl::unexpected(imported.error());
     }
-    return takeover;
+    return journalImport;
 }
 } // namespace record

@@ -13,18 +13,18 @@
 #include <vector>
 
 namespace record {
-struct Takeover {
+struct JournalImport {
     int lines = 0;      ///< that were new
     int unreadable = 0; ///< of them: torn by a crash, or of a program newer than that version
 };
 
 /// "journal.jsonl" beside the database.
-QString oldJournalBeside(const QString& historyPath);
+QString legacyJournalPath(const QString& historyPath);
 
 /// FileFormat, "journal", one for each file of which lines could not be read: what this program has
 /// taken over so far and nobody has asked for yet, whichever connection did it. Any thread.
-std::vector<base::Error> takeUnreadableJournals();
+std::vector<base::Error> importUnreadableJournals();
 
 /// Cheap where there is nothing to do: one look at the folder.
-base::Result<Takeover> takeOverJournal(const HistoryFile& file);
+base::Result<JournalImport> importJournal(const HistoryFile& file);
 } // namespace record

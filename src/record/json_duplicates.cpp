@@ -35,7 +35,7 @@ bool isName(const QByteArray& text, qsizetype behind)
 }
 } // namespace
 
-QString duplicateMember(const QByteArray& text)
+QString findDuplicateKey(const QByteArray& text)
 {
     std::vector<QSet<QString>> objects; ///< the names of each open object; lists have none
     for (qsizetype at = 0; at < text.size();) {

@@ -8,5 +8,5 @@
 
 namespace record {
 /// For a text that parses. "line 12: "raw" is there twice", or empty.
-QString duplicateMember(const QByteArray& text);
+QString findDuplicateKey(const QByteArray& text);
 } // namespace record

@@ -2,17 +2,19 @@
 #include "record/json_parts.h"
 
 namespace record {
-void checkFormat(const JsonReader& json, QLatin1StringView name, int newest, const QString& notThat)
+void checkFormat(const JsonReader& json, QLatin1StringView name, int newest,
+                 const QString& mismatchText)
 {
     if (json.text("format") != name)
-        json.complain("format", notThat);
-    const int version = json.small("version");
+        json.reportError("format", mismatchText);
+    const int version = json.smallInteger("version");
     if (version < 1)
-        json.complain("version", QStringLiteral("there is no format %1").arg(version));
+        json.reportError("version", QStringLiteral("there is no format %1").arg(version));
     else if (version > newest)
-        json.complain("version", QStringLiteral("format %1 is of a newer program, this one reads "
-                                                "formats up to %2")
-                                     .arg(version)
-                                     .arg(newest));
+        json.reportError("version",
+                         QStringLiteral("format %1 is of a newer program, this one reads "
+                                        "formats up to %2")
+                             .arg(version)
+                             .arg(newest));
 }
 } // namespace record

@@ -9,10 +9,10 @@
 #include "record/sweep_limits.h"
 
 namespace record {
-/// The head of a document: "format" is `name`, or the complaint is `notThat`; "version" is one that
-/// this program knows.
+/// The head of a document: "format" is `name`, or the complaint is `mismatchText`; "version" is one
+/// that this program knows.
 void checkFormat(const JsonReader& json, QLatin1StringView name, int newest,
-                 const QString& notThat);
+                 const QString& mismatchText);
 
 Snapshot readSnapshot(const JsonReader& json);
 

@@ -12,9 +12,9 @@ namespace {
 // JSON numbers beyond this are not exact in every program that reads them.
 constexpr double exactLimit = 9007199254740992.0;
 
-QString indexed(const QString& place, qsizetype index)
+QString indexed(const QString& path, qsizetype index)
 {
-    return QStringLiteral("%1[%2]").arg(place).arg(index);
+    return QStringLiteral("%1[%2]").arg(path).arg(index);
 }
 } // namespace
 
@@ -31,13 +31,13 @@ tl::expected<QJsonObject, QString> parseJson(const QByteArray& text)
     return document.object();
 }
 
-void JsonComplaint::make(const QString& place, const QString& what)
+void JsonReadError::set(const QString& path, const QString& what)
 {
-    if (!made())
-        m_text = place + QStringLiteral(": ") + what;
+    if (!isSet())
+        m_text = path + QStringLiteral(": ") + what;
 }
 
-bool JsonReader::has(const char* key) const
+bool JsonReader::contains(const char* key) const
 {
     return m_object.contains(QLatin1String(key));
 }
@@ -46,15 +46,15 @@ QString JsonReader::text(const char* key) const
 {
     const QJsonValue found = value(key);
     if (!found.isString())
-        complain(key, QStringLiteral("expected a text"));
+        reportError(key, QStringLiteral("expected a text"));
     return found.toString();
 }
 
-QString JsonReader::filledText(const char* key) const
+QString JsonReader::nonEmptyText(const char* key) const
 {
     const QString found = text(key);
     if (found.isEmpty())
-        complain(key, QStringLiteral("must not be empty"));
+        reportError(key, QStringLiteral("must not be empty"));
     return found;
 }
 
@@ -62,15 +62,15 @@ bool JsonReader::flag(const char* key) const
 {
     const QJsonValue found = value(key);
     if (!found.isBool())
-        complain(key, QStringLiteral("expected true or false"));
+        reportError(key, QStringLiteral("expected true or false"));
     return found.toBool();
 }
 
-int JsonReader::small(const char* key) const
+int JsonReader::smallInteger(const char* key) const
 {
     const std::int64_t found = integer(key);
     if (found < std::numeric_limits<int>::min() || found > std::numeric_limits<int>::max()) {
-        complain(key, QStringLiteral("number too large"));
+        reportError(key, QStringLiteral("number too large"));
         return 0;
     }
     return int(found);
@@ -78,7 +78,7 @@ int JsonReader::small(const char* key) const
 
 std::int64_t JsonReader::integer(const char* key) const
 {
-    return integerAt(value(key), placeOf(key));
+    return integerAt(value(key), pathOf(key));
 }
 
 std::optional<std::int64_t> JsonReader::integerOrNull(const char* key) const
@@ -94,7 +94,7 @@ std::optional<double> JsonReader::numberOrNull(const char* key) const
     if (found.isNull())
         return std::nullopt;
     if (!found.isDouble())
-        complain(key, QStringLiteral("expected a number or null"));
+        reportError(key, QStringLiteral("expected a number or null"));
     return found.toDouble();
 }
 
@@ -103,9 +103,9 @@ std::vector<std::int64_t> JsonReader::integers(const char* key) const
     std::vector<std::int64_t> numbers;
     const QJsonValue found = value(key);
     if (!found.isArray())
-        complain(key, QStringLiteral("expected a list"));
+        reportError(key, QStringLiteral("expected a list"));
     for (const QJsonValue item : found.toArray())
-        numbers.push_back(integerAt(item, indexed(placeOf(key), qsizetype(numbers.size()))));
+        numbers.push_back(integerAt(item, indexed(pathOf(key), qsizetype(numbers.size()))));
     return numbers;
 }
 
@@ -114,11 +114,11 @@ std::vector<double> JsonReader::numbers(const char* key) const
     std::vector<double> numbers;
     const QJsonValue found = value(key);
     if (!found.isArray())
-        complain(key, QStringLiteral("expected a list"));
+        reportError(key, QStringLiteral("expected a list"));
     for (const QJsonValue item : found.toArray()) {
         if (!item.isDouble())
-            m_complaint->make(indexed(placeOf(key), qsizetype(numbers.size())),
-                              QStringLiteral("expected a number"));
+            m_readError->set(indexed(pathOf(key), qsizetype(numbers.size())),
+                             QStringLiteral("expected a number"));
         numbers.push_back(item.toDouble());
     }
     return numbers;
@@ -129,11 +129,10 @@ QStringList JsonReader::texts(const char* key) const
     QStringList texts;
     const QJsonValue found = value(key);
     if (!found.isArray())
-        complain(key, QStringLiteral("expected a list"));
+        reportError(key, QStringLiteral("expected a list"));
     for (const QJsonValue item : found.toArray()) {
         if (!item.isString())
-            m_complaint->make(indexed(placeOf(key), texts.size()),
-                              QStringLiteral("expected a text"));
+            m_readError->set(indexed(pathOf(key), texts.size()), QStringLiteral("expected a text"));
         texts.append(item.toString());
     }
     return texts;
@@ -143,7 +142,7 @@ QDateTime JsonReader::time(const char* key) const
 {
     const QDateTime found = QDateTime::fromString(text(key), Qt::ISODateWithMs);
     if (!found.isValid())
-        complain(key, QStringLiteral("expected a time like 2025-01-31T12:00:00Z"));
+        reportError(key, QStringLiteral("expected a time like 2025-01-31T12:00:00Z"));
     return found.toUTC();
 }
 
@@ -151,8 +150,8 @@ JsonReader JsonReader::object(const char* key) const
 {
     const QJsonValue found = value(key);
     if (!found.isObject())
-        complain(key, QStringLiteral("expected an object"));
-    return {found.toObject(), *m_complaint, placeOf(key)};
+        reportError(key, QStringLiteral("expected an object"));
+    return {found.toObject(), *m_readError, pathOf(key)};
 }
 
 std::vector<JsonReader> JsonReader::objects(const char* key) const
@@ -160,26 +159,26 @@ std::vector<JsonReader> JsonReader::objects(const char* key) const
     std::vector<JsonReader> readers;
     const QJsonValue found = value(key);
     if (!found.isArray())
-        complain(key, QStringLiteral("expected a list"));
+        reportError(key, QStringLiteral("expected a list"));
     for (const QJsonValue item : found.toArray()) {
-        const QString place = indexed(placeOf(key), qsizetype(readers.size()));
+        const QString path = indexed(pathOf(key), qsizetype(readers.size()));
         if (!item.isObject())
-            m_complaint->make(place, QStringLiteral("expected an object"));
-        readers.emplace_back(item.toObject(), *m_complaint, place);
+            m_readError->set(path, QStringLiteral("expected an object"));
+        readers.emplace_back(item.toObject(), *m_readError, path);
     }
     return readers;
 }
 
-void JsonReader::complain(const char* key, const QString& what) const
+void JsonReader::reportError(const char* key, const QString& what) const
 {
-    m_complaint->make(placeOf(key), what);
+    m_readError->set(pathOf(key), what);
 }
 
-void JsonReader::complainAboutOthers(const QStringList& known) const
+void JsonReader::rejectUnknownKeys(const QStringList& known) const
 {
     for (auto it = m_object.begin(); it != m_object.end(); ++it) {
         if (!known.contains(it.key()))
-            complain(qUtf8Printable(it.key()), QStringLiteral("unknown name"));
+            reportError(qUtf8Printable(it.key()), QStringLiteral("unknown name"));
     }
 }
 
@@ -188,17 +187,17 @@ QJsonValue JsonReader::value(const char* key) const
     return m_object.value(QLatin1String(key));
 }
 
-QString JsonReader::placeOf(const char* key) const
+QString JsonReader::pathOf(const char* key) const
 {
     const QString name = QString::fromUtf8(key);
-    return m_place.isEmpty() ? name : m_place + QLatin1Char('.') + name;
+    return m_path.isEmpty() ? name : m_path + QLatin1Char('.') + name;
 }
 
-std::int64_t JsonReader::integerAt(const QJsonValue& value, const QString& place) const
+std::int64_t JsonReader::integerAt(const QJsonValue& value, const QString& path) const
 {
     const double number = value.toDouble(0.5);
     if (!value.isDouble() || std::abs(number) > exactLimit || number != std::floor(number)) {
-        m_complaint->make(place, QStringLiteral("expected a whole number"));
+        m_readError->set(path, QStringLiteral("expected a whole number"));
         return 0;
     }
     return value.toInteger();

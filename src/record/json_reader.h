@@ -20,11 +20,11 @@ namespace record {
 tl::expected<QJsonObject, QString> parseJson(const QByteArray& text);
 
 /// The first thing that was wrong: "registers[12].raw: expected a whole number".
-class JsonComplaint {
+class JsonReadError {
 public:
-    bool made() const { return !m_text.isEmpty(); }
+    bool isSet() const { return !m_text.isEmpty(); }
     const QString& text() const { return m_text; }
-    void make(const QString& place, const QString& what);
+    void set(const QString& path, const QString& what);
 
 private:
     QString m_text;
@@ -32,20 +32,20 @@ private:
 
 class JsonReader {
 public:
-    JsonReader(QJsonObject object, JsonComplaint& complaint, QString place = {})
+    JsonReader(QJsonObject object, JsonReadError& readError, QString path = {})
         : m_object(std::move(object))
-        , m_complaint(&complaint)
-        , m_place(std::move(place))
+        , m_readError(&readError)
+        , m_path(std::move(path))
     {}
 
     const QJsonObject& content() const { return m_object; }
-    const QString& place() const { return m_place; } ///< "registers[12]"; empty: the top
+    const QString& path() const { return m_path; } ///< "registers[12]"; empty: the top
 
-    bool has(const char* key) const;
+    bool contains(const char* key) const;
     QString text(const char* key) const;
-    QString filledText(const char* key) const; ///< not empty
+    QString nonEmptyText(const char* key) const; ///< not empty
     bool flag(const char* key) const;
-    int small(const char* key) const; ///< fits an int
+    int smallInteger(const char* key) const; ///< fits an int
     std::int64_t integer(const char* key) const;
     std::optional<std::int64_t> integerOrNull(const char* key) const;
     std::optional<double> numberOrNull(const char* key) const;
@@ -56,18 +56,18 @@ public:
     JsonReader object(const char* key) const;
     std::vector<JsonReader> objects(const char* key) const;
 
-    void complain(const char* key, const QString& what) const;
+    void reportError(const char* key, const QString& what) const;
 
     /// For files where a slip in a name must not go unnoticed.
-    void complainAboutOthers(const QStringList& known) const;
+    void rejectUnknownKeys(const QStringList& known) const;
 
 private:
     QJsonValue value(const char* key) const;
-    QString placeOf(const char* key) const;
-    std::int64_t integerAt(const QJsonValue& value, const QString& place) const;
+    QString pathOf(const char* key) const;
+    std::int64_t integerAt(const QJsonValue& value, const QString& path) const;
 
     QJsonObject m_object;
-    JsonComplaint* m_complaint;
-    QString m_place;
+    JsonReadError* m_readError;
+    QString m_path;
 };
 } // namespace record

@@ -34,7 +34,7 @@ QByteArray jsonNumber(std::optional<double> value, std::optional<int> digits)
     return QByteArray::number(*value, 'g', digits.value_or(QLocale::FloatingPointShortest));
 }
 
-JsonLine& JsonLine::raw(const char* key, const QByteArray& value)
+JsonObjectWriter& JsonObjectWriter::raw(const char* key, const QByteArray& value)
 {
     m_text += (m_text.size() > 1 ? ", \"" : "\"") + QByteArray(key) + "\": " + value;
     return *this;

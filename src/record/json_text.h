@@ -19,16 +19,19 @@ QByteArray jsonFlag(bool value);
 QByteArray jsonNumber(std::optional<double> value, std::optional<int> digits = {});
 
 /// One object on one line, its members in the order they are added.
-class JsonLine {
+class JsonObjectWriter {
 public:
-    JsonLine& raw(const char* key, const QByteArray& value);
-    JsonLine& text(const char* key, const QString& value) { return raw(key, jsonText(value)); }
-    JsonLine& flag(const char* key, bool value) { return raw(key, jsonFlag(value)); }
-    JsonLine& number(const char* key, std::optional<double> value)
+    JsonObjectWriter& raw(const char* key, const QByteArray& value);
+    JsonObjectWriter& text(const char* key, const QString& value)
+    {
+        return raw(key, jsonText(value));
+    }
+    JsonObjectWriter& flag(const char* key, bool value) { return raw(key, jsonFlag(value)); }
+    JsonObjectWriter& number(const char* key, std::optional<double> value)
     {
         return raw(key, jsonNumber(value));
     }
-    JsonLine& integer(const char* key, std::int64_t value)
+    JsonObjectWriter& integer(const char* key, std::int64_t value)
     {
         return raw(key, QByteArray::number(qint64(value)));
     }

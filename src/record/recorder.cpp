@@ -23,49 +23,49 @@ struct Batch {
 };
 } // namespace
 
-class Recorder::Thread {
+class Recorder::Worker {
 public:
-    Thread(RecorderSpec spec, std::unique_ptr<RecordingFile> file)
+    Worker(RecorderSpec spec, std::unique_ptr<RecordingFile> file)
         : m_spec(std::move(spec))
         , m_text(m_spec.format, m_spec.head)
         , m_file(std::move(file))
         , m_thread([this] { run(); })
     {}
 
-    ~Thread()
+    ~Worker()
     {
         stop();
         m_thread.join();
     }
 
-    bool offer(std::vector<RecordingRow>& rows, std::vector<Mark>& marks);
+    bool tryWrite(std::vector<RecordingRow>& rows, std::vector<Mark>& marks);
     void lost(std::uint64_t rows);
-    void reach(base::Duration now);
+    void advanceTo(base::Duration now);
     void stop();
     RecorderStatus status() const;
     const RecorderSpec& spec() const { return m_spec; }
 
 private:
-    enum class Next : std::uint8_t { GoOn, End };
+    enum class Next : std::uint8_t { Continue, End };
 
     void run();
-    Next round();
+    Next processQueue();
     base::Result<Next> write(std::deque<Batch>& batches);
     Next add(const Batch& batch);
     void addMark(const Mark& mark);
-    bool overAt(base::Duration at) const;
+    bool isOverAt(base::Duration at) const;
     base::Result<void> writeBlock();
     base::Result<void> flush(bool last);
     void publish();
     void end(const std::optional<base::Error>& error);
 
     const RecorderSpec m_spec;
-    const RecordingText m_text;
+    const RecordingFormatter m_text;
 
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;
-    std::deque<Batch> m_waiting;
-    std::size_t m_waitingSize = 0;
+    std::deque<Batch> m_queue;
+    std::size_t m_queuedSize = 0;
     std::optional<base::Duration> m_reached;
     std::uint64_t m_accepted = 0; ///< rows
     bool m_stopping = false;
@@ -73,17 +73,17 @@ private:
 
     // of the thread alone
     const std::unique_ptr<RecordingFile> m_file;
-    RecordingBlock m_block;
+    RecordingBlock m_blockSize;
     std::optional<base::Duration> m_start;    ///< of the first line
     std::optional<base::Duration> m_firstRow; ///< from here the length counts
     base::Duration m_lastRow{};
-    std::uint64_t m_strangers = 0; ///< rows of servos that are not in the head
-    std::chrono::steady_clock::time_point m_flushed = std::chrono::steady_clock::now();
+    std::uint64_t m_unknownRows = 0; ///< rows of servos that are not in the head
+    std::chrono::steady_clock::time_point m_lastFlush = std::chrono::steady_clock::now();
 
     std::thread m_thread; ///< last: it uses the others
 };
 
-bool Recorder::Thread::offer(std::vector<RecordingRow>& rows, std::vector<Mark>& marks)
+bool Recorder::Worker::tryWrite(std::vector<RecordingRow>& rows, std::vector<Mark>& marks)
 {
     const std::size_t size = rows.size() + marks.size();
     {
@@ -95,31 +95,31 @@ bool Recorder::Thread::offer(std::vector<RecordingRow>& rows, std::vector<Mark>&
             return true;
         }
         // A batch that is larger than the room by itself gets through when nothing else waits.
-        if (m_waitingSize > 0 && m_waitingSize + size > mostWaiting)
+        if (m_queuedSize > 0 && m_queuedSize + size > maxPending)
             return false;
         if (size == 0)
             return true;
         m_accepted += rows.size();
-        m_waiting.push_back({std::exchange(rows, {}), std::exchange(marks, {})});
-        m_waitingSize += size;
+        m_queue.push_back({std::exchange(rows, {}), std::exchange(marks, {})});
+        m_queuedSize += size;
     }
     m_wake.notify_one();
     return true;
 }
 
-void Recorder::Thread::lost(std::uint64_t rows)
+void Recorder::Worker::lost(std::uint64_t rows)
 {
     const std::lock_guard lock(m_mutex);
     m_status.lost += rows;
 }
 
-void Recorder::Thread::reach(base::Duration now)
+void Recorder::Worker::advanceTo(base::Duration now)
 {
     const std::lock_guard lock(m_mutex);
     m_reached = now; // looked at within a flush period
 }
 
-void Recorder::Thread::stop()
+void Recorder::Worker::stop()
 {
     {
         const std::lock_guard lock(m_mutex);
@@ -128,34 +128,34 @@ void Recorder::Thread::stop()
     m_wake.notify_one();
 }
 
-RecorderStatus Recorder::Thread::status() const
+RecorderStatus Recorder::Worker::status() const
 {
     const std::lock_guard lock(m_mutex);
     return m_status;
 }
 
-void Recorder::Thread::run()
+void Recorder::Worker::run()
 {
-    while (round() == Next::GoOn) {
+    while (processQueue() == Next::Continue) {
     }
 }
 
 /// Takes what waits, or wakes in time for the next flush.
-Recorder::Thread::Next Recorder::Thread::round()
+Recorder::Worker::Next Recorder::Worker::processQueue()
 {
     std::deque<Batch> batches;
     std::optional<base::Duration> reached;
     bool stopping = false;
     {
         std::unique_lock lock(m_mutex);
-        m_wake.wait_until(lock, m_flushed + flushPeriod,
-                          [this] { return m_stopping || !m_waiting.empty(); });
-        batches.swap(m_waiting);
+        m_wake.wait_until(lock, m_lastFlush + flushPeriod,
+                          [this] { return m_stopping || !m_queue.empty(); });
+        batches.swap(m_queue);
         reached = m_reached;
         stopping = m_stopping;
     }
     const auto next = write(batches);
-    const bool over = stopping || !next || *next == Next::End || (reached && overAt(*reached));
+    const bool over = stopping || !next || *next == Next::End || (reached && isOverAt(*reached));
     const auto flushed = next ? flush(over) : base::Result<void>();
     if (!next)
         end(next.error());
@@ -165,22 +165,22 @@ Recorder::Thread::Next Recorder::Thread::round()
         end(std::nullopt);
     else
         publish();
-    return over || !flushed ? Next::End : Next::GoOn;
+    return over || !flushed ? Next::End : Next::Continue;
 }
 
-base::Result<Recorder::Thread::Next> Recorder::Thread::write(std::deque<Batch>& batches)
+base::Result<Recorder::Worker::Next> Recorder::Worker::write(std::deque<Batch>& batches)
 {
-    Next next = Next::GoOn;
-    while (!batches.empty() && next == Next::GoOn) {
+    Next next = Next::Continue;
+    while (!batches.empty() && next == Next::Continue) {
         const Batch& batch = batches.front();
         next = add(batch);
-        if (m_block.text.size() >= blockSize) {
+        if (m_blockSize.text.size() >= blockSize) {
             if (const auto written = writeBlock(); !written)
                 return tl::unexpected(written.error());
         }
         {
             const std::lock_guard lock(m_mutex);
-            m_waitingSize -= batch.size();
+            m_queuedSize -= batch.size();
         }
         batches.pop_front();
     }
@@ -190,64 +190,64 @@ base::Result<Recorder::Thread::Next> Recorder::Thread::write(std::deque<Batch>& 
 }
 
 /// Rows and marks, each in order of time, become one sequence. End: the length is over.
-Recorder::Thread::Next Recorder::Thread::add(const Batch& batch)
+Recorder::Worker::Next Recorder::Worker::add(const Batch& batch)
 {
     auto mark = batch.marks.begin();
     for (const RecordingRow& row : batch.rows) {
         for (; mark != batch.marks.end() && mark->at < row.at; ++mark)
             addMark(*mark);
-        if (overAt(row.at))
+        if (isOverAt(row.at))
             return Next::End;
         if (!m_start)
             m_start = row.at;
-        if (!m_text.row(row.at - *m_start, row, m_block.text)) {
+        if (!m_text.row(row.at - *m_start, row, m_blockSize.text)) {
             lost(1); // of a servo that is not in the head
-            ++m_strangers;
+            ++m_unknownRows;
             continue;
         }
-        m_block.rowEnds.push_back(m_block.text.size());
+        m_blockSize.rowEnds.push_back(m_blockSize.text.size());
         if (!m_firstRow)
             m_firstRow = row.at;
         m_lastRow = row.at;
     }
     for (; mark != batch.marks.end(); ++mark)
         addMark(*mark);
-    return Next::GoOn;
+    return Next::Continue;
 }
 
-void Recorder::Thread::addMark(const Mark& mark)
+void Recorder::Worker::addMark(const Mark& mark)
 {
-    if (overAt(mark.at))
+    if (isOverAt(mark.at))
         return;
     if (!m_start)
         m_start = mark.at;
-    m_text.mark(mark.at - *m_start, mark, m_block.text);
+    m_text.mark(mark.at - *m_start, mark, m_blockSize.text);
 }
 
-bool Recorder::Thread::overAt(base::Duration at) const
+bool Recorder::Worker::isOverAt(base::Duration at) const
 {
     return m_spec.length.count() > 0 && m_firstRow && at - *m_firstRow >= m_spec.length;
 }
 
-base::Result<void> Recorder::Thread::writeBlock()
+base::Result<void> Recorder::Worker::writeBlock()
 {
-    if (m_block.text.empty())
+    if (m_blockSize.text.empty())
         return {};
-    auto written = m_file->append(m_block);
-    m_block.clear();
+    auto written = m_file->append(m_blockSize);
+    m_blockSize.clear();
     return written;
 }
 
-base::Result<void> Recorder::Thread::flush(bool last)
+base::Result<void> Recorder::Worker::flush(bool last)
 {
-    if (!last && std::chrono::steady_clock::now() < m_flushed + flushPeriod)
+    if (!last && std::chrono::steady_clock::now() < m_lastFlush + flushPeriod)
         return {};
     auto flushed = m_file->flush();
-    m_flushed = std::chrono::steady_clock::now();
+    m_lastFlush = std::chrono::steady_clock::now();
     return flushed;
 }
 
-void Recorder::Thread::publish()
+void Recorder::Worker::publish()
 {
     const std::lock_guard lock(m_mutex);
     m_status.rows = m_file->rows();
@@ -255,16 +255,16 @@ void Recorder::Thread::publish()
     m_status.elapsed = m_lastRow - m_firstRow.value_or(m_lastRow);
 }
 
-void Recorder::Thread::end(const std::optional<base::Error>& error)
+void Recorder::Worker::end(const std::optional<base::Error>& error)
 {
     publish();
     const std::lock_guard lock(m_mutex);
-    m_waiting.clear();
-    m_waitingSize = 0;
+    m_queue.clear();
+    m_queuedSize = 0;
     m_status.ended = true;
     m_status.error = error;
     if (error)
-        m_status.lost += m_accepted - m_strangers - m_status.rows;
+        m_status.lost += m_accepted - m_unknownRows - m_status.rows;
 }
 
 base::Result<std::unique_ptr<Recorder>> Recorder::start(const RecorderSpec& spec)
@@ -272,22 +272,22 @@ base::Result<std::unique_ptr<Recorder>> Recorder::start(const RecorderSpec& spec
     if (spec.head.channels.empty())
         return base::fail(base::ErrorCode::BadArgument, operation,
                           QStringLiteral("nothing to record"));
-    auto file = RecordingFile::create(spec.path, RecordingText(spec.format, spec.head).head());
+    auto file = RecordingFile::create(spec.path, RecordingFormatter(spec.format, spec.head).head());
     if (!file)
         return tl::unexpected(file.error());
     return std::unique_ptr<Recorder>(
-        new Recorder(std::make_unique<Thread>(spec, std::move(*file))));
+        new Recorder(std::make_unique<Worker>(spec, std::move(*file))));
 }
 
-Recorder::Recorder(std::unique_ptr<Thread> thread)
+Recorder::Recorder(std::unique_ptr<Worker> thread)
     : m_thread(std::move(thread))
 {}
 
 Recorder::~Recorder() = default;
 
-bool Recorder::offer(std::vector<RecordingRow>& rows, std::vector<Mark>& marks)
+bool Recorder::tryWrite(std::vector<RecordingRow>& rows, std::vector<Mark>& marks)
 {
-    return m_thread->offer(rows, marks);
+    return m_thread->tryWrite(rows, marks);
 }
 
 void Recorder::lost(std::uint64_t rows)
@@ -295,9 +295,9 @@ void Recorder::lost(std::uint64_t rows)
     m_thread->lost(rows);
 }
 
-void Recorder::reach(base::Duration now)
+void Recorder::advanceTo(base::Duration now)
 {
-    m_thread->reach(now);
+    m_thread->advanceTo(now);
 }
 
 void Recorder::stop()

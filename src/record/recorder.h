@@ -14,7 +14,7 @@ namespace record {
 struct RecorderSpec {
     QString path;
     RecordingFormat format = RecordingFormat::Csv;
-    RecordingHead head;
+    RecordingHeader head;
     base::Duration length{}; ///< 0: until stopped; counted from the first row
 };
 
@@ -29,7 +29,7 @@ struct RecorderStatus {
 
 class Recorder {
 public:
-    static constexpr std::size_t mostWaiting = 65536; ///< rows
+    static constexpr std::size_t maxPending = 65536; ///< rows
 
     /// Replaces what is in the file. FileUnwritable and DiskFull are told here, before anything is
     /// lost.
@@ -40,18 +40,18 @@ public:
 
     /// False: no room, nothing was taken; offer it again, or say lost(). Both come back empty when
     /// they were taken. After the end everything is taken and dropped (after an error: as lost).
-    bool offer(std::vector<RecordingRow>& rows, std::vector<Mark>& marks);
+    bool tryWrite(std::vector<RecordingRow>& rows, std::vector<Mark>& marks);
     void lost(std::uint64_t rows);
     /// Time goes on without rows too: ends a recording whose length is over.
-    void reach(base::Duration now);
+    void advanceTo(base::Duration now);
     /// Returns at once; status().ended follows when everything is on the disk.
     void stop();
     RecorderStatus status() const;
     const RecorderSpec& spec() const;
 
 private:
-    class Thread;
-    explicit Recorder(std::unique_ptr<Thread> thread);
-    std::unique_ptr<Thread> m_thread;
+    class Worker;
+    explicit Recorder(std::unique_ptr<Worker> thread);
+    std::unique_ptr<Worker> m_thread;
 };
 } // namespace record

@@ -14,11 +14,11 @@ namespace record {
 namespace {
 const QString operation = QStringLiteral("load-recording");
 constexpr std::size_t blockSize = std::size_t(1) << 20;
-constexpr std::size_t longestLine = blockSize; ///< far more than any servo has registers
+constexpr std::size_t maxLineLength = blockSize; ///< far more than any servo has registers
 
-class Loader {
+class RecordingLoader {
 public:
-    Loader(const QString& path, SampleStore& store)
+    RecordingLoader(const QString& path, SampleStore& store)
         : m_path(path)
         , m_store(store)
     {}
@@ -28,16 +28,16 @@ public:
     void discard();
 
 private:
-    base::Result<void> takeLine(std::string_view line);
-    base::Result<void> takeHead(std::string_view line);
-    bool startsAfterEarlier(const RecordingLine& line);
-    void takeRow(const RecordingLine& line);
-    tl::unexpected<base::Error> wrong(const QString& what) const;
+    base::Result<void> parseLine(std::string_view line);
+    base::Result<void> parseHeader(std::string_view line);
+    bool isInOrder(const RecordingLine& line);
+    void storeRow(const RecordingLine& line);
+    tl::unexpected<base::Error> formatError(const QString& what) const;
 
     QString m_path;
     SampleStore& m_store;
     std::unique_ptr<RecordingReader> m_reader;
-    bool m_headComplete = false;
+    bool m_isHeaderComplete = false;
     quint64 m_lines = 0;
     std::string m_unfinished;
     bool m_tooLong = false; ///< the unfinished line is thrown away up to its end
@@ -46,25 +46,25 @@ private:
     LoadedRecording m_loaded;
 };
 
-tl::unexpected<base::Error> Loader::wrong(const QString& what) const
+tl::unexpected<base::Error> RecordingLoader::formatError(const QString& what) const
 {
     return base::fail(base::ErrorCode::FileFormat, operation,
                       QStringLiteral("%1: line %2: %3").arg(m_path).arg(m_lines).arg(what));
 }
 
-base::Result<void> Loader::take(std::string_view bytes)
+base::Result<void> RecordingLoader::take(std::string_view bytes)
 {
     while (!bytes.empty()) {
         const std::size_t end = bytes.find('\n');
         if (end == bytes.npos) {
-            m_tooLong = m_tooLong || m_unfinished.size() + bytes.size() > longestLine;
+            m_tooLong = m_tooLong || m_unfinished.size() + bytes.size() > maxLineLength;
             m_unfinished = m_tooLong ? std::string("?") : m_unfinished.append(bytes);
             return {};
         }
         std::string_view line = bytes.substr(0, end);
         if (!m_unfinished.empty())
             line = m_unfinished.append(line);
-        if (const auto taken = takeLine(line); !taken)
+        if (const auto taken = parseLine(line); !taken)
             return taken;
         m_unfinished.clear();
         m_tooLong = false;
@@ -73,39 +73,39 @@ base::Result<void> Loader::take(std::string_view bytes)
     return {};
 }
 
-base::Result<void> Loader::takeLine(std::string_view line)
+base::Result<void> RecordingLoader::parseLine(std::string_view line)
 {
     ++m_lines;
     if (m_lines == 1 && line.substr(0, 3) == "\xEF\xBB\xBF")
         line.remove_prefix(3);
     if (!line.empty() && line.back() == '\r')
         line.remove_suffix(1);
-    if (!m_headComplete)
-        return takeHead(line);
-    auto verdict = m_tooLong ? RecordingReader::Verdict::Bad : m_reader->take(line, m_line);
-    if (verdict == RecordingReader::Verdict::Content && !startsAfterEarlier(m_line))
-        verdict = RecordingReader::Verdict::Bad;
-    if (verdict == RecordingReader::Verdict::Bad)
+    if (!m_isHeaderComplete)
+        return parseHeader(line);
+    auto verdict = m_tooLong ? RecordingReader::LineKind::Invalid : m_reader->take(line, m_line);
+    if (verdict == RecordingReader::LineKind::Content && !isInOrder(m_line))
+        verdict = RecordingReader::LineKind::Invalid;
+    if (verdict == RecordingReader::LineKind::Invalid)
         ++m_loaded.report.badLines;
-    if (verdict != RecordingReader::Verdict::Content)
+    if (verdict != RecordingReader::LineKind::Content)
         return {};
     if (m_line.isRow)
-        takeRow(m_line);
+        storeRow(m_line);
     if (m_line.mark)
         m_loaded.marks.push_back(*m_line.mark);
     return {};
 }
 
-base::Result<void> Loader::takeHead(std::string_view line)
+base::Result<void> RecordingLoader::parseHeader(std::string_view line)
 {
     if (!m_reader)
         m_reader = line.substr(0, 1) == "{" ? makeJsonLinesReader() : makeCsvReader();
-    const auto head = m_reader->takeHead(line);
+    const auto head = m_reader->parseHeader(line);
     if (!head)
-        return wrong(head.error());
-    if (*head == RecordingReader::Head::More)
+        return formatError(head.error());
+    if (*head == RecordingReader::HeaderState::More)
         return {};
-    m_headComplete = true;
+    m_isHeaderComplete = true;
     m_loaded.head = m_reader->head();
     m_latest.resize(m_reader->servos().size());
     for (std::size_t i = 0; i < m_loaded.head.channels.size(); ++i)
@@ -114,7 +114,7 @@ base::Result<void> Loader::takeHead(std::string_view line)
 }
 
 /// A row that goes back in its servo's time was put there by hand.
-bool Loader::startsAfterEarlier(const RecordingLine& line)
+bool RecordingLoader::isInOrder(const RecordingLine& line)
 {
     if (!line.isRow)
         return true;
@@ -125,7 +125,7 @@ bool Loader::startsAfterEarlier(const RecordingLine& line)
     return true;
 }
 
-void Loader::takeRow(const RecordingLine& line)
+void RecordingLoader::storeRow(const RecordingLine& line)
 {
     const std::vector<std::size_t>& channels = m_reader->servos()[line.servo];
     const bool answered = std::any_of(line.values.begin(), line.values.end(),
@@ -144,33 +144,33 @@ void Loader::takeRow(const RecordingLine& line)
     report.span.to = std::max(report.span.to, line.at);
 }
 
-base::Result<LoadedRecording> Loader::finish()
+base::Result<LoadedRecording> RecordingLoader::finish()
 {
-    if (!m_headComplete) {
+    if (!m_isHeaderComplete) {
         ++m_lines;
-        return wrong(m_lines == 1 && m_unfinished.empty()
-                         ? QStringLiteral("the file is empty")
-                         : QStringLiteral("the file ends within its head"));
+        return formatError(m_lines == 1 && m_unfinished.empty()
+                               ? QStringLiteral("the file is empty")
+                               : QStringLiteral("the file ends within its head"));
     }
-    m_loaded.report.cutOff = !m_unfinished.empty();
+    m_loaded.report.isTruncated = !m_unfinished.empty();
     std::stable_sort(m_loaded.marks.begin(), m_loaded.marks.end(),
                      [](const Mark& a, const Mark& b) { return a.at < b.at; });
     return std::move(m_loaded);
 }
 
-void Loader::discard()
+void RecordingLoader::discard()
 {
     for (const ChannelId id : m_loaded.ids)
         m_store.close(id);
 }
 
-base::Result<void> readInto(Loader& loader, QFile& file, const base::Stop& stop,
+base::Result<void> readInto(RecordingLoader& loader, QFile& file, const base::StopToken& stop,
                             const std::function<void(double)>& onProgress)
 {
     std::vector<char> block(blockSize);
     const auto size = double(std::max<qint64>(file.size(), 1));
     while (true) {
-        if (stop.requested())
+        if (stop.isRequested())
             return base::fail(base::ErrorCode::Stopped, operation);
         const qint64 got = file.read(block.data(), qint64(block.size()));
         if (got < 0)
@@ -186,14 +186,14 @@ base::Result<void> readInto(Loader& loader, QFile& file, const base::Stop& stop,
 }
 } // namespace
 
-RecordingFormat formatOf(const QString& path)
+RecordingFormat recordingFormatOf(const QString& path)
 {
     return path.endsWith(QLatin1String(".jsonl"), Qt::CaseInsensitive) ? RecordingFormat::JsonLines
                                                                        : RecordingFormat::Csv;
 }
 
 base::Result<LoadedRecording> loadRecording(const QString& path, SampleStore& into,
-                                            const base::Stop& stop,
+                                            const base::StopToken& stop,
                                             const std::function<void(double)>& onProgress)
 {
     const QFileInfo source(path);
@@ -206,7 +206,7 @@ base::Result<LoadedRecording> loadRecording(const QString& path, SampleStore& in
     if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
         return base::fail(base::ErrorCode::FileUnreadable, operation,
                           path + QStringLiteral(": ") + file.errorString());
-    Loader loader(path, into);
+    RecordingLoader loader(path, into);
     if (const auto read = readInto(loader, file, stop, onProgress); !read) {
         loader.discard();
         return tl::unexpected(read.error());

@@ -16,7 +16,7 @@
 
 namespace record {
 enum class RecordingFormat : std::uint8_t { Csv, JsonLines };
-RecordingFormat formatOf(const QString& path); ///< by its end; .jsonl is JsonLines
+RecordingFormat recordingFormatOf(const QString& path); ///< by its end; .jsonl is JsonLines
 
 struct RecordingChannel {
     int servo = 0;     ///< groups channels that are read together; any number, equal = one servo
@@ -28,7 +28,7 @@ struct RecordingChannel {
     bool operator==(const RecordingChannel&) const = default;
 };
 
-struct RecordingHead {
+struct RecordingHeader {
     QDateTime started{};
     QString program{}; ///< "ServoDesk 0.1.0"
     QString port{};
@@ -48,12 +48,12 @@ struct RecordingRow {
 struct RecordingReport {
     std::uint64_t rows = 0;
     std::uint64_t badLines = 0; ///< not understood, left out (edited by hand)
-    bool cutOff = false;        ///< the last line has no end: the program or the machine had died
+    bool isTruncated = false;   ///< the last line has no end: the program or the machine had died
     TimeSpan span{};            ///< of its rows, from the start of the recording
 };
 
 struct LoadedRecording {
-    RecordingHead head;
+    RecordingHeader head;
     std::vector<ChannelId> ids;
     std::vector<Mark> marks;
     RecordingReport report;
@@ -64,6 +64,6 @@ struct LoadedRecording {
 /// detail says where), Stopped; then no channel is left behind. Bad lines are left out and counted.
 /// `onProgress` gets 0…1.
 base::Result<LoadedRecording> loadRecording(const QString& path, SampleStore& into,
-                                            const base::Stop& stop,
+                                            const base::StopToken& stop,
                                             const std::function<void(double)>& onProgress = {});
 } // namespace record

@@ -12,12 +12,12 @@ namespace record {
 namespace {
 constexpr std::string_view title = "# ServoDesk recording ";
 
-QString words(std::string_view text)
+QString toQString(std::string_view text)
 {
     return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
-std::optional<int> wholeNumber(std::string_view text)
+std::optional<int> parseInt(std::string_view text)
 {
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -27,7 +27,7 @@ std::optional<int> wholeNumber(std::string_view text)
 }
 
 /// Takes what is before the next blank.
-std::string_view takeWord(std::string_view& text)
+std::string_view nextWord(std::string_view& text)
 {
     const std::size_t end = std::min(text.find(' '), text.size());
     const std::string_view word = text.substr(0, end);
@@ -46,14 +46,14 @@ QString unescaped(std::string_view text)
         ++i;
         plain += text[i] == 'n' ? '\n' : text[i] == 'r' ? '\r' : text[i];
     }
-    return words(plain);
+    return toQString(plain);
 }
 
 std::optional<Mark> parseMark(std::string_view text, base::Duration at)
 {
-    const auto kind = markFromName(words(takeWord(text)));
-    const std::string_view id = takeWord(text);
-    const std::optional<int> number = id == "-" ? std::optional(-1) : wholeNumber(id);
+    const auto kind = markFromName(toQString(nextWord(text)));
+    const std::string_view id = nextWord(text);
+    const std::optional<int> number = id == "-" ? std::optional(-1) : parseInt(id);
     if (!kind || !number)
         return std::nullopt;
     return Mark{at, *kind, *number, unescaped(text)};
@@ -61,8 +61,8 @@ std::optional<Mark> parseMark(std::string_view text, base::Duration at)
 
 class CsvReader final : public RecordingReader {
 public:
-    tl::expected<Head, QString> takeHead(std::string_view line) override;
-    Verdict take(std::string_view line, RecordingLine& out) override;
+    tl::expected<HeaderState, QString> parseHeader(std::string_view line) override;
+    LineKind take(std::string_view line, RecordingLine& out) override;
 
 private:
     struct Column {
@@ -71,99 +71,98 @@ private:
         std::size_t servo = 0;
         std::size_t place = 0; ///< among that servo's values
     };
-    struct Named {
+    struct NamedServo {
         std::string label;
         RecordingChannel servo;
     };
 
-    tl::expected<Head, QString> takeTitle(std::string_view line);
-    void takeRemark(std::string_view remark);
-    void takeServo(std::string_view remark);
-    tl::expected<Head, QString> takeColumns(std::string_view line);
-    Column columnCalled(std::string_view name);
-    std::optional<std::size_t> servoCalled(std::string_view label) const;
+    tl::expected<HeaderState, QString> parseTitle(std::string_view line);
+    void parseComment(std::string_view comment);
+    void parseServo(std::string_view comment);
+    tl::expected<HeaderState, QString> parseColumns(std::string_view line);
+    Column findColumn(std::string_view name);
+    std::optional<std::size_t> findServoByLabel(std::string_view label) const;
 
-    bool m_titled = false;
-    std::vector<Named> m_named;
+    bool m_hasTitle = false;
+    std::vector<NamedServo> m_namedServos;
     std::vector<Column> m_columns;
     std::size_t m_time = 0;
     std::size_t m_servo = 0;
     std::vector<std::pair<std::string, std::size_t>> m_labels;
-    CsvCells m_cells;
+    CsvLineParser m_cells;
 };
 
-tl::expected<RecordingReader::Head, QString> CsvReader::takeHead(std::string_view line)
+tl::expected<RecordingReader::HeaderState, QString> CsvReader::parseHeader(std::string_view line)
 {
     if (line.substr(0, 2) == "\"#")
         line = m_cells.split(line).front();
-    const bool remark = line.substr(0, 1) == "#";
+    const bool comment = line.substr(0, 1) == "#";
     const bool blank = line.find_first_not_of(", \t") == line.npos;
-    if (m_titled && !remark && !blank)
-        return takeColumns(line);
-    while (remark && (line.back() == ',' || line.back() == ' '))
+    if (m_hasTitle && !comment && !blank)
+        return parseColumns(line);
+    while (comment && (line.back() == ',' || line.back() == ' '))
         line.remove_suffix(1);
-    if (!m_titled)
-        return takeTitle(line);
-    if (remark)
-        takeRemark(trimmed(line.substr(1)));
-    return Head::More;
+    if (!m_hasTitle)
+        return parseTitle(line);
+    if (comment)
+        parseComment(trimmed(line.substr(1)));
+    return HeaderState::More;
 }
 
-tl::expected<RecordingReader::Head, QString> CsvReader::takeTitle(std::string_view line)
+tl::expected<RecordingReader::HeaderState, QString> CsvReader::parseTitle(std::string_view line)
 {
-    const auto version = line.substr(0, title.size()) == title
-                             ? wholeNumber(line.substr(title.size()))
-                             : std::nullopt;
+    const auto version =
+        line.substr(0, title.size()) == title ? parseInt(line.substr(title.size())) : std::nullopt;
     if (!version || *version < 1)
         return tl::unexpected(QStringLiteral("no recording: it does not begin with \"%1%2\"")
-                                  .arg(words(title))
+                                  .arg(toQString(title))
                                   .arg(recordingVersion));
     if (*version > recordingVersion)
         return tl::unexpected(QStringLiteral("format version %1, this program knows %2")
                                   .arg(*version)
                                   .arg(recordingVersion));
-    m_titled = true;
-    return Head::More;
+    m_hasTitle = true;
+    return HeaderState::More;
 }
 
-void CsvReader::takeRemark(std::string_view remark)
+void CsvReader::parseComment(std::string_view comment)
 {
-    const std::string_view key = takeWord(remark);
+    const std::string_view key = nextWord(comment);
     if (key == "started")
-        m_head.started = QDateTime::fromString(words(remark), Qt::ISODateWithMs);
+        m_head.started = QDateTime::fromString(toQString(comment), Qt::ISODateWithMs);
     else if (key == "program")
-        m_head.program = words(remark);
+        m_head.program = toQString(comment);
     else if (key == "port")
-        m_head.port = words(remark);
+        m_head.port = toQString(comment);
     else if (key == "baud")
-        m_head.baud = wholeNumber(remark).value_or(0);
+        m_head.baud = parseInt(comment).value_or(0);
     else if (key == "simulated")
-        m_head.simulated = remark == "yes";
+        m_head.simulated = comment == "yes";
     else if (key == "servo")
-        takeServo(remark);
+        parseServo(comment);
 }
 
-void CsvReader::takeServo(std::string_view remark)
+void CsvReader::parseServo(std::string_view comment)
 {
-    Named named;
-    named.label = takeWord(remark);
-    const auto number = wholeNumber(takeWord(remark));
-    const auto id = wholeNumber(takeWord(remark));
+    NamedServo named;
+    named.label = nextWord(comment);
+    const auto number = parseInt(nextWord(comment));
+    const auto id = parseInt(nextWord(comment));
     if (!number || !id)
         return; // its columns are then unknown ones
     named.servo.servo = *number;
     named.servo.servoId = *id;
-    named.servo.protocol = words(takeWord(remark));
-    named.servo.servoName = words(remark);
-    m_named.push_back(named);
+    named.servo.protocol = toQString(nextWord(comment));
+    named.servo.servoName = toQString(comment);
+    m_namedServos.push_back(named);
 }
 
-tl::expected<RecordingReader::Head, QString> CsvReader::takeColumns(std::string_view line)
+tl::expected<RecordingReader::HeaderState, QString> CsvReader::parseColumns(std::string_view line)
 {
     bool time = false;
     bool servo = false;
     for (const std::string_view name : m_cells.split(line)) {
-        Column column = columnCalled(name);
+        Column column = findColumn(name);
         if (column.kind == Column::Kind::Time) {
             time = true;
             m_time = m_columns.size();
@@ -180,10 +179,10 @@ tl::expected<RecordingReader::Head, QString> CsvReader::takeColumns(std::string_
                                   .arg(time ? QStringLiteral("servo") : QStringLiteral("time_us")));
     if (m_head.channels.empty())
         return tl::unexpected(QStringLiteral("no column of a servo"));
-    return Head::Complete;
+    return HeaderState::Complete;
 }
 
-CsvReader::Column CsvReader::columnCalled(std::string_view name)
+CsvReader::Column CsvReader::findColumn(std::string_view name)
 {
     if (name == "time_us")
         return {Column::Kind::Time};
@@ -196,21 +195,21 @@ CsvReader::Column CsvReader::columnCalled(std::string_view name)
     if (dot == name.npos || unit == name.npos || unit < dot || name.back() != ']')
         return {};
     const std::string_view label = name.substr(0, dot);
-    for (const Named& named : m_named) {
+    for (const NamedServo& named : m_namedServos) {
         if (named.label != label)
             continue;
         RecordingChannel channel = named.servo;
         channel.key = unescaped(name.substr(dot + 1, unit - dot - 1));
         channel.unit = unescaped(name.substr(unit + 1, name.size() - unit - 2));
         const auto [servo, place] = addChannel(channel);
-        if (!servoCalled(label))
+        if (!findServoByLabel(label))
             m_labels.emplace_back(label, servo);
         return {Column::Kind::Value, servo, place};
     }
     return {};
 }
 
-std::optional<std::size_t> CsvReader::servoCalled(std::string_view label) const
+std::optional<std::size_t> CsvReader::findServoByLabel(std::string_view label) const
 {
     for (const auto& named : m_labels) {
         if (named.first == label)
@@ -219,22 +218,22 @@ std::optional<std::size_t> CsvReader::servoCalled(std::string_view label) const
     return std::nullopt;
 }
 
-RecordingReader::Verdict CsvReader::take(std::string_view line, RecordingLine& out)
+RecordingReader::LineKind CsvReader::take(std::string_view line, RecordingLine& out)
 {
     out.clear();
     if (line.empty() || line.front() == '#' || line.substr(0, 2) == "\"#")
-        return Verdict::Nothing;
+        return LineKind::Blank;
     const std::vector<std::string_view>& cells = m_cells.split(line);
     if (cells.size() < m_columns.size())
-        return Verdict::Bad;
+        return LineKind::Invalid;
     const auto at = parseInstant(cells[m_time]);
     if (!at)
-        return Verdict::Bad;
+        return LineKind::Invalid;
     out.at = *at;
     if (!cells[m_servo].empty()) {
-        const auto servo = servoCalled(cells[m_servo]);
+        const auto servo = findServoByLabel(cells[m_servo]);
         if (!servo)
-            return Verdict::Bad;
+            return LineKind::Invalid;
         out.isRow = true;
         out.servo = *servo;
         out.values.assign(servos()[*servo].size(), std::numeric_limits<double>::quiet_NaN());
@@ -243,20 +242,20 @@ RecordingReader::Verdict CsvReader::take(std::string_view line, RecordingLine& o
         if (cells[i].empty())
             continue;
         if (i >= m_columns.size())
-            return Verdict::Bad;
+            return LineKind::Invalid;
         const Column& column = m_columns[i];
         if (column.kind == Column::Kind::Marks) {
             out.mark = parseMark(cells[i], *at);
             if (!out.mark)
-                return Verdict::Bad;
+                return LineKind::Invalid;
         } else if (column.kind == Column::Kind::Value) {
             const auto value = parseNumber(cells[i]);
             if (!value || !out.isRow || column.servo != out.servo)
-                return Verdict::Bad;
+                return LineKind::Invalid;
             out.values[column.place] = *value;
         }
     }
-    return out.isRow || out.mark ? Verdict::Content : Verdict::Nothing;
+    return out.isRow || out.mark ? LineKind::Content : LineKind::Blank;
 }
 } // namespace
 

@@ -33,7 +33,7 @@ base::Result<std::unique_ptr<RecordingFile>> RecordingFile::create(const QString
                                                                    const std::string& head)
 {
     if (path.isEmpty())
-        return tl::unexpected(noName(operation));
+        return tl::unexpected(noFileNameError(operation));
     std::unique_ptr<RecordingFile> made(new RecordingFile(path));
     FileHandle& file = made->m_file;
     if (!file.isOpen())
@@ -41,7 +41,7 @@ base::Result<std::unique_ptr<RecordingFile>> RecordingFile::create(const QString
     const auto info = file.info();
     if (!info)
         return tl::unexpected(made->lastError());
-    made->m_mark = info->mark;
+    made->m_fileId = info->id;
     if (info->regular && !file.truncate(0))
         return tl::unexpected(made->lastError());
     if (const auto written = made->append({head, {}}); !written)
@@ -60,18 +60,18 @@ base::Result<void> RecordingFile::append(const RecordingBlock& block)
         return {};
     }
     const base::Error error = lastError();
-    keepWholeLines(block);
+    truncateToWholeLines(block);
     return tl::unexpected(error);
 }
 
 /// A part of the block may have found room: as many lines of it as are whole stay.
-void RecordingFile::keepWholeLines(const RecordingBlock& block)
+void RecordingFile::truncateToWholeLines(const RecordingBlock& block)
 {
     const auto info = m_file.info();
-    const std::uint64_t there = info ? std::uint64_t(info->size) : 0;
-    const std::uint64_t came = there > m_size ? there - m_size : 0;
+    const std::uint64_t currentSize = info ? std::uint64_t(info->size) : 0;
+    const std::uint64_t addedBytes = currentSize > m_size ? currentSize - m_size : 0;
     const std::size_t end =
-        came == 0 ? block.text.npos : block.text.rfind('\n', std::size_t(came) - 1);
+        addedBytes == 0 ? block.text.npos : block.text.rfind('\n', std::size_t(addedBytes) - 1);
     const std::size_t kept = end == block.text.npos ? 0 : end + 1;
     m_size += kept;
     m_file.truncate(qint64(m_size));
@@ -81,7 +81,7 @@ void RecordingFile::keepWholeLines(const RecordingBlock& block)
 
 base::Result<void> RecordingFile::flush()
 {
-    if (const auto named = needName(); !named)
+    if (const auto named = checkFile(); !named)
         return named;
     if (!m_file.sync())
         return tl::unexpected(lastError());
@@ -89,10 +89,10 @@ base::Result<void> RecordingFile::flush()
 }
 
 /// What is written to a file that was deleted or moved away succeeds, and nobody finds it.
-base::Result<void> RecordingFile::needName() const
+base::Result<void> RecordingFile::checkFile() const
 {
     const auto named = FileHandle::infoOf(m_path);
-    const bool mine = named && named->mark == m_mark;
+    const bool mine = named && named->id == m_fileId;
     if (mine && (!named->regular || std::uint64_t(named->size) == m_size))
         return {};
     const QFileInfo folder(QFileInfo(m_path).absolutePath());

@@ -33,12 +33,12 @@ public:
 private:
     explicit RecordingFile(const QString& path);
     base::Error lastError() const;
-    base::Result<void> needName() const;
-    void keepWholeLines(const RecordingBlock& block);
+    base::Result<void> checkFile() const;
+    void truncateToWholeLines(const RecordingBlock& block);
 
     QString m_path;
     FileHandle m_file;
-    FileMark m_mark;
+    FileId m_fileId;
     std::uint64_t m_size = 0;
     std::uint64_t m_rows = 0;
 };

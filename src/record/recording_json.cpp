@@ -12,7 +12,7 @@
 
 namespace record {
 namespace {
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 QByteArray bytesOf(std::string_view text)
 {
@@ -20,22 +20,22 @@ QByteArray bytesOf(std::string_view text)
 }
 
 /// Walks through a line; once something does not fit, ok() stays false.
-class Scan {
+class TextScanner {
 public:
-    explicit Scan(std::string_view text)
+    explicit TextScanner(std::string_view text)
         : m_text(text)
     {}
     bool ok() const { return m_ok; }
     bool atEnd() const { return m_text.empty(); }
 
-    bool skips(std::string_view expected)
+    bool skipText(std::string_view expected)
     {
         if (m_text.substr(0, expected.size()) != expected)
             return false;
         m_text.remove_prefix(expected.size());
         return true;
     }
-    void need(std::string_view expected) { m_ok = skips(expected) && m_ok; }
+    void expect(std::string_view expected) { m_ok = skipText(expected) && m_ok; }
     template <typename Number>
     Number number()
     {
@@ -54,25 +54,26 @@ private:
 
 class JsonLinesReader final : public RecordingReader {
 public:
-    tl::expected<Head, QString> takeHead(std::string_view line) override;
-    Verdict take(std::string_view line, RecordingLine& out) override;
+    tl::expected<HeaderState, QString> parseHeader(std::string_view line) override;
+    LineKind take(std::string_view line, RecordingLine& out) override;
 
 private:
-    bool takeOwn(std::string_view line, RecordingLine& out) const;
-    bool takeRow(const JsonReader& reader, const QJsonArray& values, RecordingLine& out) const;
+    bool parseOwnLine(std::string_view line, RecordingLine& out) const;
+    bool parseRow(const JsonReader& reader, const QJsonArray& values, RecordingLine& out) const;
 };
 
-tl::expected<RecordingReader::Head, QString> JsonLinesReader::takeHead(std::string_view line)
+tl::expected<RecordingReader::HeaderState, QString>
+JsonLinesReader::parseHeader(std::string_view line)
 {
     const auto object = parseJson(bytesOf(line));
     if (!object)
         return tl::unexpected(object.error());
-    JsonComplaint complaint;
-    const JsonReader reader(*object, complaint);
+    JsonReadError readError;
+    const JsonReader reader(*object, readError);
     if (reader.text("format") != QLatin1String("servodesk-recording"))
         return tl::unexpected(QStringLiteral("no recording: \"format\" is not "
                                              "\"servodesk-recording\""));
-    const int version = reader.small("version");
+    const int version = reader.smallInteger("version");
     if (version > recordingVersion)
         return tl::unexpected(QStringLiteral("format version %1, this program knows %2")
                                   .arg(version)
@@ -81,36 +82,36 @@ tl::expected<RecordingReader::Head, QString> JsonLinesReader::takeHead(std::stri
         m_head.started = reader.time("started");
     m_head.program = reader.text("program");
     m_head.port = reader.text("port");
-    m_head.baud = reader.small("baud");
+    m_head.baud = reader.smallInteger("baud");
     m_head.simulated = reader.flag("simulated");
     for (const JsonReader& channel : reader.objects("channels"))
-        addChannel({channel.small("servo"), channel.small("id"), channel.text("name"),
-                    channel.text("protocol"), channel.filledText("key"), channel.text("unit")});
-    if (complaint.made())
-        return tl::unexpected(complaint.text());
+        addChannel({channel.smallInteger("servo"), channel.smallInteger("id"), channel.text("name"),
+                    channel.text("protocol"), channel.nonEmptyText("key"), channel.text("unit")});
+    if (readError.isSet())
+        return tl::unexpected(readError.text());
     if (m_head.channels.empty())
         return tl::unexpected(QStringLiteral("channels: none"));
-    return Head::Complete;
+    return HeaderState::Complete;
 }
 
-bool JsonLinesReader::takeOwn(std::string_view line, RecordingLine& out) const
+bool JsonLinesReader::parseOwnLine(std::string_view line, RecordingLine& out) const
 {
-    Scan scan(line);
-    scan.need("{\"t\":");
+    TextScanner scan(line);
+    scan.expect("{\"t\":");
     const auto at = base::Duration(scan.number<std::int64_t>());
-    scan.need(",\"s\":");
+    scan.expect(",\"s\":");
     const auto servo = servoOf(scan.number<int>());
-    scan.need(",\"v\":[");
+    scan.expect(",\"v\":[");
     if (!scan.ok() || !servo)
         return false;
-    out.values.assign(servos()[*servo].size(), nothing);
+    out.values.assign(servos()[*servo].size(), nan);
     for (std::size_t i = 0; i < out.values.size(); ++i) {
         if (i > 0)
-            scan.need(",");
-        if (!scan.skips("null"))
+            scan.expect(",");
+        if (!scan.skipText("null"))
             out.values[i] = scan.number<double>();
     }
-    scan.need("]}");
+    scan.expect("]}");
     if (!scan.ok() || !scan.atEnd())
         return false;
     out.at = at;
@@ -119,45 +120,45 @@ bool JsonLinesReader::takeOwn(std::string_view line, RecordingLine& out) const
     return true;
 }
 
-bool JsonLinesReader::takeRow(const JsonReader& reader, const QJsonArray& values,
-                              RecordingLine& out) const
+bool JsonLinesReader::parseRow(const JsonReader& reader, const QJsonArray& values,
+                               RecordingLine& out) const
 {
-    const auto servo = servoOf(reader.small("s"));
+    const auto servo = servoOf(reader.smallInteger("s"));
     if (!servo || std::size_t(values.size()) != servos()[*servo].size())
         return false;
     out.values.clear();
     for (const QJsonValue& value : values) {
         if (!value.isDouble() && !value.isNull())
             return false;
-        out.values.push_back(value.toDouble(nothing));
+        out.values.push_back(value.toDouble(nan));
     }
     out.servo = *servo;
     out.isRow = true;
     return true;
 }
 
-RecordingReader::Verdict JsonLinesReader::take(std::string_view line, RecordingLine& out)
+RecordingReader::LineKind JsonLinesReader::take(std::string_view line, RecordingLine& out)
 {
     out.clear();
     if (line.find_first_not_of(" \t") == line.npos)
-        return Verdict::Nothing;
-    if (takeOwn(line, out))
-        return inTime(out.at) ? Verdict::Content : Verdict::Bad;
+        return LineKind::Blank;
+    if (parseOwnLine(line, out))
+        return isValidTime(out.at) ? LineKind::Content : LineKind::Invalid;
     const auto object = parseJson(bytesOf(line));
     if (!object)
-        return Verdict::Bad;
-    JsonComplaint complaint;
-    const JsonReader reader(*object, complaint);
+        return LineKind::Invalid;
+    JsonReadError readError;
+    const JsonReader reader(*object, readError);
     out.at = base::Duration(reader.integer("t"));
-    if (reader.has("mark")) {
+    if (reader.contains("mark")) {
         const auto kind = markFromName(reader.text("mark"));
         if (!kind)
-            return Verdict::Bad;
-        out.mark = Mark{out.at, *kind, reader.small("id"), reader.text("text")};
-    } else if (!takeRow(reader, object->value(QLatin1String("v")).toArray(), out)) {
-        return Verdict::Bad;
+            return LineKind::Invalid;
+        out.mark = Mark{out.at, *kind, reader.smallInteger("id"), reader.text("text")};
+    } else if (!parseRow(reader, object->value(QLatin1String("v")).toArray(), out)) {
+        return LineKind::Invalid;
     }
-    return complaint.made() || !inTime(out.at) ? Verdict::Bad : Verdict::Content;
+    return readError.isSet() || !isValidTime(out.at) ? LineKind::Invalid : LineKind::Content;
 }
 } // namespace
 

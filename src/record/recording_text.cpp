@@ -14,10 +14,10 @@
 
 namespace record {
 namespace {
-constexpr base::Duration farthest = std::chrono::hours(24 * 366 * 10);
+constexpr base::Duration maxTime = std::chrono::hours(24 * 366 * 10);
 
 template <typename Number>
-void put(std::string& out, Number number)
+void appendNumber(std::string& out, Number number)
 {
     std::array<char, 32> digits;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
@@ -25,7 +25,7 @@ void put(std::string& out, Number number)
 }
 
 /// A '#' line is one line, whatever a port is called.
-std::string oneLine(const QString& text)
+std::string simplifiedText(const QString& text)
 {
     return text.simplified().toStdString();
 }
@@ -54,7 +54,7 @@ QString isoTime(const QDateTime& time)
 }
 } // namespace
 
-RecordingText::RecordingText(RecordingFormat format, const RecordingHead& head)
+RecordingFormatter::RecordingFormatter(RecordingFormat format, const RecordingHeader& head)
     : m_format(format)
     , m_head(head)
 {
@@ -64,12 +64,12 @@ RecordingText::RecordingText(RecordingFormat format, const RecordingHead& head)
             return one.number == channel.servo;
         });
         if (servo == m_servos.end())
-            servo = m_servos.insert(servo, {channel.servo, freeLabel(channel.servoId), {}});
+            servo = m_servos.insert(servo, {channel.servo, uniqueLabel(channel.servoId), {}});
         servo->cells.push_back(i);
     }
 }
 
-std::string RecordingText::freeLabel(int servoId) const
+std::string RecordingFormatter::uniqueLabel(int servoId) const
 {
     std::string label = std::to_string(servoId);
     const auto taken = [&label](const Servo& servo) { return servo.label == label; };
@@ -78,7 +78,7 @@ std::string RecordingText::freeLabel(int servoId) const
     return label;
 }
 
-const RecordingText::Servo* RecordingText::servoOf(int number) const
+const RecordingFormatter::Servo* RecordingFormatter::servoOf(int number) const
 {
     for (const Servo& servo : m_servos) {
         if (servo.number == number)
@@ -87,24 +87,24 @@ const RecordingText::Servo* RecordingText::servoOf(int number) const
     return nullptr;
 }
 
-std::string RecordingText::head() const
+std::string RecordingFormatter::head() const
 {
-    return m_format == RecordingFormat::Csv ? csvHead() : jsonHead();
+    return m_format == RecordingFormat::Csv ? csvHeader() : jsonHeader();
 }
 
-std::string RecordingText::csvHead() const
+std::string RecordingFormatter::csvHeader() const
 {
     std::string text = "# ServoDesk recording " + std::to_string(recordingVersion) + '\n';
     text += "# started " + isoTime(m_head.started).toStdString() + '\n';
-    text += "# program " + oneLine(m_head.program) + '\n';
-    text += "# port " + oneLine(m_head.port) + '\n';
+    text += "# program " + simplifiedText(m_head.program) + '\n';
+    text += "# port " + simplifiedText(m_head.port) + '\n';
     text += "# baud " + std::to_string(m_head.baud) + '\n';
     text += std::string("# simulated ") + (m_head.simulated ? "yes" : "no") + '\n';
     for (const Servo& servo : m_servos) {
         const RecordingChannel& channel = m_head.channels[servo.cells.front()];
         text += "# servo " + servo.label + ' ' + std::to_string(servo.number) + ' ' +
-                std::to_string(channel.servoId) + ' ' + oneLine(channel.protocol) + ' ' +
-                oneLine(channel.servoName) + '\n';
+                std::to_string(channel.servoId) + ' ' + simplifiedText(channel.protocol) + ' ' +
+                simplifiedText(channel.servoName) + '\n';
     }
     text += "time_us,servo";
     for (const RecordingChannel& channel : m_head.channels) {
@@ -114,7 +114,7 @@ std::string RecordingText::csvHead() const
     return text + ",marks\n";
 }
 
-std::string RecordingText::jsonHead() const
+std::string RecordingFormatter::jsonHeader() const
 {
     QJsonArray channels;
     for (const RecordingChannel& channel : m_head.channels)
@@ -134,7 +134,7 @@ std::string RecordingText::jsonHead() const
                  {QStringLiteral("channels"), channels}});
 }
 
-bool RecordingText::row(base::Duration at, const RecordingRow& row, std::string& out) const
+bool RecordingFormatter::row(base::Duration at, const RecordingRow& row, std::string& out) const
 {
     const Servo* servo = servoOf(row.servo);
     if (!servo)
@@ -144,22 +144,22 @@ bool RecordingText::row(base::Duration at, const RecordingRow& row, std::string&
     };
     if (m_format == RecordingFormat::JsonLines) {
         out += "{\"t\":";
-        put(out, at.count());
+        appendNumber(out, at.count());
         out += ",\"s\":";
-        put(out, servo->number);
+        appendNumber(out, servo->number);
         out += ",\"v\":[";
         for (std::size_t i = 0; i < servo->cells.size(); ++i) {
             if (i > 0)
                 out += ',';
             if (std::isfinite(value(i)))
-                put(out, value(i));
+                appendNumber(out, value(i));
             else
                 out += "null";
         }
         out += "]}\n";
         return true;
     }
-    put(out, at.count());
+    appendNumber(out, at.count());
     out += ',';
     out += servo->label;
     std::size_t column = 0;
@@ -167,14 +167,14 @@ bool RecordingText::row(base::Duration at, const RecordingRow& row, std::string&
         out.append(servo->cells[i] + 1 - column, ',');
         column = servo->cells[i] + 1;
         if (std::isfinite(value(i)))
-            put(out, value(i));
+            appendNumber(out, value(i));
     }
     out.append(m_head.channels.size() + 1 - column, ',');
     out += '\n';
     return true;
 }
 
-void RecordingText::mark(base::Duration at, const Mark& mark, std::string& out) const
+void RecordingFormatter::mark(base::Duration at, const Mark& mark, std::string& out) const
 {
     if (m_format == RecordingFormat::JsonLines) {
         out += json({{QStringLiteral("t"), qint64(at.count())},
@@ -183,7 +183,7 @@ void RecordingText::mark(base::Duration at, const Mark& mark, std::string& out) 
                      {QStringLiteral("text"), mark.text}});
         return;
     }
-    put(out, at.count());
+    appendNumber(out, at.count());
     out.append(m_head.channels.size() + 2, ',');
     const QString id = mark.servoId < 0 ? QStringLiteral("-") : QString::number(mark.servoId);
     out += cell(QStringLiteral("%1 %2 ").arg(markName(mark.kind), id) + mark.text);
@@ -231,13 +231,14 @@ std::optional<base::Duration> parseInstant(std::string_view text)
 {
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size() || !inTime(base::Duration(number)))
+    if (error != std::errc() || end != text.data() + text.size() ||
+        !isValidTime(base::Duration(number)))
         return std::nullopt;
     return base::Duration(number);
 }
 
-bool inTime(base::Duration at)
+bool isValidTime(base::Duration at)
 {
-    return at >= -farthest && at <= farthest;
+    return at >= -maxTime && at <= maxTime;
 }
 } // namespace record

@@ -14,9 +14,9 @@ constexpr int recordingVersion = 1;
 
 /// Makes lines with their line feed and appends them to `out`. Times count from the start of the
 /// recording.
-class RecordingText {
+class RecordingFormatter {
 public:
-    RecordingText(RecordingFormat format, const RecordingHead& head);
+    RecordingFormatter(RecordingFormat format, const RecordingHeader& head);
 
     std::string head() const;
     /// Values beyond the servo's channels are left out; missing ones are "not read".
@@ -30,13 +30,13 @@ private:
         std::string label;              ///< in the CSV: the ID, and a ' if two have it
         std::vector<std::size_t> cells; ///< columns of its channels
     };
-    std::string freeLabel(int servoId) const;
+    std::string uniqueLabel(int servoId) const;
     const Servo* servoOf(int number) const;
-    std::string csvHead() const;
-    std::string jsonHead() const;
+    std::string csvHeader() const;
+    std::string jsonHeader() const;
 
     RecordingFormat m_format;
-    RecordingHead m_head;
+    RecordingHeader m_head;
     std::vector<Servo> m_servos;
 };
 
@@ -52,15 +52,15 @@ struct RecordingLine {
 
 class RecordingReader {
 public:
-    enum class Head : std::uint8_t { More, Complete };
-    enum class Verdict : std::uint8_t { Content, Nothing, Bad };
+    enum class HeaderState : std::uint8_t { More, Complete };
+    enum class LineKind : std::uint8_t { Content, Blank, Invalid };
 
     virtual ~RecordingReader() = default;
     /// The next line of the head, without its end. Fails with what is wrong with it.
-    virtual tl::expected<Head, QString> takeHead(std::string_view line) = 0;
-    virtual Verdict take(std::string_view line, RecordingLine& out) = 0;
+    virtual tl::expected<HeaderState, QString> parseHeader(std::string_view line) = 0;
+    virtual LineKind take(std::string_view line, RecordingLine& out) = 0;
 
-    const RecordingHead& head() const { return m_head; }
+    const RecordingHeader& head() const { return m_head; }
     /// For each servo the channels that are its.
     const std::vector<std::vector<std::size_t>>& servos() const { return m_servos; }
 
@@ -69,7 +69,7 @@ protected:
     std::pair<std::size_t, std::size_t> addChannel(const RecordingChannel& channel);
     std::optional<std::size_t> servoOf(int number) const;
 
-    RecordingHead m_head;
+    RecordingHeader m_head;
 
 private:
     std::vector<int> m_numbers;
@@ -82,6 +82,6 @@ std::unique_ptr<RecordingReader> makeJsonLinesReader();
 /// All of `text` is this number; not a number and infinite ones are none.
 std::optional<double> parseNumber(std::string_view text);
 /// Further away is no time of a recording, but a slip of the hand.
-bool inTime(base::Duration at);
+bool isValidTime(base::Duration at);
 std::optional<base::Duration> parseInstant(std::string_view text);
 } // namespace record

@@ -8,13 +8,14 @@
 
 namespace record {
 namespace {
-const QString mark = QStringLiteral("sweep-verdicts");
-const QString rule = QStringLiteral("2"); ///< record/sweep_verdict.h, since it gives none to a stop
+const QString versionKey = QStringLiteral("sweep-verdicts");
+const QString version =
+    QStringLiteral("2"); ///< record/sweep_verdict.h, since it gives none to a stop
 
 /// A night's worth of legs is not worth the wait where the lists, which go by its end, are right
 /// without it: only a path with limits of its own can have passed wrongly. The test stands at the
 /// start of the text.
-bool worthReading(const QByteArray& start)
+bool needsReading(const QByteArray& start)
 {
     for (const SweepShape shape : {SweepShape::Sine, SweepShape::Random}) {
         if (start.contains("\"shape\": \"" + sweepShapeName(shape).toLatin1() + '"'))
@@ -34,7 +35,7 @@ base::Result<std::optional<SweepRun>> storedRun(const HistoryFile& file, qint64 
     if (start->rows.empty())
         return std::nullopt;
     const QVariantList& first = start->rows.front();
-    if (first.value(1).toInt() > 1 && !worthReading(qUncompress(first.value(0).toByteArray())))
+    if (first.value(1).toInt() > 1 && !needsReading(qUncompress(first.value(0).toByteArray())))
         return std::nullopt;
     const auto text = runText(file, number);
     if (!text)
@@ -44,12 +45,12 @@ base::Result<std::optional<SweepRun>> storedRun(const HistoryFile& file, qint64 
 }
 
 /// Rows that are right already stay untouched, so that no copy of them is sent again.
-base::Result<void> judgeAnew(const HistoryFile& file, qint64 number, const SweepRun& run)
+base::Result<void> updateVerdict(const HistoryFile& file, qint64 number, const SweepRun& run)
 {
-    const QString whole = gradeName(run.verdict());
+    const QString overallGrade = gradeName(run.verdict());
     const auto head =
         file.run(QStringLiteral("UPDATE runs SET verdict = ? WHERE number = ? AND verdict <> ?"),
-                 {whole, number, whole});
+                 {overallGrade, number, overallGrade});
     if (!head)
         return tl::unexpected(head.error());
     for (const SweepServo& servo : run.servos) {
@@ -63,7 +64,7 @@ base::Result<void> judgeAnew(const HistoryFile& file, qint64 number, const Sweep
     return {};
 }
 
-base::Result<void> judgeAll(const HistoryFile& file)
+base::Result<void> reevaluateAll(const HistoryFile& file)
 {
     const auto runs = file.run(
         QStringLiteral("SELECT number FROM runs WHERE kind = 'sweep' AND verdict <> 'fail' OR "
@@ -77,20 +78,20 @@ base::Result<void> judgeAll(const HistoryFile& file)
             return tl::unexpected(run.error());
         if (!*run)
             continue;
-        if (const auto judged = judgeAnew(file, number, **run); !judged)
+        if (const auto judged = updateVerdict(file, number, **run); !judged)
             return judged;
     }
-    const auto marked =
-        file.run(QStringLiteral("INSERT INTO about (name, value) VALUES (?, ?)"), {mark, rule});
+    const auto marked = file.run(QStringLiteral("INSERT INTO about (name, value) VALUES (?, ?)"),
+                                 {versionKey, version});
     return marked ? base::Result<void>() : tl::unexpected(marked.error());
 }
 } // namespace
 
-base::Result<void> rejudgeStoredSweeps(const HistoryFile& file)
+base::Result<void> reevaluateStoredSweeps(const HistoryFile& file)
 {
     const auto done = [&]() -> base::Result<bool> {
         const auto found =
-            file.run(QStringLiteral("SELECT value FROM about WHERE name = ?"), {mark});
+            file.run(QStringLiteral("SELECT value FROM about WHERE name = ?"), {versionKey});
         if (!found)
             return tl::unexpected(found.error());
         return !found->rows.empty();
@@ -100,11 +101,11 @@ base::Result<void> rejudgeStoredSweeps(const HistoryFile& file)
         return tl::unexpected(before.error());
     if (*before)
         return {};
-    return file.together([&]() -> base::Result<void> {
+    return file.transaction([&]() -> base::Result<void> {
         const auto meanwhile = done(); // by another program
         if (!meanwhile)
             return tl::unexpected(meanwhile.error());
-        return *meanwhile ? base::Result<void>() : judgeAll(file);
+        return *meanwhile ? base::Result<void>() : reevaluateAll(file);
     });
 }
 } // namespace record

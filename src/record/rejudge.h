@@ -9,5 +9,5 @@
 namespace record {
 class HistoryFile;
 
-base::Result<void> rejudgeStoredSweeps(const HistoryFile& file);
+base::Result<void> reevaluateStoredSweeps(const HistoryFile& file);
 } // namespace record

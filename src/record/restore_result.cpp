@@ -25,8 +25,8 @@ QByteArray rowLine(const RestoreResultRow& row)
 {
     return "        {\"key\": " + jsonText(row.key) +
            ", \"address\": " + QByteArray::number(row.address) +
-           ", \"before\": " + number(row.before) + ", \"wanted\": " + number(row.wanted) +
-           ", \"value\": " + jsonNumber(row.wantedValue, valueDigits) +
+           ", \"before\": " + number(row.before) + ", \"wanted\": " + number(row.newRaw) +
+           ", \"value\": " + jsonNumber(row.newValue, valueDigits) +
            ", \"unit\": " + jsonText(row.unit) + ", \"read_back\": " + number(row.readBack) +
            ", \"outcome\": " + jsonText(row.outcome) + ", \"error\": " + jsonText(row.error) +
            ", \"rolled_back\": " + jsonFlag(row.rolledBack) + '}';
@@ -88,10 +88,9 @@ QByteArray encodeRestoreResultsCsv(const std::vector<RestoreResult>& results)
         for (const RestoreResultRow& row : result.rows) {
             text += csvLine(
                 head + QStringList{row.key, QString::number(row.address), cell(row.before),
-                                   QString::number(row.wanted),
-                                   row.wantedValue
-                                       ? QString::number(*row.wantedValue, 'g', valueDigits)
-                                       : QString(),
+                                   QString::number(row.newRaw),
+                                   row.newValue ? QString::number(*row.newValue, 'g', valueDigits)
+                                                : QString(),
                                    row.unit, cell(row.readBack), row.outcome, row.error,
                                    row.rolledBack ? QStringLiteral("1") : QStringLiteral("0")});
         }

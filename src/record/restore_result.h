@@ -11,13 +11,13 @@ struct RestoreResultRow {
     QString key;
     int address = 0;
     std::optional<std::int64_t> before{};
-    std::int64_t wanted = 0;
+    std::int64_t newRaw = 0;
     std::optional<std::int64_t> readBack{}; ///< the latest reading
     QString unit{};
-    std::optional<double> wantedValue{}; ///< physical
-    QString outcome;                     ///< one of the six words
-    QString error{};                     ///< error's name, empty: none
-    bool rolledBack = false;             ///< the value before has been proved again
+    std::optional<double> newValue{}; ///< physical
+    QString outcome;                  ///< one of the six words
+    QString error{};                  ///< error's name, empty: none
+    bool rolledBack = false;          ///< the value before has been proved again
     bool operator==(const RestoreResultRow&) const = default;
 };
 

@@ -5,7 +5,7 @@
 
 namespace record {
 template <typename Function>
-void SampleChannel::eachPiece(Place from, Place to, const Function& function) const
+void SampleChannel::forEachChunk(Position from, Position to, const Function& function) const
 {
     for (std::size_t i = from.chunk; i < m_chunks.size() && i <= to.chunk; ++i) {
         const std::size_t begin = i == from.chunk ? from.index : 0;
@@ -15,11 +15,12 @@ void SampleChannel::eachPiece(Place from, Place to, const Function& function) co
     }
 }
 
-SampleChannel::Taken SampleChannel::append(base::Duration at, double value, std::size_t& bytes)
+SampleChannel::AppendResult SampleChannel::append(base::Duration at, double value,
+                                                  std::size_t& bytes)
 {
     if (!m_chunks.empty() && at < m_chunks.back().lastTime())
-        return Taken::OutOfOrder;
-    if (m_chunks.empty() || !m_chunks.back().takes(at)) {
+        return AppendResult::OutOfOrder;
+    if (m_chunks.empty() || !m_chunks.back().accepts(at)) {
         if (!m_chunks.empty()) {
             bytes -= m_chunks.back().bytes();
             m_chunks.back().close();
@@ -39,7 +40,7 @@ SampleChannel::Taken SampleChannel::append(base::Duration at, double value, std:
         bytes += chunk.bytes();
     }
     chunk.append(at, value);
-    return Taken::Yes;
+    return AppendResult::Appended;
 }
 
 void SampleChannel::clear()
@@ -52,21 +53,21 @@ TimeSpan SampleChannel::span() const
     return {m_chunks.front().base(), m_chunks.back().lastTime()};
 }
 
-SampleChannel::Place SampleChannel::next(Place place) const
+SampleChannel::Position SampleChannel::next(Position position) const
 {
-    if (++place.index == m_chunks[place.chunk].size())
-        return {place.chunk + 1, 0};
-    return place;
+    if (++position.index == m_chunks[position.chunk].size())
+        return {position.chunk + 1, 0};
+    return position;
 }
 
-SampleChannel::Place SampleChannel::previous(Place place) const
+SampleChannel::Position SampleChannel::previous(Position position) const
 {
-    if (place.index > 0)
-        return {place.chunk, place.index - 1};
-    return {place.chunk - 1, m_chunks[place.chunk - 1].size() - 1};
+    if (position.index > 0)
+        return {position.chunk, position.index - 1};
+    return {position.chunk - 1, m_chunks[position.chunk - 1].size() - 1};
 }
 
-SampleChannel::Place SampleChannel::lowerBound(base::Duration at, Place start) const
+SampleChannel::Position SampleChannel::lowerBound(base::Duration at, Position start) const
 {
     if (start == end())
         return start;
@@ -80,13 +81,13 @@ SampleChannel::Place SampleChannel::lowerBound(base::Duration at, Place start) c
     return {std::size_t(found - m_chunks.begin()), found->lowerBound(at, 0)};
 }
 
-SamplePoint SampleChannel::point(Place place) const
+SamplePoint SampleChannel::point(Position position) const
 {
-    const SampleChunk& chunk = m_chunks[place.chunk];
-    return {chunk.timeAt(place.index), chunk.valueAt(place.index)};
+    const SampleChunk& chunk = m_chunks[position.chunk];
+    return {chunk.timeAt(position.index), chunk.valueAt(position.index)};
 }
 
-SampleColumn SampleChannel::column(Place from, Place to) const
+SampleColumn SampleChannel::column(Position from, Position to) const
 {
     const SamplePoint first = point(from);
     const SamplePoint last = point(previous(to));
@@ -94,10 +95,10 @@ SampleColumn SampleChannel::column(Place from, Place to) const
     return {first.at, last.at, first.value, last.value, extreme.min, extreme.max, gapAt(from)};
 }
 
-std::optional<Extremes> SampleChannel::extremes(Place from, Place to) const
+std::optional<Extremes> SampleChannel::extremes(Position from, Position to) const
 {
     std::optional<Extremes> found;
-    eachPiece(from, to, [&](const SampleChunk& chunk, std::size_t begin, std::size_t end) {
+    forEachChunk(from, to, [&](const SampleChunk& chunk, std::size_t begin, std::size_t end) {
         const Extremes piece = chunk.extremes(begin, end);
         if (found)
             found->include(piece);
@@ -107,10 +108,10 @@ std::optional<Extremes> SampleChannel::extremes(Place from, Place to) const
     return found;
 }
 
-Moments SampleChannel::moments(Place from, Place to, base::Duration origin) const
+Moments SampleChannel::moments(Position from, Position to, base::Duration origin) const
 {
     Moments sum;
-    eachPiece(from, to, [&](const SampleChunk& chunk, std::size_t begin, std::size_t end) {
+    forEachChunk(from, to, [&](const SampleChunk& chunk, std::size_t begin, std::size_t end) {
         Moments piece = chunk.moments(begin, end);
         piece.meanTime += double((chunk.base() - origin).count()) * 1e-6;
         sum.merge(piece);
@@ -118,43 +119,43 @@ Moments SampleChannel::moments(Place from, Place to, base::Duration origin) cons
     return sum;
 }
 
-bool SampleChannel::exact(Place from, Place to) const
+bool SampleChannel::exact(Position from, Position to) const
 {
     bool exact = true;
-    eachPiece(from, to, [&](const SampleChunk& chunk, std::size_t begin, std::size_t end) {
-        exact = exact && (!chunk.isThinned() || (begin == 0 && end == chunk.size()));
+    forEachChunk(from, to, [&](const SampleChunk& chunk, std::size_t begin, std::size_t end) {
+        exact = exact && (!chunk.isDecimated() || (begin == 0 && end == chunk.size()));
     });
     return exact;
 }
 
-std::optional<base::Duration> SampleChannel::oldestToThin() const
+std::optional<base::Duration> SampleChannel::oldestToDecimate() const
 {
-    if (m_thinned + 1 >= m_chunks.size())
+    if (m_decimated + 1 >= m_chunks.size())
         return std::nullopt;
-    return m_chunks[m_thinned].lastTime();
+    return m_chunks[m_decimated].lastTime();
 }
 
-std::optional<base::Duration> SampleChannel::oldestToDrop() const
+std::optional<base::Duration> SampleChannel::oldestDroppable() const
 {
     if (m_chunks.size() < 2)
         return std::nullopt;
     return m_chunks.front().lastTime();
 }
 
-void SampleChannel::thinOldest(std::size_t& bytes)
+void SampleChannel::decimateOldest(std::size_t& bytes)
 {
-    SampleChunk& chunk = m_chunks[m_thinned++];
+    SampleChunk& chunk = m_chunks[m_decimated++];
     bytes -= chunk.bytes();
-    chunk = chunk.thinned();
+    chunk = chunk.decimated();
     bytes += chunk.bytes();
 }
 
 void SampleChannel::dropOldest(std::size_t& bytes)
 {
     bytes -= m_chunks.front().bytes();
-    m_droppedTo = m_chunks.front().lastTime();
+    m_droppedUntil = m_chunks.front().lastTime();
     m_chunks.pop_front();
-    m_thinned -= m_thinned > 0 ? 1 : 0;
+    m_decimated -= m_decimated > 0 ? 1 : 0;
 }
 
 std::size_t SampleChannel::bytes() const

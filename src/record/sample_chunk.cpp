@@ -7,10 +7,10 @@
 
 namespace record {
 namespace {
-constexpr std::size_t smallNode = 8;
-constexpr std::size_t largeNode = 64;
-constexpr std::size_t firstRoom = 64;
-constexpr std::size_t thinBucket = 64; ///< of this many, two are left
+constexpr std::size_t smallBlock = 8;
+constexpr std::size_t largeBlock = 64;
+constexpr std::size_t initialCapacity = 64;
+constexpr std::size_t decimationBucket = 64; ///< of this many, two are left
 constexpr double secondsPerTick = 1e-6;
 
 void add(std::vector<Extremes>& nodes, bool begins, const Extremes& what)
@@ -21,14 +21,14 @@ void add(std::vector<Extremes>& nodes, bool begins, const Extremes& what)
         nodes.back().include(what);
 }
 
-struct Stretch {
+struct IndexRange {
     std::size_t begin = 0;
     std::size_t end = 0;
     bool empty() const { return begin >= end; }
 };
 
 /// The nodes of `size` that lie in [begin, end) entirely.
-Stretch nodesWithin(std::size_t begin, std::size_t end, std::size_t size)
+IndexRange blocksWithin(std::size_t begin, std::size_t end, std::size_t size)
 {
     return {(begin + size - 1) / size, end / size};
 }
@@ -65,19 +65,19 @@ void Moments::merge(const Moments& other)
     count += other.count;
 }
 
-bool SampleChunk::takes(base::Duration at) const
+bool SampleChunk::accepts(base::Duration at) const
 {
-    return !m_closed && size() < most &&
+    return !m_closed && size() < maxSamples &&
            (at - m_base).count() <= std::numeric_limits<std::uint32_t>::max();
 }
 
 void SampleChunk::grow()
 {
-    const std::size_t room = std::clamp(m_values.capacity() * 2, firstRoom, most);
+    const std::size_t room = std::clamp(m_values.capacity() * 2, initialCapacity, maxSamples);
     m_offsets.reserve(room);
     m_values.reserve(room);
-    m_small.reserve(room / smallNode);
-    m_large.reserve((room + largeNode - 1) / largeNode);
+    m_small.reserve(room / smallBlock);
+    m_large.reserve((room + largeBlock - 1) / largeBlock);
 }
 
 void SampleChunk::append(base::Duration at, double value)
@@ -85,9 +85,9 @@ void SampleChunk::append(base::Duration at, double value)
     const std::size_t i = size();
     m_offsets.push_back(std::uint32_t((at - m_base).count()));
     m_values.push_back(value);
-    add(m_small, i % smallNode == 0, {value, value});
-    if (i % smallNode == smallNode - 1)
-        add(m_large, i / smallNode % (largeNode / smallNode) == 0, m_small.back());
+    add(m_small, i % smallBlock == 0, {value, value});
+    if (i % smallBlock == smallBlock - 1)
+        add(m_large, i / smallBlock % (largeBlock / smallBlock) == 0, m_small.back());
 }
 
 void SampleChunk::close()
@@ -102,23 +102,23 @@ void SampleChunk::close()
     m_gaps.shrink_to_fit();
 }
 
-SampleChunk SampleChunk::thinned() const
+SampleChunk SampleChunk::decimated() const
 {
-    SampleChunk thin(m_base);
+    SampleChunk decimatedChunk(m_base);
     std::size_t begin = 0;
     for (std::size_t i = 1; i <= size(); ++i) {
-        if (i == size() || i - begin == thinBucket || gapAt(i)) {
-            keep(begin, i, thin);
+        if (i == size() || i - begin == decimationBucket || gapAt(i)) {
+            copyExtremes(begin, i, decimatedChunk);
             begin = i;
         }
     }
-    thin.close();
-    thin.m_moments = m_moments;
-    thin.m_thinned = true;
-    return thin;
+    decimatedChunk.close();
+    decimatedChunk.m_moments = m_moments;
+    decimatedChunk.m_decimated = true;
+    return decimatedChunk;
 }
 
-void SampleChunk::keep(std::size_t begin, std::size_t end, SampleChunk& into) const
+void SampleChunk::copyExtremes(std::size_t begin, std::size_t end, SampleChunk& into) const
 {
     const auto first = m_values.begin();
     const auto [low, high] =
@@ -180,21 +180,21 @@ Extremes SampleChunk::extremes(std::size_t begin, std::size_t end) const
     if (m_closed && begin == 0 && end == size())
         return m_extremes;
     Extremes found{m_values[begin], m_values[begin]};
-    const Stretch small = nodesWithin(begin, end, smallNode);
+    const IndexRange small = blocksWithin(begin, end, smallBlock);
     if (small.empty()) {
         include(found, m_values, begin, end);
         return found;
     }
-    include(found, m_values, begin, small.begin * smallNode);
-    include(found, m_values, small.end * smallNode, end);
-    const Stretch large = nodesWithin(small.begin, small.end, largeNode / smallNode);
+    include(found, m_values, begin, small.begin * smallBlock);
+    include(found, m_values, small.end * smallBlock, end);
+    const IndexRange large = blocksWithin(small.begin, small.end, largeBlock / smallBlock);
     if (large.empty()) {
         include(found, m_small, small.begin, small.end);
         return found;
     }
-    include(found, m_small, small.begin, large.begin * (largeNode / smallNode));
+    include(found, m_small, small.begin, large.begin * (largeBlock / smallBlock));
     include(found, m_large, large.begin, large.end);
-    include(found, m_small, large.end * (largeNode / smallNode), small.end);
+    include(found, m_small, large.end * (largeBlock / smallBlock), small.end);
     return found;
 }
 

@@ -31,14 +31,14 @@ struct Moments {
 
 class SampleChunk {
 public:
-    static constexpr std::size_t most = 4096;
+    static constexpr std::size_t maxSamples = 4096;
 
     explicit SampleChunk(base::Duration first)
         : m_base(first)
     {}
 
     /// Room left, and not too long after the first one.
-    bool takes(base::Duration at) const;
+    bool accepts(base::Duration at) const;
     bool mustGrow() const { return m_values.size() == m_values.capacity(); }
     void grow();
     void append(base::Duration at, double value);
@@ -46,8 +46,8 @@ public:
     void close();                                                        ///< nothing comes any more
 
     /// Its extremes with their times, and what borders on gaps. Only of a closed one.
-    SampleChunk thinned() const;
-    bool isThinned() const { return m_thinned; }
+    SampleChunk decimated() const;
+    bool isDecimated() const { return m_decimated; }
 
     std::size_t size() const { return m_values.size(); }
     base::Duration base() const { return m_base; }
@@ -65,7 +65,7 @@ public:
 
 private:
     Moments moments(std::size_t begin, std::size_t end, double meanTime, double mean) const;
-    void keep(std::size_t begin, std::size_t end, SampleChunk& into) const;
+    void copyExtremes(std::size_t begin, std::size_t end, SampleChunk& into) const;
 
     base::Duration m_base;
     std::vector<std::uint32_t> m_offsets;
@@ -76,6 +76,6 @@ private:
     Moments m_moments; ///< of all, once closed
     Extremes m_extremes;
     bool m_closed = false;
-    bool m_thinned = false;
+    bool m_decimated = false;
 };
 } // namespace record

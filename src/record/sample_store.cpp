@@ -9,14 +9,14 @@
 namespace record {
 namespace {
 using base::Duration;
-using Place = SampleChannel::Place;
+using Position = SampleChannel::Position;
 
 // Far beyond any clock, and far enough from the ends of the number for sums.
-constexpr Duration farthest{std::int64_t(1) << 60};
+constexpr Duration maxTime{std::int64_t(1) << 60};
 
-TimeSpan within(TimeSpan span)
+TimeSpan clampedSpan(TimeSpan span)
 {
-    return {std::clamp(span.from, -farthest, farthest), std::clamp(span.to, -farthest, farthest)};
+    return {std::clamp(span.from, -maxTime, maxTime), std::clamp(span.to, -maxTime, maxTime)};
 }
 
 /// Columns start at multiples of their width, counted from the clock's zero: then a sample stays in
@@ -68,13 +68,13 @@ struct SampleStore::Data {
                                                             : nullptr;
     }
     /// None if it is closed, or nothing is in it.
-    const SampleChannel* filled(ChannelId id)
+    const SampleChannel* findNonEmpty(ChannelId id)
     {
         const SampleChannel* channel = find(id);
         return channel && !channel->empty() ? channel : nullptr;
     }
     void append(SampleChannel& channel, Duration at, double value);
-    void keepBudget();
+    void enforceBudget();
     SampleChannel* oldest(std::optional<Duration> (SampleChannel::*age)() const) const;
 };
 
@@ -84,12 +84,12 @@ void SampleStore::Data::append(SampleChannel& channel, Duration at, double value
         channel.gap();
         return;
     }
-    if (channel.append(at, value, bytes) == SampleChannel::Taken::Yes)
+    if (channel.append(at, value, bytes) == SampleChannel::AppendResult::Appended)
         ++count;
     else
         ++outOfOrder;
     if (bytes > budget)
-        keepBudget();
+        enforceBudget();
 }
 
 SampleChannel* SampleStore::Data::oldest(std::optional<Duration> (SampleChannel::*age)()
@@ -107,12 +107,12 @@ SampleChannel* SampleStore::Data::oldest(std::optional<Duration> (SampleChannel:
     return found;
 }
 
-void SampleStore::Data::keepBudget()
+void SampleStore::Data::enforceBudget()
 {
     while (bytes > budget) {
-        if (SampleChannel* channel = oldest(&SampleChannel::oldestToThin))
-            channel->thinOldest(bytes);
-        else if (SampleChannel* last = oldest(&SampleChannel::oldestToDrop))
+        if (SampleChannel* channel = oldest(&SampleChannel::oldestToDecimate))
+            channel->decimateOldest(bytes);
+        else if (SampleChannel* last = oldest(&SampleChannel::oldestDroppable))
             last->dropOldest(bytes);
         else
             return;
@@ -176,7 +176,7 @@ void SampleStore::gap(ChannelId channel)
 
 std::optional<TimeSpan> SampleStore::span(ChannelId channel) const
 {
-    const SampleChannel* found = m_data->filled(channel);
+    const SampleChannel* found = m_data->findNonEmpty(channel);
     return found ? std::optional(found->span()) : std::nullopt;
 }
 
@@ -194,16 +194,16 @@ std::optional<TimeSpan> SampleStore::span() const
 
 std::optional<SamplePoint> SampleStore::latest(ChannelId channel) const
 {
-    const SampleChannel* found = m_data->filled(channel);
+    const SampleChannel* found = m_data->findNonEmpty(channel);
     return found ? std::optional(found->point(found->previous(found->end()))) : std::nullopt;
 }
 
 std::optional<SamplePoint> SampleStore::at(ChannelId channel, Duration instant) const
 {
-    const SampleChannel* found = m_data->filled(channel);
+    const SampleChannel* found = m_data->findNonEmpty(channel);
     if (!found || instant < found->span().from)
         return std::nullopt;
-    const Place after = found->lowerBound(std::min(instant, farthest) + Duration(1));
+    const Position after = found->lowerBound(std::min(instant, maxTime) + Duration(1));
     const SamplePoint point = found->point(found->previous(after));
     const bool gapFollows = after == found->end() ? found->endsInGap() : found->gapAt(after);
     if (gapFollows && point.at < instant)
@@ -215,19 +215,19 @@ void SampleStore::columns(ChannelId channel, TimeSpan span, int pixels,
                           std::vector<SampleColumn>& out) const
 {
     out.clear();
-    const SampleChannel* found = m_data->filled(channel);
-    span = within(span);
+    const SampleChannel* found = m_data->findNonEmpty(channel);
+    span = clampedSpan(span);
     if (!found || pixels < 1 || span.to < span.from)
         return;
     const Grid grid(span, pixels);
-    Place place = found->lowerBound(grid.startOf(span.from));
-    if (!(place == found->begin()))
-        out.push_back(found->column(found->previous(place), place));
-    const Place end = found->lowerBound(grid.endOf(span.to), place);
-    while (!(place == end)) {
-        const Place next = found->lowerBound(grid.endOf(found->point(place).at), place);
-        out.push_back(found->column(place, next));
-        place = next;
+    Position position = found->lowerBound(grid.startOf(span.from));
+    if (!(position == found->begin()))
+        out.push_back(found->column(found->previous(position), position));
+    const Position end = found->lowerBound(grid.endOf(span.to), position);
+    while (!(position == end)) {
+        const Position next = found->lowerBound(grid.endOf(found->point(position).at), position);
+        out.push_back(found->column(position, next));
+        position = next;
     }
     if (!(end == found->end()))
         out.push_back(found->column(end, found->next(end)));
@@ -235,11 +235,11 @@ void SampleStore::columns(ChannelId channel, TimeSpan span, int pixels,
 
 std::optional<std::pair<double, double>> SampleStore::range(ChannelId channel, TimeSpan span) const
 {
-    const SampleChannel* found = m_data->filled(channel);
-    span = within(span);
+    const SampleChannel* found = m_data->findNonEmpty(channel);
+    span = clampedSpan(span);
     if (!found || span.to < span.from)
         return std::nullopt;
-    const Place from = found->lowerBound(span.from);
+    const Position from = found->lowerBound(span.from);
     const auto extremes = found->extremes(from, found->lowerBound(span.to + Duration(1), from));
     if (!extremes)
         return std::nullopt;
@@ -248,13 +248,13 @@ std::optional<std::pair<double, double>> SampleStore::range(ChannelId channel, T
 
 SampleStatistics SampleStore::statistics(ChannelId channel, TimeSpan span) const
 {
-    const SampleChannel* found = m_data->filled(channel);
-    span = within(span);
+    const SampleChannel* found = m_data->findNonEmpty(channel);
+    span = clampedSpan(span);
     if (!found || span.to < span.from)
         return {};
-    const Place from = found->lowerBound(span.from);
-    const Place to = found->lowerBound(span.to + Duration(1), from);
-    const bool dropped = found->droppedTo() && *found->droppedTo() >= span.from;
+    const Position from = found->lowerBound(span.from);
+    const Position to = found->lowerBound(span.to + Duration(1), from);
+    const bool dropped = found->droppedUntil() && *found->droppedUntil() >= span.from;
     SampleStatistics statistics;
     statistics.exact = !dropped && found->exact(from, to);
     const auto extremes = found->extremes(from, to);
@@ -273,14 +273,14 @@ SampleStatistics SampleStore::statistics(ChannelId channel, TimeSpan span) const
 std::vector<SamplePoint> SampleStore::points(ChannelId channel, TimeSpan span) const
 {
     std::vector<SamplePoint> points;
-    const SampleChannel* found = m_data->filled(channel);
-    span = within(span);
+    const SampleChannel* found = m_data->findNonEmpty(channel);
+    span = clampedSpan(span);
     if (!found || span.to < span.from)
         return points;
-    const Place from = found->lowerBound(span.from);
-    const Place end = found->lowerBound(span.to + Duration(1), from);
-    for (Place place = from; !(place == end); place = found->next(place))
-        points.push_back(found->point(place));
+    const Position from = found->lowerBound(span.from);
+    const Position end = found->lowerBound(span.to + Duration(1), from);
+    for (Position position = from; !(position == end); position = found->next(position))
+        points.push_back(found->point(position));
     return points;
 }
 
@@ -299,9 +299,9 @@ std::uint64_t SampleStore::outOfOrder() const
     return m_data->outOfOrder;
 }
 
-bool SampleStore::thinned() const
+bool SampleStore::decimated() const
 {
     return std::any_of(m_data->channels.begin(), m_data->channels.end(),
-                       [](const auto& channel) { return channel && channel->thinned(); });
+                       [](const auto& channel) { return channel && channel->decimated(); });
 }
 } // namespace record

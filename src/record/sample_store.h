@@ -27,7 +27,7 @@ struct SamplePoint {
     bool operator==(const SamplePoint&) const = default;
 };
 
-/// What is drawn in one column of pixels. `first` and `last` join it to its neighbours.
+/// What is drawn in one column of pixels. `first` and `last` join it to its neighbors.
 struct SampleColumn {
     base::Duration from{}; ///< time of the first sample in it
     base::Duration to{};   ///< and of the last
@@ -97,7 +97,7 @@ public:
     std::size_t bytes() const;        ///< memory in use
     std::uint64_t count() const;      ///< samples appended since the last clear()
     std::uint64_t outOfOrder() const; ///< samples dropped because time went back
-    bool thinned() const;             ///< something is kept as extremes only, or was dropped
+    bool decimated() const;           ///< something is kept as extremes only, or was dropped
 
 private:
     struct Data;

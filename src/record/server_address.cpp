@@ -9,11 +9,11 @@
 
 namespace record {
 namespace {
-const QString passwordWord = QStringLiteral("password");
+const QString passwordKeyword = QStringLiteral("password");
 
 /// The parameters of libpq that hold no secret. Anything else is refused: a later libpq may have a
 /// secret in it, and what `options` sets on the server is this program's business.
-constexpr std::array harmlessWords{
+constexpr std::array allowedKeywords{
     "host",
     "hostaddr",
     "port",
@@ -54,9 +54,9 @@ constexpr std::array harmlessWords{
     "krbsrvname",
 };
 
-bool isHarmless(const QString& keyword)
+bool isAllowed(const QString& keyword)
 {
-    return std::any_of(harmlessWords.begin(), harmlessWords.end(),
+    return std::any_of(allowedKeywords.begin(), allowedKeywords.end(),
                        [&](const char* word) { return keyword == QLatin1String(word); });
 }
 
@@ -70,7 +70,7 @@ bool isSecret(const QString& keyword, const QString& value)
         QStringLiteral("(password|passwd|passphrase|pass|pwd|secret|token)\\s*="),
         QRegularExpression::CaseInsensitiveOption);
     return secret.match(keyword).hasMatch() ||
-           (!isHarmless(keyword) && inside.match(value).hasMatch());
+           (!isAllowed(keyword) && inside.match(value).hasMatch());
 }
 
 /// Sockets in the file system and names of this computer that no name server can change.
@@ -83,7 +83,7 @@ bool isLoopback(const QString& host)
            loopback.match(host).hasMatch();
 }
 
-tl::unexpected<base::Error> wrong(const QString& what)
+tl::unexpected<base::Error> parseError(const QString& what)
 {
     return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history-server"),
                       QStringLiteral("string: ") + what);
@@ -95,7 +95,7 @@ QString decoded(const QString& text)
 }
 
 /// From `at` on: the value, quoted or up to the next blank; nullopt: a quote is not closed.
-std::optional<QString> takeValue(const QString& text, qsizetype& at)
+std::optional<QString> parseValue(const QString& text, qsizetype& at)
 {
     QString value;
     const bool quoted = at < text.size() && text[at] == u'\'';
@@ -142,7 +142,7 @@ base::Result<ServerAddress> ServerAddress::parse(const QString& text)
     }
     for (const auto& [keyword, value] : address->m_values) {
         // Which one is not repeated: it may be a part of a password.
-        if (!isHarmless(keyword) && !isSecret(keyword, value))
+        if (!isAllowed(keyword) && !isSecret(keyword, value))
             return base::fail(base::ErrorCode::BadArgument, QStringLiteral("history-server"),
                               QStringLiteral("parameter"));
     }
@@ -154,16 +154,16 @@ base::Result<ServerAddress> ServerAddress::parseAll(const QString& text)
     ServerAddress address;
     const QString trimmed = text.trimmed();
     if (trimmed.isEmpty())
-        return wrong(QStringLiteral("empty"));
+        return parseError(QStringLiteral("empty"));
     const bool uri = trimmed.contains(QLatin1String("://"));
-    const auto done = uri ? address.parseUri(trimmed) : address.parseWords(trimmed);
+    const auto done = uri ? address.parseUri(trimmed) : address.parseKeywords(trimmed);
     if (!done)
         return tl::unexpected(done.error());
     for (const auto& [keyword, value] : address.m_values) {
         // Qt's driver parts options at semicolons.
         if (value.contains(u';') && !isSecret(keyword, value) && keyword != QLatin1String("user") &&
             keyword != QLatin1String("dbname"))
-            return wrong(QStringLiteral("; in %1").arg(keyword));
+            return parseError(QStringLiteral("; in %1").arg(keyword));
     }
     return address;
 }
@@ -191,7 +191,7 @@ base::Result<void> ServerAddress::parseHosts(const QString& hosts)
         if (one.startsWith(u'[')) {
             const qsizetype close = one.indexOf(u']');
             if (close < 0)
-                return wrong(QStringLiteral("[ without ]"));
+                return parseError(QStringLiteral("[ without ]"));
             name = one.mid(1, close - 1);
             colon = close + 1 < one.size() && one[close + 1] == u':' ? close + 1 : -1;
         } else if (colon >= 0) {
@@ -200,7 +200,7 @@ base::Result<void> ServerAddress::parseHosts(const QString& hosts)
         names.append(decoded(name));
         const QString port = colon < 0 ? QString() : one.mid(colon + 1);
         if (std::any_of(port.begin(), port.end(), [](QChar c) { return !c.isDigit(); }))
-            return wrong(QStringLiteral("the port is not a number"));
+            return parseError(QStringLiteral("the port is not a number"));
         ports.append(port);
     }
     if (!names.join(QString()).isEmpty())
@@ -215,7 +215,7 @@ base::Result<void> ServerAddress::parseUri(const QString& text)
     const qsizetype scheme = text.indexOf(QLatin1String("://"));
     const QString name = text.left(scheme);
     if (name != QLatin1String("postgresql") && name != QLatin1String("postgres"))
-        return wrong(QStringLiteral("postgresql:// expected"));
+        return parseError(QStringLiteral("postgresql:// expected"));
     QString rest = text.mid(scheme + 3);
     const qsizetype question = rest.indexOf(u'?');
     const QString parameters = question < 0 ? QString() : rest.mid(question + 1);
@@ -228,25 +228,25 @@ base::Result<void> ServerAddress::parseUri(const QString& text)
         const qsizetype colon = who.indexOf(u':');
         set(QStringLiteral("user"), decoded(colon < 0 ? who : who.left(colon)));
         if (colon >= 0)
-            set(passwordWord, decoded(who.mid(colon + 1)));
+            set(passwordKeyword, decoded(who.mid(colon + 1)));
     }
     if (const auto hosts = parseHosts(server); !hosts)
         return hosts;
     // An @ after the slash comes from a password with a slash in it.
     if (slash >= 0 && rest.indexOf(u'@', slash) >= 0)
-        return wrong(QStringLiteral("@ in the name of the database; write %40"));
+        return parseError(QStringLiteral("@ in the name of the database; write %40"));
     if (slash >= 0 && slash + 1 < rest.size())
         set(QStringLiteral("dbname"), decoded(rest.mid(slash + 1)));
     for (const QString& one : parameters.split(u'&', Qt::SkipEmptyParts)) {
         const qsizetype equals = one.indexOf(u'=');
         if (equals < 1)
-            return wrong(QStringLiteral("a parameter without ="));
+            return parseError(QStringLiteral("a parameter without ="));
         set(decoded(one.left(equals)), decoded(one.mid(equals + 1)));
     }
     return {};
 }
 
-base::Result<void> ServerAddress::parseWords(const QString& text)
+base::Result<void> ServerAddress::parseKeywords(const QString& text)
 {
     qsizetype at = 0;
     const auto skipBlanks = [&] {
@@ -261,12 +261,12 @@ base::Result<void> ServerAddress::parseWords(const QString& text)
         skipBlanks();
         // What is wrong may be a part of the password, so it is not repeated.
         if (keyword.isEmpty() || at >= text.size() || text[at] != u'=')
-            return wrong(QStringLiteral("a word without ="));
+            return parseError(QStringLiteral("a word without ="));
         ++at;
         skipBlanks();
-        const auto value = takeValue(text, at);
+        const auto value = parseValue(text, at);
         if (!value)
-            return wrong(QStringLiteral("a quote is not closed"));
+            return parseError(QStringLiteral("a quote is not closed"));
         set(keyword, *value);
     }
     return {};
@@ -287,7 +287,7 @@ void ServerAddress::setDefault(const QString& keyword, const QString& value)
         set(keyword, value);
 }
 
-QString ServerAddress::shown() const
+QString ServerAddress::displayText() const
 {
     QString text = value(QStringLiteral("host"));
     if (text.isEmpty())
@@ -323,14 +323,14 @@ bool ServerAddress::isLocal() const
 
 QString ServerAddress::masked(QString text)
 {
-    static const QString cover = QStringLiteral("•••");
+    static const QString maskText = QStringLiteral("•••");
     static const QRegularExpression inUri(QStringLiteral(R"((://[^:/?@\s]*:)\S*(@))"));
-    static const QRegularExpression inWords(
+    static const QRegularExpression inKeywords(
         QStringLiteral(
             R"(((?:password|passwd|passphrase|\bpass|pwd|secret|token)\s*(?:=|%3D)\s*)(?:'(?:[^'\\]|\\.)*'?|(?:\\.|\S)+))"),
         QRegularExpression::CaseInsensitiveOption);
-    text.replace(inUri, QStringLiteral("\\1") + cover + QStringLiteral("\\2"));
-    return text.replace(inWords, QStringLiteral("\\1") + cover);
+    text.replace(inUri, QStringLiteral("\\1") + maskText + QStringLiteral("\\2"));
+    return text.replace(inKeywords, QStringLiteral("\\1") + maskText);
 }
 
 std::optional<QString> ServerAddress::withoutSecrets(const QString& text)

@@ -26,7 +26,7 @@ public:
     static std::optional<QString> withoutSecrets(const QString& text);
 
     /// "user@host:5432/servodesk", for people: no options.
-    QString shown() const;
+    QString displayText() const;
     QString value(const QString& keyword) const; ///< empty: not given
     void set(const QString& keyword, const QString& value);
     void setDefault(const QString& keyword, const QString& value);
@@ -40,7 +40,7 @@ public:
 private:
     static base::Result<ServerAddress> parseAll(const QString& text);
     base::Result<void> parseUri(const QString& text);
-    base::Result<void> parseWords(const QString& text);
+    base::Result<void> parseKeywords(const QString& text);
     base::Result<void> parseHosts(const QString& hosts);
 
     std::vector<std::pair<QString, QString>> m_values; ///< keyword → value, each once

@@ -9,170 +9,171 @@ const QString serverOperation = QStringLiteral("history-server");
 namespace {
 using base::ErrorCode;
 
-constexpr qsizetype longest = 300; ///< of what a server says
+constexpr qsizetype maxMessageLength = 300; ///< of what a server says
 
 struct Kind {
     ErrorCode code;
     const char* name;
 };
 
-Kind kindOf(ServerTrouble trouble)
+Kind kindOf(ServerErrorKind errorKind)
 {
-    switch (trouble) {
-    case ServerTrouble::Away:
+    switch (errorKind) {
+    case ServerErrorKind::Unreachable:
         return {ErrorCode::LinkLost, "away"};
-    case ServerTrouble::Hung:
+    case ServerErrorKind::TimedOut:
         return {ErrorCode::LinkLost, "hung"};
-    case ServerTrouble::Password:
+    case ServerErrorKind::Password:
         return {ErrorCode::PortPermission, "password"};
-    case ServerTrouble::Database:
+    case ServerErrorKind::Database:
         return {ErrorCode::PortMissing, "database"};
-    case ServerTrouble::Rights:
+    case ServerErrorKind::Permission:
         return {ErrorCode::PortPermission, "rights"};
-    case ServerTrouble::Refused:
+    case ServerErrorKind::Refused:
         return {ErrorCode::PortFailed, "refused"};
-    case ServerTrouble::Tls:
+    case ServerErrorKind::Tls:
         return {ErrorCode::PortFailed, "tls"};
-    case ServerTrouble::Certificate:
+    case ServerErrorKind::Certificate:
         return {ErrorCode::PortFailed, "certificate"};
-    case ServerTrouble::HostName:
+    case ServerErrorKind::HostName:
         return {ErrorCode::PortFailed, "host-name"};
-    case ServerTrouble::Driver:
+    case ServerErrorKind::Driver:
         return {ErrorCode::NotSupported, "driver"};
-    case ServerTrouble::Newer:
+    case ServerErrorKind::Newer:
         return {ErrorCode::FileFormat, "newer"};
-    case ServerTrouble::Older:
+    case ServerErrorKind::Older:
         return {ErrorCode::FileFormat, "older"};
-    case ServerTrouble::Empty:
+    case ServerErrorKind::Empty:
         return {ErrorCode::FileMissing, "empty"};
-    case ServerTrouble::Encoding:
+    case ServerErrorKind::Encoding:
         return {ErrorCode::FileFormat, "encoding"};
-    case ServerTrouble::Busy:
+    case ServerErrorKind::Busy:
         return {ErrorCode::PortBusy, "busy"};
-    case ServerTrouble::Full:
+    case ServerErrorKind::Full:
         return {ErrorCode::DiskFull, "full"};
-    case ServerTrouble::String:
+    case ServerErrorKind::ConnectionString:
         return {ErrorCode::BadArgument, "string"};
-    case ServerTrouble::Server:
+    case ServerErrorKind::Other:
         break;
     }
     return {ErrorCode::PortFailed, "server"};
 }
 
-struct Sign {
+struct ErrorPattern {
     const char* text;
-    ServerTrouble trouble;
+    ServerErrorKind errorKind;
 };
 
 template <std::size_t N>
-std::optional<ServerTrouble> find(const Sign (&signs)[N], const QString& words, bool begins)
+std::optional<ServerErrorKind> findKind(const ErrorPattern (&patterns)[N], const QString& message,
+                                        bool begins)
 {
-    for (const Sign& sign : signs) {
-        const QLatin1String text(sign.text);
-        if (begins ? words.startsWith(text) : words.contains(text))
-            return sign.trouble;
+    for (const ErrorPattern& pattern : patterns) {
+        const QLatin1String text(pattern.text);
+        if (begins ? message.startsWith(text) : message.contains(text))
+            return pattern.errorKind;
     }
     return std::nullopt;
 }
 
 /// By SQLSTATE, or a class of them; see appendix A of PostgreSQL's manual.
-constexpr Sign states[] = {
-    {"28P01", ServerTrouble::Password}, {"28", ServerTrouble::Rights},
-    {"42501", ServerTrouble::Rights},   {"3D000", ServerTrouble::Database},
-    {"25006", ServerTrouble::Rights},   {"53100", ServerTrouble::Full},
-    {"53", ServerTrouble::Busy},        {"40", ServerTrouble::Busy},
-    {"55P03", ServerTrouble::Busy},     {"57014", ServerTrouble::Busy},
-    {"57", ServerTrouble::Away},        {"08", ServerTrouble::Away},
-    {"25P03", ServerTrouble::Away},
+constexpr ErrorPattern sqlStates[] = {
+    {"28P01", ServerErrorKind::Password},    {"28", ServerErrorKind::Permission},
+    {"42501", ServerErrorKind::Permission},  {"3D000", ServerErrorKind::Database},
+    {"25006", ServerErrorKind::Permission},  {"53100", ServerErrorKind::Full},
+    {"53", ServerErrorKind::Busy},           {"40", ServerErrorKind::Busy},
+    {"55P03", ServerErrorKind::Busy},        {"57014", ServerErrorKind::Busy},
+    {"57", ServerErrorKind::Unreachable},    {"08", ServerErrorKind::Unreachable},
+    {"25P03", ServerErrorKind::Unreachable},
 };
 
 /// A failed connection has no SQLSTATE, only words: libpq's own first, then the server's.
-constexpr Sign sayings[] = {
-    {"timeout expired", ServerTrouble::Hung},
-    {"invalid connection option", ServerTrouble::String},
-    {"invalid integer value", ServerTrouble::String},
-    {"invalid port number", ServerTrouble::String},
-    {"value: \"", ServerTrouble::String}, // invalid sslmode value: "…"
-    {"does not match host name", ServerTrouble::HostName},
-    {"host name must be specified", ServerTrouble::HostName},
-    {"server's host name from server certificate", ServerTrouble::HostName},
-    {"certificate verify failed", ServerTrouble::Certificate},
-    {"root certificate", ServerTrouble::Certificate},
-    {"support SSL", ServerTrouble::Tls},
-    {"SSL SYSCALL error", ServerTrouble::Away},
-    {"SSL connection has been closed", ServerTrouble::Away},
-    {"SSL error", ServerTrouble::Tls},
-    {"SSL negotiation", ServerTrouble::Tls},
-    {"certificate", ServerTrouble::Tls},
-    {"no encryption", ServerTrouble::Tls},
-    {"no password supplied", ServerTrouble::Password},
-    {"password authentication failed", ServerTrouble::Password},
-    {"too many clients", ServerTrouble::Busy},
-    {"remaining connection slots", ServerTrouble::Busy},
-    {"starting up", ServerTrouble::Away},
-    {"shutting down", ServerTrouble::Away},
-    {"recovery mode", ServerTrouble::Away},
-    {"pg_hba.conf", ServerTrouble::Rights},
-    {"authentication failed", ServerTrouble::Rights},
-    {"is not permitted to log in", ServerTrouble::Rights},
-    {"permission denied for database", ServerTrouble::Rights},
-    {"Connection refused", ServerTrouble::Away},
-    {"could not translate host name", ServerTrouble::Away},
-    {"could not connect", ServerTrouble::Away},
-    {"could not receive", ServerTrouble::Away},
-    {"could not send", ServerTrouble::Away},
-    {"closed the connection", ServerTrouble::Away},
-    {"No route to host", ServerTrouble::Away},
-    {"unreachable", ServerTrouble::Away},
-    {"No such file or directory", ServerTrouble::Away},
-    {"timed out", ServerTrouble::Away},
-    {"reset by peer", ServerTrouble::Away},
+constexpr ErrorPattern messagePatterns[] = {
+    {"timeout expired", ServerErrorKind::TimedOut},
+    {"invalid connection option", ServerErrorKind::ConnectionString},
+    {"invalid integer value", ServerErrorKind::ConnectionString},
+    {"invalid port number", ServerErrorKind::ConnectionString},
+    {"value: \"", ServerErrorKind::ConnectionString}, // invalid sslmode value: "…"
+    {"does not match host name", ServerErrorKind::HostName},
+    {"host name must be specified", ServerErrorKind::HostName},
+    {"server's host name from server certificate", ServerErrorKind::HostName},
+    {"certificate verify failed", ServerErrorKind::Certificate},
+    {"root certificate", ServerErrorKind::Certificate},
+    {"support SSL", ServerErrorKind::Tls},
+    {"SSL SYSCALL error", ServerErrorKind::Unreachable},
+    {"SSL connection has been closed", ServerErrorKind::Unreachable},
+    {"SSL error", ServerErrorKind::Tls},
+    {"SSL negotiation", ServerErrorKind::Tls},
+    {"certificate", ServerErrorKind::Tls},
+    {"no encryption", ServerErrorKind::Tls},
+    {"no password supplied", ServerErrorKind::Password},
+    {"password authentication failed", ServerErrorKind::Password},
+    {"too many clients", ServerErrorKind::Busy},
+    {"remaining connection slots", ServerErrorKind::Busy},
+    {"starting up", ServerErrorKind::Unreachable},
+    {"shutting down", ServerErrorKind::Unreachable},
+    {"recovery mode", ServerErrorKind::Unreachable},
+    {"pg_hba.conf", ServerErrorKind::Permission},
+    {"authentication failed", ServerErrorKind::Permission},
+    {"is not permitted to log in", ServerErrorKind::Permission},
+    {"permission denied for database", ServerErrorKind::Permission},
+    {"Connection refused", ServerErrorKind::Unreachable},
+    {"could not translate host name", ServerErrorKind::Unreachable},
+    {"could not connect", ServerErrorKind::Unreachable},
+    {"could not receive", ServerErrorKind::Unreachable},
+    {"could not send", ServerErrorKind::Unreachable},
+    {"closed the connection", ServerErrorKind::Unreachable},
+    {"No route to host", ServerErrorKind::Unreachable},
+    {"unreachable", ServerErrorKind::Unreachable},
+    {"No such file or directory", ServerErrorKind::Unreachable},
+    {"timed out", ServerErrorKind::Unreachable},
+    {"reset by peer", ServerErrorKind::Unreachable},
 };
 
-ServerTrouble ofConnecting(const QString& words)
+ServerErrorKind classifyConnectionError(const QString& message)
 {
-    const auto found = find(sayings, words, false);
-    const bool role = words.contains(QLatin1String("role \""));
-    if (!found && words.contains(QLatin1String("does not exist")))
-        return role ? ServerTrouble::Rights : ServerTrouble::Database;
-    return found.value_or(ServerTrouble::Refused);
+    const auto found = findKind(messagePatterns, message, false);
+    const bool role = message.contains(QLatin1String("role \""));
+    if (!found && message.contains(QLatin1String("does not exist")))
+        return role ? ServerErrorKind::Permission : ServerErrorKind::Database;
+    return found.value_or(ServerErrorKind::Refused);
 }
 } // namespace
 
-base::Error serverError(ServerTrouble trouble, const QString& words)
+base::Error serverError(ServerErrorKind errorKind, const QString& message)
 {
-    const Kind kind = kindOf(trouble);
+    const Kind kind = kindOf(errorKind);
     return {kind.code, serverOperation,
             QString::fromLatin1(kind.name) + QStringLiteral(": ") +
-                words.simplified().left(longest)};
+                message.simplified().left(maxMessageLength)};
 }
 
-base::Error serverError(const QString& words, const QString& state, bool connecting)
+base::Error serverError(const QString& message, const QString& state, bool connecting)
 {
     if (connecting) {
         static const QString guess = QStringLiteral("Is the server running");
-        return serverError(ofConnecting(words), words.left(words.indexOf(guess)));
+        return serverError(classifyConnectionError(message), message.left(message.indexOf(guess)));
     }
     if (state.isEmpty())
-        return serverError(ServerTrouble::Away, words);
-    return serverError(find(states, state, true).value_or(ServerTrouble::Server), words);
+        return serverError(ServerErrorKind::Unreachable, message);
+    return serverError(findKind(sqlStates, state, true).value_or(ServerErrorKind::Other), message);
 }
 
 #ifdef __linux__
-PlainMessages::PlainMessages()
-    : m_plain(newlocale(LC_MESSAGES_MASK, "C", duplocale(uselocale(locale_t{}))))
-    , m_before(m_plain == locale_t{} ? locale_t{} : uselocale(m_plain))
+EnglishMessages::EnglishMessages()
+    : m_englishLocale(newlocale(LC_MESSAGES_MASK, "C", duplocale(uselocale(locale_t{}))))
+    , m_before(m_englishLocale == locale_t{} ? locale_t{} : uselocale(m_englishLocale))
 {}
 
-PlainMessages::~PlainMessages()
+EnglishMessages::~EnglishMessages()
 {
-    if (m_plain == locale_t{})
+    if (m_englishLocale == locale_t{})
         return;
     uselocale(m_before);
-    freelocale(m_plain);
+    freelocale(m_englishLocale);
 }
 #else
-PlainMessages::PlainMessages() = default;
-PlainMessages::~PlainMessages() = default;
+EnglishMessages::EnglishMessages() = default;
+EnglishMessages::~EnglishMessages() = default;
 #endif
 } // namespace record

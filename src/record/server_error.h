@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a PostgreSQL server or libpq says, as an Error of record/history_server.h. Internal to
-// record/history_server*. Pure, but PlainMessages: that is for the thread it lives on.
+// record/history_server*. Pure, but EnglishMessages: that is for the thread it lives on.
 #pragma once
 
 #include "base/error.h"
@@ -12,14 +12,14 @@
 namespace record {
 extern const QString serverOperation; ///< "history-server"
 
-enum class ServerTrouble : std::uint8_t {
-    Away,     ///< nobody there, or the line broke
-    Hung,     ///< somebody is there and says nothing
-    Password, ///< wrong or missing
-    Database, ///< there is none of this name
-    Rights,   ///< the account may not
-    Refused,  ///< it let nobody in, for a reason in words we cannot read (its language is its own)
-    Tls,      ///< no encryption as asked for
+enum class ServerErrorKind : std::uint8_t {
+    Unreachable, ///< nobody there, or the line broke
+    TimedOut,    ///< somebody is there and says nothing
+    Password,    ///< wrong or missing
+    Database,    ///< there is none of this name
+    Permission,  ///< the account may not
+    Refused, ///< it let nobody in, for a reason in words we cannot read (its language is its own)
+    Tls,     ///< no encryption as asked for
     Certificate, ///< it is not trusted, or there is nothing to check it against
     HostName,    ///< the certificate is for another one
     Driver,
@@ -29,26 +29,26 @@ enum class ServerTrouble : std::uint8_t {
     Encoding,
     Busy,
     Full,
-    String,
-    Server, ///< anything else
+    ConnectionString,
+    Other, ///< anything else
 };
 
-base::Error serverError(ServerTrouble trouble, const QString& words);
+base::Error serverError(ServerErrorKind errorKind, const QString& message);
 /// `state`: SQLSTATE; empty where the connection itself failed.
-base::Error serverError(const QString& words, const QString& state, bool connecting);
+base::Error serverError(const QString& message, const QString& state, bool connecting);
 
 /// While it lives, libpq's own messages on this thread are the English ones, which can be told
 /// apart; without any effect where the system cannot.
-class PlainMessages {
+class EnglishMessages {
 public:
-    PlainMessages();
-    ~PlainMessages();
-    PlainMessages(const PlainMessages&) = delete;
-    PlainMessages& operator=(const PlainMessages&) = delete;
+    EnglishMessages();
+    ~EnglishMessages();
+    EnglishMessages(const EnglishMessages&) = delete;
+    EnglishMessages& operator=(const EnglishMessages&) = delete;
 
 #ifdef __linux__
 private:
-    locale_t m_plain{};
+    locale_t m_englishLocale{};
     locale_t m_before{};
 #endif
 };

@@ -29,9 +29,9 @@ int socketOf(const QSqlDriver& driver)
 }
 } // namespace
 
-void ServerSocket::take(const QSqlDriver& driver)
+void ServerSocket::attach(const QSqlDriver& driver)
 {
-    release();
+    detach();
     const int socket = socketOf(driver);
     const std::lock_guard lock(m_mutex);
     m_socket = socket < 0 ? -1 : ::dup(socket);
@@ -39,7 +39,7 @@ void ServerSocket::take(const QSqlDriver& driver)
         ::shutdown(m_socket, SHUT_RDWR);
 }
 
-void ServerSocket::release()
+void ServerSocket::detach()
 {
     const std::lock_guard lock(m_mutex);
     if (m_socket >= 0)
@@ -55,8 +55,8 @@ void ServerSocket::close()
         ::shutdown(m_socket, SHUT_RDWR);
 }
 #else
-void ServerSocket::take(const QSqlDriver&) {}
-void ServerSocket::release() {}
+void ServerSocket::attach(const QSqlDriver&) {}
+void ServerSocket::detach() {}
 
 void ServerSocket::close()
 {
@@ -65,7 +65,7 @@ void ServerSocket::close()
 }
 #endif
 
-bool ServerSocket::closed() const
+bool ServerSocket::isClosed() const
 {
     const std::lock_guard lock(m_mutex);
     return m_closed;

@@ -11,14 +11,14 @@ class QSqlDriver;
 namespace record {
 class ServerSocket {
 public:
-    ~ServerSocket() { release(); }
+    ~ServerSocket() { detach(); }
 
     /// Of an open connection. Closed at once if close() has been called before.
-    void take(const QSqlDriver& driver);
-    void release();
+    void attach(const QSqlDriver& driver);
+    void detach();
     /// Whoever reads or writes there sees the end of the connection.
     void close();
-    bool closed() const;
+    bool isClosed() const;
 
 private:
     mutable std::mutex m_mutex;

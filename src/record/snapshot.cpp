@@ -14,8 +14,8 @@ namespace record {
 namespace {
 const QLatin1String formatName("servodesk-snapshot");
 constexpr int formatVersion = 1;
-constexpr int highestAddress = 65535;
-constexpr int highestId = 255;
+constexpr int maxAddress = 65535;
+constexpr int maxId = 255;
 
 // Enough for every register there is, and hides the noise of raw × scale.
 constexpr int valueDigits = 12;
@@ -43,16 +43,16 @@ QByteArray servoLine(const SnapshotServo& servo)
            ", \"protocol\": " + jsonText(servo.protocol) + '}';
 }
 
-int numberWithin(const JsonReader& json, const char* key, int lowest, int highest)
+int readIntInRange(const JsonReader& json, const char* key, int lowest, int highest)
 {
-    const int found = json.small(key);
+    const int found = json.smallInteger(key);
     if (found < lowest || found > highest)
-        json.complain(key, QStringLiteral("expected %1 to %2").arg(lowest).arg(highest));
+        json.reportError(key, QStringLiteral("expected %1 to %2").arg(lowest).arg(highest));
     return found;
 }
 
 template <typename Word, std::size_t Count>
-Word readWord(const JsonReader& json, const char* key, const std::array<Word, Count>& words,
+Word readEnum(const JsonReader& json, const char* key, const std::array<Word, Count>& words,
               QString (*nameOf)(Word))
 {
     const QString found = json.text(key);
@@ -60,7 +60,7 @@ Word readWord(const JsonReader& json, const char* key, const std::array<Word, Co
         if (found == nameOf(word))
             return word;
     }
-    json.complain(key, QStringLiteral("unknown word \"%1\"").arg(found));
+    json.reportError(key, QStringLiteral("unknown word \"%1\"").arg(found));
     return words.front();
 }
 
@@ -69,15 +69,15 @@ SnapshotRegister readRegister(const JsonReader& json)
     using catalog::Access;
     using catalog::Area;
     SnapshotRegister reg;
-    reg.key = json.filledText("key");
-    reg.address = numberWithin(json, "address", 0, highestAddress);
+    reg.key = json.nonEmptyText("key");
+    reg.address = readIntInRange(json, "address", 0, maxAddress);
     reg.raw = json.integerOrNull("raw");
     reg.value = json.numberOrNull("value");
     reg.unit = json.text("unit");
     reg.area =
-        readWord(json, "area", std::array{Area::Eprom, Area::Sram, Area::Feedback, Area::Factory},
+        readEnum(json, "area", std::array{Area::Eprom, Area::Sram, Area::Feedback, Area::Factory},
                  catalog::areaName);
-    reg.access = readWord(json, "access", std::array{Access::ReadOnly, Access::ReadWrite},
+    reg.access = readEnum(json, "access", std::array{Access::ReadOnly, Access::ReadWrite},
                           catalog::accessName);
     return reg;
 }
@@ -90,7 +90,7 @@ std::vector<SnapshotRegister> readRegisters(const JsonReader& json)
         registers.push_back(readRegister(line));
         const QString& key = registers.back().key;
         if (seen.contains(key))
-            line.complain("key", QStringLiteral("\"%1\" is there twice").arg(key));
+            line.reportError("key", QStringLiteral("\"%1\" is there twice").arg(key));
         seen.insert(key);
     }
     return registers;
@@ -99,11 +99,11 @@ std::vector<SnapshotRegister> readRegisters(const JsonReader& json)
 SnapshotServo readServo(const JsonReader& json)
 {
     return {
-        numberWithin(json, "id", 0, highestId),
+        readIntInRange(json, "id", 0, maxId),
         json.text("model"),
         json.text("model_id"),
         json.text("firmware"),
-        json.filledText("map"),
+        json.nonEmptyText("map"),
         json.text("protocol"),
     };
 }
@@ -145,13 +145,13 @@ Snapshot readSnapshot(const JsonReader& json)
 {
     checkFormat(json, formatName, formatVersion, QStringLiteral("not a ServoDesk snapshot"));
     Snapshot snapshot;
-    snapshot.isTemplate = json.has("template") && json.flag("template");
+    snapshot.isTemplate = json.contains("template") && json.flag("template");
     snapshot.program = json.text("program");
     snapshot.at = json.time("time");
     snapshot.label = json.text("label");
     snapshot.note = json.text("note");
     snapshot.port = json.text("port");
-    snapshot.baud = numberWithin(json, "baud", 0, std::numeric_limits<int>::max());
+    snapshot.baud = readIntInRange(json, "baud", 0, std::numeric_limits<int>::max());
     snapshot.servo = readServo(json.object("servo"));
     snapshot.registers = readRegisters(json);
     return snapshot;
@@ -163,12 +163,12 @@ base::Result<Snapshot> decodeSnapshot(const QByteArray& text)
     const auto document = parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, operation, document.error());
-    if (const QString twice = duplicateMember(text); !twice.isEmpty())
+    if (const QString twice = findDuplicateKey(text); !twice.isEmpty())
         return base::fail(base::ErrorCode::FileFormat, operation, twice);
-    JsonComplaint complaint;
-    Snapshot snapshot = readSnapshot(JsonReader(*document, complaint));
-    if (complaint.made())
-        return base::fail(base::ErrorCode::FileFormat, operation, complaint.text());
+    JsonReadError readError;
+    Snapshot snapshot = readSnapshot(JsonReader(*document, readError));
+    if (readError.isSet())
+        return base::fail(base::ErrorCode::FileFormat, operation, readError.text());
     return snapshot;
 }
 } // namespace record

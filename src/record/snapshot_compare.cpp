@@ -26,7 +26,7 @@ bool sameValue(const CompareCell& a, const CompareCell& b)
 
 /// A register's number means the same wherever the map is the same, unless what decides its scale
 /// differs; elsewhere only what it stands for can be compared.
-bool alike(const CompareCell& a, const CompareCell& b, bool sameMap)
+bool haveSameValue(const CompareCell& a, const CompareCell& b, bool sameMap)
 {
     if (a.unit != b.unit)
         return false;
@@ -36,21 +36,21 @@ bool alike(const CompareCell& a, const CompareCell& b, bool sameMap)
     return sameValue(a, b);
 }
 
-bool anyDiffer(const CompareRow& row, const std::vector<const Snapshot*>& tables)
+bool hasDifference(const CompareRow& row, const std::vector<const Snapshot*>& tables)
 {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             const bool known =
                 row.cells[i].state == CellState::Known && row.cells[j].state == CellState::Known;
-            if (known &&
-                !alike(row.cells[i], row.cells[j], tables[i]->servo.map == tables[j]->servo.map))
+            if (known && !haveSameValue(row.cells[i], row.cells[j],
+                                        tables[i]->servo.map == tables[j]->servo.map))
                 return true;
         }
     }
     return false;
 }
 
-int countOf(const CompareRow& row, CellState state)
+int countCells(const CompareRow& row, CellState state)
 {
     return static_cast<int>(std::count_if(row.cells.begin(), row.cells.end(),
                                           [&](const auto& cell) { return cell.state == state; }));
@@ -62,9 +62,9 @@ RowVerdict verdictOf(const CompareRow& row, bool readOnly)
         return RowVerdict::ReadOnly;
     if (row.differs)
         return RowVerdict::Different;
-    if (countOf(row, CellState::Missing) > 0)
+    if (countCells(row, CellState::Missing) > 0)
         return RowVerdict::Missing;
-    if (countOf(row, CellState::Unknown) > 0)
+    if (countCells(row, CellState::Unknown) > 0)
         return RowVerdict::Unknown;
     return RowVerdict::Identical;
 }
@@ -125,9 +125,9 @@ SnapshotComparison compareSnapshots(const std::vector<const Snapshot*>& tables)
         row.area = reg->area;
         for (const Snapshot* table : tables)
             row.cells.push_back(cellOf(*table, reg->key));
-        if (static_cast<int>(row.cells.size()) - countOf(row, CellState::NotChosen) < needed)
+        if (static_cast<int>(row.cells.size()) - countCells(row, CellState::NotChosen) < needed)
             continue;
-        row.differs = anyDiffer(row, tables);
+        row.differs = hasDifference(row, tables);
         row.verdict = verdictOf(row, readOnlyEverywhere(reg->key, tables));
         count(result, row.verdict);
         result.rows.push_back(std::move(row));

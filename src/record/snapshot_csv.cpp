@@ -10,12 +10,12 @@ namespace record {
 namespace {
 constexpr int valueDigits = 12; ///< as in the file
 
-QString shown(std::optional<std::int64_t> raw)
+QString cellText(std::optional<std::int64_t> raw)
 {
     return raw ? QString::number(*raw) : QString();
 }
 
-QString shown(std::optional<double> value)
+QString cellText(std::optional<double> value)
 {
     return value && std::isfinite(*value) ? QString::number(*value, 'g', valueDigits) : QString();
 }
@@ -28,17 +28,18 @@ QByteArray encodeSnapshotCsv(const Snapshot& snapshot)
         return std::tie(left.address, left.key) < std::tie(right.address, right.key);
     });
     const SnapshotServo& servo = snapshot.servo;
-    const QStringList who{QString::number(servo.id),
-                          servo.model,
-                          servo.firmware,
-                          servo.map,
-                          snapshot.label,
-                          snapshot.at.toUTC().toString(Qt::ISODate)};
+    const QStringList identity{QString::number(servo.id),
+                               servo.model,
+                               servo.firmware,
+                               servo.map,
+                               snapshot.label,
+                               snapshot.at.toUTC().toString(Qt::ISODate)};
     QByteArray text = "id,model,firmware,map,label,time,key,address,raw,value,unit,area,access\n";
     for (const SnapshotRegister& reg : registers) {
-        text += csvLine(who + QStringList{reg.key, QString::number(reg.address), shown(reg.raw),
-                                          shown(reg.value), reg.unit, catalog::areaName(reg.area),
-                                          catalog::accessName(reg.access)});
+        text += csvLine(identity + QStringList{reg.key, QString::number(reg.address),
+                                               cellText(reg.raw), cellText(reg.value), reg.unit,
+                                               catalog::areaName(reg.area),
+                                               catalog::accessName(reg.access)});
     }
     return text;
 }

@@ -23,7 +23,7 @@ QByteArray list(const Items& items, const QByteArray& indent, const Write& write
 
 QByteArray gainText(const StepGain& gain)
 {
-    return JsonLine().text("key", gain.key).integer("raw", gain.raw).done();
+    return JsonObjectWriter().text("key", gain.key).integer("raw", gain.raw).done();
 }
 
 QByteArray gainsText(const std::vector<StepGain>& gains)
@@ -33,7 +33,7 @@ QByteArray gainsText(const std::vector<StepGain>& gains)
 
 QByteArray figuresText(const StepFigures& figures)
 {
-    JsonLine line;
+    JsonObjectWriter line;
     for (const StepFigure& figure : stepFigures)
         line.number(figure.key, figures.*figure.member);
     return line.done();
@@ -41,7 +41,7 @@ QByteArray figuresText(const StepFigures& figures)
 
 QByteArray specText(const StepSpec& spec)
 {
-    return JsonLine()
+    return JsonObjectWriter()
         .text("size", spec.size)
         .text("from", spec.from)
         .integer("repeats", spec.repeats)
@@ -56,7 +56,7 @@ QByteArray specText(const StepSpec& spec)
 
 QByteArray axisText(const SweepAxis& axis)
 {
-    return JsonLine()
+    return JsonObjectWriter()
         .number("from", axis.from)
         .number("to", axis.to)
         .number("steps_per_turn", axis.stepsPerTurn)
@@ -78,7 +78,7 @@ QByteArray responseText(const StepResponse& response)
     QByteArray samples;
     for (const StepSample& sample : response.samples)
         samples += (samples.isEmpty() ? "" : ", ") + sampleText(sample);
-    return JsonLine()
+    return JsonObjectWriter()
         .integer("number", response.number)
         .number("start", response.start)
         .number("target", response.target)
@@ -101,7 +101,7 @@ QByteArray runText(const StepRun& run)
            ",\n      \"simulated\": " + jsonFlag(run.simulated) +
            ",\n      \"end\": " + jsonText(sweepEndName(run.end)) +
            ",\n      \"sample_rate\": " + jsonNumber(run.sampleRate) +
-           ",\n      \"put_back\": " + jsonFlag(run.putBack) +
+           ",\n      \"put_back\": " + jsonFlag(run.isReverted) +
            ",\n      \"test\": " + specText(run.spec) +
            ",\n      \"gains\": " + gainsText(run.gains) +
            ",\n      \"axis\": " + axisText(run.axis) +
@@ -130,7 +130,7 @@ const char* changeName(StepChange change)
 
 QByteArray differenceText(const StepDifference& row)
 {
-    return JsonLine()
+    return JsonObjectWriter()
         .text("figure", QString::fromLatin1(row.figure.key))
         .text("unit", QString::fromUtf8(row.figure.unit))
         .number("before", row.before)
@@ -142,7 +142,7 @@ QByteArray differenceText(const StepDifference& row)
 
 QByteArray adviceText(const StepAdvice& advice)
 {
-    JsonLine line;
+    JsonObjectWriter line;
     line.text("symptom", stepSymptomName(advice.symptom))
         .text("remedy", stepRemedyName(advice.remedy));
     if (!advice.key.isEmpty())

@@ -11,16 +11,16 @@
 namespace record {
 namespace {
 const QString loading = QStringLiteral("load-step-response");
-constexpr qint64 largestFile = 256 * 1024 * 1024;
+constexpr qint64 maxFileSize = 256 * 1024 * 1024;
 constexpr int formatVersion = 1;
-constexpr double longestMs = 1e9;
+constexpr double maxMs = 1e9;
 constexpr int cells = 5; ///< of a sample
 
 base::Duration fromMs(const JsonReader& json, const char* key, double ms)
 {
-    if (std::abs(ms) <= longestMs)
+    if (std::abs(ms) <= maxMs)
         return base::Duration(std::llround(ms * usPerMs));
-    json.complain(key, QStringLiteral("number too large"));
+    json.reportError(key, QStringLiteral("number too large"));
     return {};
 }
 
@@ -28,7 +28,7 @@ double number(const JsonReader& json, const char* key)
 {
     const auto found = json.numberOrNull(key);
     if (!found)
-        json.complain(key, QStringLiteral("expected a number"));
+        json.reportError(key, QStringLiteral("expected a number"));
     return found.value_or(0);
 }
 
@@ -36,7 +36,7 @@ std::vector<StepGain> readGains(const JsonReader& json, const char* key)
 {
     std::vector<StepGain> gains;
     for (const JsonReader& gain : json.objects(key))
-        gains.push_back({gain.filledText("key"), gain.integer("raw")});
+        gains.push_back({gain.nonEmptyText("key"), gain.integer("raw")});
     return gains;
 }
 
@@ -53,7 +53,7 @@ StepSpec readSpec(const JsonReader& json)
     StepSpec spec;
     spec.size = json.text("size");
     spec.from = json.text("from");
-    spec.repeats = json.small("repeats");
+    spec.repeats = json.smallInteger("repeats");
     spec.hold = fromMs(json, "hold_ms", number(json, "hold_ms"));
     spec.speed = json.text("speed");
     spec.acceleration = json.text("acceleration");
@@ -82,7 +82,7 @@ std::vector<StepSample> readSamples(const JsonReader& json)
     for (const QJsonValue& row : rows) {
         const QJsonArray values = row.toArray();
         if (values.size() != cells || !values[0].isDouble() || !values[1].isDouble()) {
-            json.complain("samples", QStringLiteral("expected rows of %1 numbers").arg(cells));
+            json.reportError("samples", QStringLiteral("expected rows of %1 numbers").arg(cells));
             return {};
         }
         const auto optional = [&values](int cell) {
@@ -97,13 +97,13 @@ std::vector<StepSample> readSamples(const JsonReader& json)
 StepResponse readResponse(const JsonReader& json)
 {
     StepResponse response;
-    response.number = json.small("number");
+    response.number = json.smallInteger("number");
     response.start = number(json, "start");
     response.target = number(json, "target");
     response.missed = json.flag("missed");
-    response.lost = json.small("lost");
-    response.seen = !json.has("seen") || json.flag("seen"); // older files do not say
-    response.alarms = std::uint8_t(json.small("alarms"));
+    response.lost = json.smallInteger("lost");
+    response.seen = !json.contains("seen") || json.flag("seen"); // older files do not say
+    response.alarms = std::uint8_t(json.smallInteger("alarms"));
     response.figures = readFigures(json.object("figures"));
     response.samples = readSamples(json);
     return response;
@@ -115,14 +115,14 @@ StepRun readRun(const JsonReader& json)
     run.program = json.text("program");
     run.at = json.time("time");
     run.port = json.text("port");
-    run.baud = json.small("baud");
+    run.baud = json.smallInteger("baud");
     run.simulated = json.flag("simulated");
     const QString end = json.text("end");
     if (!sweepEndFromName(end))
-        json.complain("end", QStringLiteral("unknown word \"%1\"").arg(end));
+        json.reportError("end", QStringLiteral("unknown word \"%1\"").arg(end));
     run.end = sweepEndFromName(end).value_or(SweepEnd::Finished);
     run.sampleRate = number(json, "sample_rate");
-    run.putBack = json.flag("put_back");
+    run.isReverted = json.flag("put_back");
     run.spec = readSpec(json.object("test"));
     run.gains = readGains(json, "gains");
     run.axis = readAxis(json.object("axis"));
@@ -139,21 +139,21 @@ base::Result<std::vector<StepRun>> decodeStepRuns(const QByteArray& text)
     const auto document = parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, loading, document.error());
-    JsonComplaint complaint;
-    const JsonReader json(*document, complaint);
+    JsonReadError readError;
+    const JsonReader json(*document, readError);
     checkFormat(json, QLatin1StringView("servodesk-step-response"), formatVersion,
                 QStringLiteral("not a step response of ServoDesk"));
     std::vector<StepRun> runs;
     for (const JsonReader& run : json.objects("runs"))
         runs.push_back(readRun(run));
-    if (complaint.made())
-        return base::fail(base::ErrorCode::FileFormat, loading, complaint.text());
+    if (readError.isSet())
+        return base::fail(base::ErrorCode::FileFormat, loading, readError.text());
     return runs;
 }
 
 base::Result<std::vector<StepRun>> loadStepRuns(const QString& path)
 {
-    const auto text = readTextFile(loading, path, largestFile);
+    const auto text = readTextFile(loading, path, maxFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto runs = decodeStepRuns(*text);

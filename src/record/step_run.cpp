@@ -6,7 +6,7 @@
 
 namespace record {
 namespace {
-struct Spread {
+struct ValueRange {
     double sum = 0;
     double least = HUGE_VAL;
     double most = -HUGE_VAL;
@@ -15,19 +15,19 @@ struct Spread {
 };
 
 /// The direction of an error that remains is that of the way; of there and back the size counts.
-double sized(const StepFigure& figure, double value)
+double magnitudeOf(const StepFigure& figure, double value)
 {
     return figure.member == &StepFigures::steadyError ? std::abs(value) : value;
 }
 
-Spread spreadOf(const std::vector<StepResponse>& responses, const StepFigure& figure)
+ValueRange rangeOf(const std::vector<StepResponse>& responses, const StepFigure& figure)
 {
-    Spread spread;
+    ValueRange spread;
     for (const StepResponse& response : responses) {
         const auto& value = response.figures.*figure.member;
         if (!value || !std::isfinite(*value))
             continue;
-        const double found = sized(figure, *value);
+        const double found = magnitudeOf(figure, *value);
         spread.sum += found;
         spread.least = std::min(spread.least, found);
         spread.most = std::max(spread.most, found);
@@ -38,7 +38,7 @@ Spread spreadOf(const std::vector<StepResponse>& responses, const StepFigure& fi
 
 /// Finer than this nothing is measured: a step of the encoder, the time from one reading to the
 /// next.
-double finest(const StepFigure& figure, const StepRun& run)
+double resolutionOf(const StepFigure& figure, const StepRun& run)
 {
     const QLatin1StringView unit(figure.unit);
     const double way = std::abs(run.axis.to - run.axis.from);
@@ -57,10 +57,11 @@ StepChange changeOf(const StepDifference& row, const StepRun& before, const Step
         return StepChange::NotMeasured;
     if (!row.figure.lessIsBetter)
         return StepChange::Neither;
-    const double scatter = (spreadOf(before.responses, row.figure).range() +
-                            spreadOf(after.responses, row.figure).range()) /
+    const double scatter = (rangeOf(before.responses, row.figure).range() +
+                            rangeOf(after.responses, row.figure).range()) /
                            2;
-    const double least = std::max(finest(row.figure, before), finest(row.figure, after));
+    const double least =
+        std::max(resolutionOf(row.figure, before), resolutionOf(row.figure, after));
     const double size = std::abs(*row.difference);
     if (size <= scatter || size < least)
         return StepChange::Same;
@@ -72,7 +73,7 @@ StepFigures meanOf(const std::vector<StepResponse>& responses)
 {
     StepFigures mean;
     for (const StepFigure& figure : stepFigures) {
-        const Spread spread = spreadOf(responses, figure);
+        const ValueRange spread = rangeOf(responses, figure);
         if (spread.count > 0)
             mean.*figure.member = spread.sum / spread.count;
     }
@@ -124,7 +125,7 @@ QString stepRemedyName(StepRemedy remedy)
     switch (remedy) {
     case StepRemedy::RepeatRun:
         return QStringLiteral("repeat-run");
-    case StepRemedy::ClearWay:
+    case StepRemedy::RemoveObstacle:
         return QStringLiteral("clear-way");
     case StepRemedy::FreeMotion:
         return QStringLiteral("free-motion");
@@ -138,7 +139,7 @@ QString stepRemedyName(StepRemedy remedy)
         return QStringLiteral("lower-d");
     case StepRemedy::RaiseI:
         return QStringLiteral("raise-i");
-    case StepRemedy::NoI:
+    case StepRemedy::DisableI:
         return QStringLiteral("no-i");
     case StepRemedy::LowerStartupForce:
         return QStringLiteral("lower-startup-force");

@@ -109,8 +109,8 @@ struct StepRun {
     std::vector<StepResponse> responses{};
     StepFigures mean{};
     SweepEnd end = SweepEnd::Finished;
-    double sampleRate = 0; ///< readings a second
-    bool putBack = true;   ///< false: what the run had set still stands, see the journal
+    double sampleRate = 0;  ///< readings a second
+    bool isReverted = true; ///< false: what the run had set still stands, see the journal
     bool operator==(const StepRun&) const = default;
 };
 
@@ -146,14 +146,14 @@ enum class StepSymptom : std::uint8_t {
 };
 enum class StepRemedy : std::uint8_t {
     RepeatRun,
-    ClearWay,
+    RemoveObstacle,
     FreeMotion, ///< power, torque limit and mechanism come before any gain
     RaiseP,
     LowerP, ///< back to the stored one, or less
     RaiseD,
     LowerD,
     RaiseI, ///< in small steps
-    NoI,
+    DisableI,
     LowerStartupForce,
     WidenDeadZone,
     NarrowDeadZone,

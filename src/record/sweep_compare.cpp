@@ -12,7 +12,7 @@
 
 namespace record {
 namespace {
-constexpr double noticeableRate = 1.5;
+constexpr double minRateRatio = 1.5;
 
 const SweepMetric* metricOf(const SweepServo& servo, const QString& key)
 {
@@ -100,13 +100,13 @@ QString length(const SweepSpec& spec)
 }
 
 /// What was to be done, servo by servo in its own steps.
-class TestCheck {
+class TestDifferenceCollector {
 public:
-    explicit TestCheck(std::vector<TestDifference>& found)
+    explicit TestDifferenceCollector(std::vector<TestDifference>& found)
         : m_found(found)
     {}
 
-    void check(TestItem item, Weight weight, const QString& a, const QString& b)
+    void check(TestItem item, DifferenceImpact weight, const QString& a, const QString& b)
     {
         if (a != b)
             m_found.push_back({item, weight, a, b});
@@ -116,70 +116,75 @@ private:
     std::vector<TestDifference>& m_found;
 };
 
-void checkServos(const SweepSide& a, const SweepSide& b, TestCheck& test)
+void checkServos(const SweepSide& a, const SweepSide& b, TestDifferenceCollector& test)
 {
     const SnapshotServo& one = a.servo.parameters.servo;
     const SnapshotServo& two = b.servo.parameters.servo;
-    test.check(TestItem::Model, Weight::Figure, one.model, two.model);
-    test.check(TestItem::Firmware, Weight::Figure, one.firmware, two.firmware);
-    test.check(TestItem::Resolution, Weight::Path, number(a.servo.axis.stepsPerTurn),
+    test.check(TestItem::Model, DifferenceImpact::Figure, one.model, two.model);
+    test.check(TestItem::Firmware, DifferenceImpact::Figure, one.firmware, two.firmware);
+    test.check(TestItem::Resolution, DifferenceImpact::Path, number(a.servo.axis.stepsPerTurn),
                number(b.servo.axis.stepsPerTurn));
-    test.check(TestItem::Simulated, Weight::Figure, flag(a.run.simulated), flag(b.run.simulated));
+    test.check(TestItem::Simulated, DifferenceImpact::Figure, flag(a.run.simulated),
+               flag(b.run.simulated));
 }
 
 /// Only what the shape has.
-void checkPath(const SweepSide& a, const SweepSide& b, TestCheck& test)
+void checkPath(const SweepSide& a, const SweepSide& b, TestDifferenceCollector& test)
 {
     const SweepSpec& one = a.run.spec;
     const SweepSpec& two = b.run.spec;
     const SweepAxis& axisA = a.servo.axis;
     const SweepAxis& axisB = b.servo.axis;
-    test.check(TestItem::Shape, Weight::Path, sweepShapeName(one.shape), sweepShapeName(two.shape));
+    test.check(TestItem::Shape, DifferenceImpact::Path, sweepShapeName(one.shape),
+               sweepShapeName(two.shape));
     const bool same = one.shape == two.shape;
     if (one.shape == SweepShape::Points && same)
-        test.check(TestItem::Points, Weight::Path, list(axisA.points), list(axisB.points));
+        test.check(TestItem::Points, DifferenceImpact::Path, list(axisA.points),
+                   list(axisB.points));
     else
-        test.check(TestItem::Range, Weight::Path, range(axisA), range(axisB));
+        test.check(TestItem::Range, DifferenceImpact::Path, range(axisA), range(axisB));
     if (one.shape == SweepShape::Stairs && same)
-        test.check(TestItem::Step, Weight::Path, number(axisA.step), number(axisB.step));
+        test.check(TestItem::Step, DifferenceImpact::Path, number(axisA.step), number(axisB.step));
     if (one.shape == SweepShape::Random && same)
-        test.check(TestItem::Seed, Weight::Path, QString::number(one.seed),
+        test.check(TestItem::Seed, DifferenceImpact::Path, QString::number(one.seed),
                    QString::number(two.seed));
     if (one.shape == SweepShape::Sine && same)
-        test.check(TestItem::Period, Weight::Path, ms(one.period), ms(two.period));
+        test.check(TestItem::Period, DifferenceImpact::Path, ms(one.period), ms(two.period));
 }
 
-void checkMotion(const SweepSide& a, const SweepSide& b, TestCheck& test)
+void checkMotion(const SweepSide& a, const SweepSide& b, TestDifferenceCollector& test)
 {
     const SweepSpec& one = a.run.spec;
     const SweepSpec& two = b.run.spec;
-    test.check(TestItem::Pace, Weight::Figure, sweepPaceName(one.pace), sweepPaceName(two.pace));
-    test.check(TestItem::Pause, Weight::Figure, ms(one.pause), ms(two.pause));
-    test.check(TestItem::Speed, Weight::Path, number(a.servo.axis.speed),
+    test.check(TestItem::Pace, DifferenceImpact::Figure, sweepPaceName(one.pace),
+               sweepPaceName(two.pace));
+    test.check(TestItem::Pause, DifferenceImpact::Figure, ms(one.pause), ms(two.pause));
+    test.check(TestItem::Speed, DifferenceImpact::Path, number(a.servo.axis.speed),
                number(b.servo.axis.speed));
-    test.check(TestItem::Acceleration, Weight::Path, number(a.servo.axis.acceleration),
+    test.check(TestItem::Acceleration, DifferenceImpact::Path, number(a.servo.axis.acceleration),
                number(b.servo.axis.acceleration));
-    test.check(TestItem::MoveTime, Weight::Path, one.time, two.time);
-    test.check(TestItem::WarmUp, Weight::Figure, ms(one.warmUp), ms(two.warmUp));
-    test.check(TestItem::Tolerance, Weight::Figure, number(a.servo.axis.tolerance),
+    test.check(TestItem::MoveTime, DifferenceImpact::Path, one.time, two.time);
+    test.check(TestItem::WarmUp, DifferenceImpact::Figure, ms(one.warmUp), ms(two.warmUp));
+    test.check(TestItem::Tolerance, DifferenceImpact::Figure, number(a.servo.axis.tolerance),
                number(b.servo.axis.tolerance));
-    test.check(TestItem::Cycles, Weight::Figure, length(one), length(two));
+    test.check(TestItem::Cycles, DifferenceImpact::Figure, length(one), length(two));
 }
 
-void checkMeasuring(const SweepSide& a, const SweepSide& b, TestCheck& test)
+void checkSampling(const SweepSide& a, const SweepSide& b, TestDifferenceCollector& test)
 {
     const auto [slow, fast] = std::minmax(a.run.sampleRate, b.run.sampleRate);
-    if (fast > slow * noticeableRate)
-        test.check(TestItem::SampleRate, Weight::Figure, number(a.run.sampleRate),
+    if (fast > slow * minRateRatio)
+        test.check(TestItem::SampleRate, DifferenceImpact::Figure, number(a.run.sampleRate),
                    number(b.run.sampleRate));
-    test.check(TestItem::End, Weight::Figure, sweepEndName(a.run.end), sweepEndName(b.run.end));
+    test.check(TestItem::End, DifferenceImpact::Figure, sweepEndName(a.run.end),
+               sweepEndName(b.run.end));
     if (a.servo.limits.lines == b.servo.limits.lines)
         return;
     // Edited ones may go by the same name.
     QString other = b.servo.limits.name;
     if (other == a.servo.limits.name)
         other += QStringLiteral(" (2)");
-    test.check(TestItem::Limits, Weight::Grade, a.servo.limits.name, other);
+    test.check(TestItem::Limits, DifferenceImpact::Grade, a.servo.limits.name, other);
 }
 
 /// Writable, but an order, a place or a state: it says nothing about how the servo is set up.
@@ -236,8 +241,9 @@ static_assert(itemNames.size() == std::size_t(TestItem::End) + 1);
 
 bool SweepComparison::comparable() const
 {
-    return std::none_of(tests.begin(), tests.end(),
-                        [](const TestDifference& one) { return one.weight == Weight::Path; });
+    return std::none_of(tests.begin(), tests.end(), [](const TestDifference& one) {
+        return one.weight == DifferenceImpact::Path;
+    });
 }
 
 SweepComparison compareSweeps(const SweepSide& a, const SweepSide& b)
@@ -245,11 +251,11 @@ SweepComparison compareSweeps(const SweepSide& a, const SweepSide& b)
     SweepComparison comparison;
     for (const SweepMetricKind& kind : sweepMetricKinds())
         comparison.figures.push_back(figureOf(kind, a.servo, b.servo));
-    TestCheck test(comparison.tests);
+    TestDifferenceCollector test(comparison.tests);
     checkServos(a, b, test);
     checkPath(a, b, test);
     checkMotion(a, b, test);
-    checkMeasuring(a, b, test);
+    checkSampling(a, b, test);
     comparison.settings = settingsOf(a.servo.parameters, b.servo.parameters);
     return comparison;
 }
@@ -268,14 +274,14 @@ QString testItemName(TestItem item)
     return QString::fromLatin1(itemNames[std::size_t(item)]);
 }
 
-QString weightName(Weight weight)
+QString weightName(DifferenceImpact weight)
 {
     switch (weight) {
-    case Weight::Path:
+    case DifferenceImpact::Path:
         return QStringLiteral("path");
-    case Weight::Figure:
+    case DifferenceImpact::Figure:
         return QStringLiteral("figure");
-    case Weight::Grade:
+    case DifferenceImpact::Grade:
         break;
     }
     return QStringLiteral("grade");

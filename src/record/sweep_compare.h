@@ -53,7 +53,7 @@ enum class TestItem : std::uint8_t {
 };
 
 /// What a difference in the test means for the comparison.
-enum class Weight : std::uint8_t {
+enum class DifferenceImpact : std::uint8_t {
     Path,   ///< the servos did different things: figures cannot be compared
     Figure, ///< some figures depend on it
     Grade,  ///< figures can be compared, grades cannot
@@ -62,7 +62,7 @@ enum class Weight : std::uint8_t {
 /// a and b: numbers as text, or technical names ("both-sides", "stopped", "true").
 struct TestDifference {
     TestItem item = TestItem::Model;
-    Weight weight = Weight::Path;
+    DifferenceImpact weight = DifferenceImpact::Path;
     QString a;
     QString b;
     bool operator==(const TestDifference&) const = default;
@@ -92,6 +92,6 @@ SweepComparison compareSweeps(const SweepSide& a, const SweepSide& b);
 /// Null: the run has no such servo.
 const SweepServo* servoOf(const SweepRun& run, int id);
 
-QString testItemName(TestItem item); ///< "sample-rate", for JSON
-QString weightName(Weight weight);   ///< "path", "figure", "grade"
+QString testItemName(TestItem item);         ///< "sample-rate", for JSON
+QString weightName(DifferenceImpact weight); ///< "path", "figure", "grade"
 } // namespace record

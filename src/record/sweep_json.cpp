@@ -26,26 +26,29 @@ QByteArray indented(const QByteArray& document)
     return document.trimmed().replace("\n", "\n      ");
 }
 
-JsonLine& addRange(JsonLine& line, const SweepRange& range)
+JsonObjectWriter& addRange(JsonObjectWriter& line, const SweepRange& range)
 {
     return line.text("from", range.from).text("to", range.to);
 }
 
 QByteArray rangeText(const std::pair<const int, SweepRange>& item)
 {
-    JsonLine line;
+    JsonObjectWriter line;
     line.integer("servo", item.first);
     return addRange(line, item.second).done();
 }
 
 QByteArray pointText(const SweepPoint& point)
 {
-    return JsonLine().text("target", point.target).number("pause_ms", inMs(point.pause)).done();
+    return JsonObjectWriter()
+        .text("target", point.target)
+        .number("pause_ms", inMs(point.pause))
+        .done();
 }
 
 QByteArray testText(const SweepSpec& spec)
 {
-    JsonLine line;
+    JsonObjectWriter line;
     line.text("shape", sweepShapeName(spec.shape));
     addRange(line, spec.range)
         .raw("ranges", list(spec.ranges, rangeText))
@@ -72,7 +75,7 @@ QByteArray testText(const SweepSpec& spec)
 
 QByteArray axisText(const SweepAxis& axis)
 {
-    return JsonLine()
+    return JsonObjectWriter()
         .number("from", axis.from)
         .number("to", axis.to)
         .number("step", axis.step)
@@ -86,10 +89,10 @@ QByteArray axisText(const SweepAxis& axis)
 
 QByteArray errorsText(const SweepErrors& errors)
 {
-    return JsonLine()
+    return JsonObjectWriter()
         .integer("asked", errors.asked)
-        .integer("time_outs", errors.timeOuts)
-        .integer("bad_checks", errors.badChecks)
+        .integer("time_outs", errors.timeouts)
+        .integer("bad_checks", errors.badChecksums)
         .integer("foreign", errors.foreign)
         .integer("late", errors.late)
         .done();
@@ -97,7 +100,7 @@ QByteArray errorsText(const SweepErrors& errors)
 
 QByteArray verdictText(const VerdictLine& line)
 {
-    return JsonLine()
+    return JsonObjectWriter()
         .text("metric", line.limit.metric)
         .text("unit", line.limit.unit)
         .flag("at_least", line.limit.atLeast)
@@ -110,7 +113,7 @@ QByteArray verdictText(const VerdictLine& line)
 
 QByteArray servoText(const SweepRun& run, const SweepServo& servo)
 {
-    const QString open = noVerdictName(sweepVerdict(run, servo).reason);
+    const QString open = noVerdictReasonName(sweepVerdict(run, servo).reason);
     QByteArray lines;
     for (const VerdictLine& line : servo.lines)
         lines += (lines.isEmpty() ? "\n        " : ",\n        ") + verdictText(line);
@@ -126,7 +129,7 @@ QByteArray servoText(const SweepRun& run, const SweepServo& servo)
 
 QByteArray metricText(int servo, const SweepMetric& metric)
 {
-    return JsonLine()
+    return JsonObjectWriter()
         .integer("servo", servo)
         .text("metric", metric.key)
         .text("unit", metric.unit)
@@ -140,7 +143,7 @@ QByteArray metricText(int servo, const SweepMetric& metric)
 
 QByteArray legText(int servo, const SweepLeg& leg)
 {
-    JsonLine line;
+    JsonObjectWriter line;
     line.integer("servo", servo)
         .integer("leg", leg.number)
         .integer("cycle", leg.cycle)
@@ -162,7 +165,10 @@ QByteArray legText(int servo, const SweepLeg& leg)
 
 QByteArray gapText(const SweepGap& gap)
 {
-    return JsonLine().number("at_ms", inMs(gap.at)).number("span_ms", inMs(gap.span)).done();
+    return JsonObjectWriter()
+        .number("at_ms", inMs(gap.at))
+        .number("span_ms", inMs(gap.span))
+        .done();
 }
 
 QByteArray headText(const SweepRun& run)

@@ -11,15 +11,15 @@
 namespace record {
 namespace {
 const QString loading = QStringLiteral("load-sweep");
-constexpr qint64 largestFile = 512 * 1024 * 1024;
+constexpr qint64 maxFileSize = 512 * 1024 * 1024;
 constexpr int formatVersion = 1;
-constexpr double longestMs = 1e12; ///< thirty years
+constexpr double maxMs = 1e12; ///< thirty years
 
 double number(const JsonReader& json, const char* key)
 {
     const auto found = json.numberOrNull(key);
     if (!found)
-        json.complain(key, QStringLiteral("expected a number"));
+        json.reportError(key, QStringLiteral("expected a number"));
     return found.value_or(0);
 }
 
@@ -28,8 +28,8 @@ std::optional<base::Duration> spanOrNull(const JsonReader& json, const char* key
     const auto ms = json.numberOrNull(key);
     if (!ms)
         return {};
-    if (std::abs(*ms) > longestMs) {
-        json.complain(key, QStringLiteral("number too large"));
+    if (std::abs(*ms) > maxMs) {
+        json.reportError(key, QStringLiteral("number too large"));
         return base::Duration();
     }
     return base::Duration(std::llround(*ms * usPerMs));
@@ -39,7 +39,7 @@ base::Duration span(const JsonReader& json, const char* key)
 {
     const auto found = spanOrNull(json, key);
     if (!found)
-        json.complain(key, QStringLiteral("expected a number"));
+        json.reportError(key, QStringLiteral("expected a number"));
     return found.value_or(base::Duration());
 }
 
@@ -47,7 +47,7 @@ std::uint64_t count(const JsonReader& json, const char* key)
 {
     const std::int64_t found = json.integer(key);
     if (found < 0)
-        json.complain(key, QStringLiteral("must not be negative"));
+        json.reportError(key, QStringLiteral("must not be negative"));
     return std::uint64_t(std::max<std::int64_t>(found, 0));
 }
 
@@ -57,7 +57,7 @@ Word word(const JsonReader& json, const char* key, std::optional<Word> (*fromNam
     const QString name = json.text(key);
     const auto found = fromName(name);
     if (!found)
-        json.complain(key, QStringLiteral("unknown word \"%1\"").arg(name));
+        json.reportError(key, QStringLiteral("unknown word \"%1\"").arg(name));
     return found.value_or(Word());
 }
 
@@ -72,18 +72,18 @@ SweepSpec readTest(const JsonReader& json)
     spec.shape = word(json, "shape", sweepShapeFromName);
     spec.range = readRange(json);
     for (const JsonReader& range : json.objects("ranges"))
-        spec.ranges[range.small("servo")] = readRange(range);
+        spec.ranges[range.smallInteger("servo")] = readRange(range);
     spec.step = json.text("step");
     for (const JsonReader& point : json.objects("points"))
         spec.points.push_back({point.text("target"), spanOrNull(point, "pause_ms")});
     const std::uint64_t seed = count(json, "seed");
     if (seed > std::numeric_limits<std::uint32_t>::max())
-        json.complain("seed", QStringLiteral("number too large"));
+        json.reportError("seed", QStringLiteral("number too large"));
     spec.seed = std::uint32_t(seed);
     spec.period = span(json, "period_ms");
     spec.pace = word(json, "pace", sweepPaceFromName);
     spec.pause = span(json, "pause_ms");
-    spec.cycles = json.small("cycles");
+    spec.cycles = json.smallInteger("cycles");
     spec.length = span(json, "length_ms");
     spec.speed = json.text("speed");
     spec.acceleration = json.text("acceleration");
@@ -115,7 +115,7 @@ SweepAxis readAxis(const JsonReader& json)
 VerdictLine readVerdict(const JsonReader& json)
 {
     VerdictLine line;
-    line.limit.metric = json.filledText("metric");
+    line.limit.metric = json.nonEmptyText("metric");
     line.limit.unit = json.text("unit");
     line.limit.atLeast = json.flag("at_least");
     line.limit.warn = json.numberOrNull("warn");
@@ -141,8 +141,8 @@ SweepServo readServo(const JsonReader& json)
         servo.lines.push_back(readVerdict(line));
     servo.errors = readErrors(json.object("errors"));
     (void)word(json, "verdict", gradeFromName); // earlier versions let runs pass that had not ended
-    if (json.small("id") != servo.parameters.servo.id)
-        json.complain("id", QStringLiteral("is not the one of its parameters"));
+    if (json.smallInteger("id") != servo.parameters.servo.id)
+        json.reportError("id", QStringLiteral("is not the one of its parameters"));
     return servo;
 }
 
@@ -153,7 +153,7 @@ std::vector<SweepServo> readServos(const JsonReader& json)
         SweepServo servo = readServo(object);
         for (const SweepServo& before : servos) {
             if (before.parameters.servo.id == servo.parameters.servo.id)
-                object.complain("id", QStringLiteral("is there twice"));
+                object.reportError("id", QStringLiteral("is there twice"));
         }
         servos.push_back(std::move(servo));
     }
@@ -163,7 +163,7 @@ std::vector<SweepServo> readServos(const JsonReader& json)
 SweepMetric readMetric(const JsonReader& json)
 {
     SweepMetric metric;
-    metric.key = json.filledText("metric");
+    metric.key = json.nonEmptyText("metric");
     metric.unit = json.text("unit");
     metric.value = json.numberOrNull("value");
     metric.mean = json.numberOrNull("mean");
@@ -176,8 +176,8 @@ SweepMetric readMetric(const JsonReader& json)
 SweepLeg readLeg(const JsonReader& json)
 {
     SweepLeg leg;
-    leg.number = json.small("leg");
-    leg.cycle = json.small("cycle");
+    leg.number = json.smallInteger("leg");
+    leg.cycle = json.smallInteger("cycle");
     leg.at = span(json, "at_ms");
     leg.span = span(json, "span_ms");
     leg.start = number(json, "start");
@@ -185,17 +185,17 @@ SweepLeg readLeg(const JsonReader& json)
     leg.timeToTarget = spanOrNull(json, "time_ms");
     leg.settling = spanOrNull(json, "settling_ms");
     for (const LegFigure& figure : legFigures) {
-        if (!figure.isLater || json.has(figure.key))
+        if (!figure.isLater || json.contains(figure.key))
             leg.*figure.member = json.numberOrNull(figure.key);
     }
-    leg.samples = json.small("samples");
-    leg.lost = json.small("lost");
+    leg.samples = json.smallInteger("samples");
+    leg.lost = json.smallInteger("lost");
     leg.missed = json.flag("missed");
     if (!json.content().value(QLatin1StringView("flag_wrong")).isNull())
         leg.flagWrong = json.flag("flag_wrong");
-    const int alarms = json.small("alarms");
+    const int alarms = json.smallInteger("alarms");
     if (alarms < 0 || alarms > std::numeric_limits<std::uint8_t>::max())
-        json.complain("alarms", QStringLiteral("expected 0 to 255"));
+        json.reportError("alarms", QStringLiteral("expected 0 to 255"));
     leg.alarms = std::uint8_t(alarms);
     return leg;
 }
@@ -205,12 +205,12 @@ void readRows(const JsonReader& json, const char* key, std::vector<SweepServo>& 
               std::vector<Item> SweepServo::*items, Item (*read)(const JsonReader&))
 {
     for (const JsonReader& row : json.objects(key)) {
-        const int id = row.small("servo");
+        const int id = row.smallInteger("servo");
         const auto servo = std::find_if(servos.begin(), servos.end(), [id](const SweepServo& one) {
             return one.parameters.servo.id == id;
         });
         if (servo == servos.end())
-            row.complain("servo", QStringLiteral("there is no servo %1 in this test").arg(id));
+            row.reportError("servo", QStringLiteral("there is no servo %1 in this test").arg(id));
         else
             ((*servo).*items).push_back(read(row));
     }
@@ -224,11 +224,11 @@ SweepRun readRun(const JsonReader& json)
     run.program = json.text("program");
     run.at = json.time("time");
     run.port = json.text("port");
-    run.baud = json.small("baud");
+    run.baud = json.smallInteger("baud");
     run.simulated = json.flag("simulated");
     run.length = span(json, "length_ms");
     run.end = word(json, "end", sweepEndFromName);
-    run.endedBy = json.integerOrNull("ended_by") ? json.small("ended_by") : -1;
+    run.endedBy = json.integerOrNull("ended_by") ? json.smallInteger("ended_by") : -1;
     run.sampleRate = number(json, "sample_rate");
     for (const JsonReader& gap : json.objects("gaps"))
         run.gaps.push_back({span(gap, "at_ms"), span(gap, "span_ms")});
@@ -236,7 +236,7 @@ SweepRun readRun(const JsonReader& json)
     run.servos = readServos(json);
     readRows(json, "metrics", run.servos, &SweepServo::metrics, readMetric);
     readRows(json, "legs", run.servos, &SweepServo::legs, readLeg);
-    giveVerdicts(run);
+    assignVerdicts(run);
     return run;
 }
 } // namespace
@@ -246,16 +246,16 @@ base::Result<SweepRun> decodeSweepRun(const QByteArray& text)
     const auto document = parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, loading, document.error());
-    JsonComplaint complaint;
-    SweepRun run = readRun(JsonReader(*document, complaint));
-    if (complaint.made())
-        return base::fail(base::ErrorCode::FileFormat, loading, complaint.text());
+    JsonReadError readError;
+    SweepRun run = readRun(JsonReader(*document, readError));
+    if (readError.isSet())
+        return base::fail(base::ErrorCode::FileFormat, loading, readError.text());
     return run;
 }
 
 base::Result<SweepRun> loadSweepRun(const QString& path)
 {
-    const auto text = readTextFile(loading, path, largestFile);
+    const auto text = readTextFile(loading, path, maxFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto run = decodeSweepRun(*text);

@@ -24,7 +24,7 @@ const QString loading = QStringLiteral("load-limits");
 const QString saving = QStringLiteral("save-limits");
 const QLatin1String formatName("servodesk-limits");
 constexpr int formatVersion = 1;
-constexpr qint64 largestFile = 1024 * 1024;
+constexpr qint64 maxFileSize = 1024 * 1024;
 
 const SweepMetricKind* kindOf(const QString& key)
 {
@@ -37,11 +37,11 @@ const SweepMetricKind* kindOf(const QString& key)
 /// None where the file says nothing, or null.
 std::optional<double> boundOf(const JsonReader& json, const char* key)
 {
-    if (!json.has(key))
+    if (!json.contains(key))
         return {};
     const auto bound = json.numberOrNull(key);
     if (bound && *bound < 0)
-        json.complain(key, QStringLiteral("must not be negative"));
+        json.reportError(key, QStringLiteral("must not be negative"));
     return bound;
 }
 
@@ -49,12 +49,14 @@ std::optional<double> boundOf(const JsonReader& json, const char* key)
 void checkBounds(const JsonReader& json, const SweepLimit& line)
 {
     if (!line.warn && !line.fail)
-        json.complain("fail", QStringLiteral("\"%1\" has neither warn nor fail").arg(line.metric));
+        json.reportError("fail",
+                         QStringLiteral("\"%1\" has neither warn nor fail").arg(line.metric));
     if (!line.warn || !line.fail)
         return;
     const bool crossed = line.atLeast ? *line.warn < *line.fail : *line.warn > *line.fail;
     if (crossed)
-        json.complain("warn", QStringLiteral("\"%1\" would fail before it warns").arg(line.metric));
+        json.reportError("warn",
+                         QStringLiteral("\"%1\" would fail before it warns").arg(line.metric));
 }
 
 SweepLimit readLine(const JsonReader& json)
@@ -63,18 +65,18 @@ SweepLimit readLine(const JsonReader& json)
                                    QStringLiteral("at_least"), QStringLiteral("warn"),
                                    QStringLiteral("fail"),     QStringLiteral("comment")};
     SweepLimit line;
-    line.metric = json.filledText("metric");
+    line.metric = json.nonEmptyText("metric");
     line.unit = json.text("unit");
-    json.complainAboutOthers(known);
+    json.rejectUnknownKeys(known);
     const SweepMetricKind* kind = kindOf(line.metric);
     if (!kind) {
-        json.complain("metric", QStringLiteral("there is no metric \"%1\"").arg(line.metric));
+        json.reportError("metric", QStringLiteral("there is no metric \"%1\"").arg(line.metric));
         return line;
     }
     if (line.unit != kind->unit)
-        json.complain("unit", QStringLiteral("\"%1\" is in \"%2\", not in \"%3\"")
-                                  .arg(line.metric, kind->unit, line.unit));
-    line.atLeast = json.has("at_least") ? json.flag("at_least") : kind->atLeast;
+        json.reportError("unit", QStringLiteral("\"%1\" is in \"%2\", not in \"%3\"")
+                                     .arg(line.metric, kind->unit, line.unit));
+    line.atLeast = json.contains("at_least") ? json.flag("at_least") : kind->atLeast;
     line.warn = boundOf(json, "warn");
     line.fail = boundOf(json, "fail");
     checkBounds(json, line);
@@ -90,7 +92,7 @@ std::vector<SweepLimit> readLines(const JsonReader& json)
         const SweepLimit& line = lines.back();
         const QString name = line.metric + (line.atLeast ? u'>' : u'<');
         if (seen.contains(name))
-            object.complain("metric", QStringLiteral("\"%1\" is there twice").arg(line.metric));
+            object.reportError("metric", QStringLiteral("\"%1\" is there twice").arg(line.metric));
         seen.insert(name);
     }
     return lines;
@@ -144,14 +146,14 @@ SweepLimits readSweepLimits(const JsonReader& json)
                                    QStringLiteral("models"),  QStringLiteral("tolerance"),
                                    QStringLiteral("lines"),   QStringLiteral("comment")};
     checkFormat(json, formatName, formatVersion, QStringLiteral("not a file of ServoDesk limits"));
-    json.complainAboutOthers(known);
+    json.rejectUnknownKeys(known);
     SweepLimits limits;
     limits.name = json.text("name");
-    limits.models = json.has("models") ? json.texts("models") : QStringList();
-    if (json.has("tolerance"))
+    limits.models = json.contains("models") ? json.texts("models") : QStringList();
+    if (json.contains("tolerance"))
         limits.tolerance = json.numberOrNull("tolerance");
     if (limits.tolerance && *limits.tolerance <= 0)
-        json.complain("tolerance", QStringLiteral("must be more than 0"));
+        json.reportError("tolerance", QStringLiteral("must be more than 0"));
     limits.lines = readLines(json);
     return limits;
 }
@@ -161,21 +163,21 @@ base::Result<SweepLimits> decodeSweepLimits(const QByteArray& text)
     const auto document = parseJson(text);
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, loading, document.error());
-    JsonComplaint complaint;
-    const JsonReader json(*document, complaint);
+    JsonReadError readError;
+    const JsonReader json(*document, readError);
     const SweepLimits limits = readSweepLimits(json);
     if (limits.name.isEmpty())
-        json.complain("name", QStringLiteral("must not be empty"));
+        json.reportError("name", QStringLiteral("must not be empty"));
     if (limits.lines.empty())
-        json.complain("lines", QStringLiteral("without a line every servo would pass"));
-    if (complaint.made())
-        return base::fail(base::ErrorCode::FileFormat, loading, complaint.text());
+        json.reportError("lines", QStringLiteral("without a line every servo would pass"));
+    if (readError.isSet())
+        return base::fail(base::ErrorCode::FileFormat, loading, readError.text());
     return limits;
 }
 
 base::Result<SweepLimits> loadSweepLimits(const QString& path)
 {
-    const auto text = readTextFile(loading, path, largestFile);
+    const auto text = readTextFile(loading, path, maxFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto limits = decodeSweepLimits(*text);

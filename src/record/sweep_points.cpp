@@ -11,22 +11,22 @@ using base::ErrorCode;
 
 namespace {
 const QString operation = QStringLiteral("load");
-constexpr int longestPause = 3'600'000; ///< ms
+constexpr int maxPause = 3'600'000; ///< ms
 
-QString words(std::string_view text)
+QString toQString(std::string_view text)
 {
     return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
 base::Result<SweepPoint> pointOf(const std::vector<std::string_view>& cells, int line)
 {
-    SweepPoint point{words(cells.front())};
+    SweepPoint point{toQString(cells.front())};
     if (point.target.isEmpty() || cells.size() > 2)
         return base::fail(ErrorCode::FileFormat, operation, QStringLiteral("line %1").arg(line));
     if (cells.size() == 2 && !cells[1].empty()) {
         bool whole = false;
-        const int pause = words(cells[1]).toInt(&whole);
-        if (!whole || pause < 1 || pause > longestPause)
+        const int pause = toQString(cells[1]).toInt(&whole);
+        if (!whole || pause < 1 || pause > maxPause)
             return base::fail(ErrorCode::FileFormat, operation,
                               QStringLiteral("line %1, pause").arg(line));
         point.pause = std::chrono::milliseconds(pause);
@@ -38,7 +38,7 @@ base::Result<SweepPoint> pointOf(const std::vector<std::string_view>& cells, int
 base::Result<std::vector<SweepPoint>> decodeSweepPoints(const QByteArray& text)
 {
     std::vector<SweepPoint> points;
-    CsvCells split;
+    CsvLineParser split;
     int number = 0;
     for (const QByteArray& whole : text.split('\n')) {
         ++number;
@@ -60,8 +60,8 @@ base::Result<std::vector<SweepPoint>> decodeSweepPoints(const QByteArray& text)
 
 base::Result<std::vector<SweepPoint>> loadSweepPoints(const QString& path)
 {
-    constexpr qint64 largestFile = 16 << 20;
-    const auto text = readTextFile(operation, path, largestFile);
+    constexpr qint64 maxFileSize = 16 << 20;
+    const auto text = readTextFile(operation, path, maxFileSize);
     if (!text)
         return tl::unexpected(text.error());
     return decodeSweepPoints(*text);

@@ -34,11 +34,11 @@ constexpr Names<SweepEnd, 10> ends{{
     {SweepEnd::LinkLost, "link-lost"},
     {SweepEnd::Refused, "refused"},
     {SweepEnd::TorqueLost, "torque-lost"},
-    {SweepEnd::Exchanged, "exchanged"},
+    {SweepEnd::ServoReplaced, "exchanged"},
 }};
 
 template <typename Word, std::size_t Count>
-QString nameIn(const Names<Word, Count>& names, Word word)
+QString nameOfValue(const Names<Word, Count>& names, Word word)
 {
     for (const auto& [known, name] : names) {
         if (known == word)
@@ -48,7 +48,7 @@ QString nameIn(const Names<Word, Count>& names, Word word)
 }
 
 template <typename Word, std::size_t Count>
-std::optional<Word> wordIn(const Names<Word, Count>& names, const QString& wanted)
+std::optional<Word> valueOfName(const Names<Word, Count>& names, const QString& wanted)
 {
     for (const auto& [word, name] : names) {
         if (wanted == QLatin1String(name))
@@ -72,14 +72,14 @@ Grade gradeOf(SweepEnd end)
     case SweepEnd::LinkLost:
     case SweepEnd::Refused:
     case SweepEnd::TorqueLost:
-    case SweepEnd::Exchanged:
+    case SweepEnd::ServoReplaced:
         break;
     }
     return Grade::NotMeasured;
 }
 
 /// A failure is one whatever else was found out; a servo without a verdict is worse than a warning.
-int badness(Grade grade)
+int severity(Grade grade)
 {
     switch (grade) {
     case Grade::Pass:
@@ -97,49 +97,49 @@ int badness(Grade grade)
 
 QString sweepShapeName(SweepShape shape)
 {
-    return nameIn(shapes, shape);
+    return nameOfValue(shapes, shape);
 }
 
 std::optional<SweepShape> sweepShapeFromName(const QString& name)
 {
-    return wordIn(shapes, name);
+    return valueOfName(shapes, name);
 }
 
 QString sweepPaceName(SweepPace pace)
 {
-    return nameIn(paces, pace);
+    return nameOfValue(paces, pace);
 }
 
 std::optional<SweepPace> sweepPaceFromName(const QString& name)
 {
-    return wordIn(paces, name);
+    return valueOfName(paces, name);
 }
 
 QString gradeName(Grade grade)
 {
-    return nameIn(grades, grade);
+    return nameOfValue(grades, grade);
 }
 
 std::optional<Grade> gradeFromName(const QString& name)
 {
-    return wordIn(grades, name);
+    return valueOfName(grades, name);
 }
 
 QString sweepEndName(SweepEnd end)
 {
-    return nameIn(ends, end);
+    return nameOfValue(ends, end);
 }
 
 std::optional<SweepEnd> sweepEndFromName(const QString& name)
 {
-    return wordIn(ends, name);
+    return valueOfName(ends, name);
 }
 
 Grade SweepRun::verdict() const
 {
     Grade worst = servos.empty() ? Grade::NotMeasured : gradeOf(end);
     for (const SweepServo& servo : servos) {
-        if (badness(servo.verdict) > badness(worst))
+        if (severity(servo.verdict) > severity(worst))
             worst = servo.verdict;
     }
     return worst;

@@ -73,9 +73,9 @@ enum class SweepEnd : std::uint8_t {
     Stall,
     Failure, ///< the first failed line, when asked to stop there
     LinkLost,
-    Refused,    ///< a servo no longer took a goal: its limits or its mode have changed
-    TorqueLost, ///< a servo had no torque any more (a restart, another program), and is left so
-    Exchanged,  ///< another servo answers under the ID of one of them, and is left alone
+    Refused,       ///< a servo no longer took a goal: its limits or its mode have changed
+    TorqueLost,    ///< a servo had no torque any more (a restart, another program), and is left so
+    ServoReplaced, ///< another servo answers under the ID of one of them, and is left alone
 };
 QString sweepEndName(SweepEnd end);
 std::optional<SweepEnd> sweepEndFromName(const QString& name);
@@ -89,8 +89,8 @@ struct SweepGap {
 
 struct SweepErrors {
     std::uint64_t asked = 0; ///< readings and writes
-    std::uint64_t timeOuts = 0;
-    std::uint64_t badChecks = 0;
+    std::uint64_t timeouts = 0;
+    std::uint64_t badChecksums = 0;
     std::uint64_t foreign = 0;
     std::uint64_t late = 0;
     bool operator==(const SweepErrors&) const = default;

@@ -20,7 +20,7 @@ const QLatin1StringView overshoot("overshoot");
 const QLatin1StringView communicationErrors("communication_errors");
 
 /// Not within the limit; also where one of both is no number.
-bool breaks(double value, const std::optional<double>& limit, bool atLeast)
+bool isBeyond(double value, const std::optional<double>& limit, bool atLeast)
 {
     return limit && !(atLeast ? value >= *limit : value <= *limit);
 }
@@ -29,12 +29,12 @@ Grade gradeOf(std::optional<double> value, const SweepLimit& limit)
 {
     if (!value)
         return Grade::NotMeasured;
-    if (std::isnan(*value) || breaks(*value, limit.fail, limit.atLeast))
+    if (std::isnan(*value) || isBeyond(*value, limit.fail, limit.atLeast))
         return Grade::Fail;
-    return breaks(*value, limit.warn, limit.atLeast) ? Grade::Warn : Grade::Pass;
+    return isBeyond(*value, limit.warn, limit.atLeast) ? Grade::Warn : Grade::Pass;
 }
 
-bool applies(const QString& metric, SweepShape shape)
+bool appliesTo(const QString& metric, SweepShape shape)
 {
     if (metric == phaseLag || metric == readingsPerPeriod)
         return shape == SweepShape::Sine;
@@ -51,7 +51,7 @@ const SweepMetric* metricOf(const SweepServo& servo, QLatin1StringView key)
 }
 
 /// The lines about a figure say something, and all of them do.
-NoVerdict lacks(const SweepServo& servo, QLatin1StringView key)
+NoVerdictReason metricReason(const SweepServo& servo, QLatin1StringView key)
 {
     bool any = false;
     for (const VerdictLine& line : servo.lines) {
@@ -60,32 +60,32 @@ NoVerdict lacks(const SweepServo& servo, QLatin1StringView key)
         any = true;
         // What was measured has a grade, unless judge() left a failure open.
         if (line.grade == Grade::NotMeasured)
-            return line.value ? NoVerdict::SlowLink : NoVerdict::NotMeasured;
+            return line.value ? NoVerdictReason::SlowLink : NoVerdictReason::NotMeasured;
     }
-    return any ? NoVerdict::None : NoVerdict::NoLimit;
+    return any ? NoVerdictReason::None : NoVerdictReason::NoLimit;
 }
 
-NoVerdict lackOfSine(const SweepRun& run, const SweepServo& servo)
+NoVerdictReason sineReason(const SweepRun& run, const SweepServo& servo)
 {
     if (servo.legs.size() < legsOfCycle)
-        return NoVerdict::TooShort;
-    if (sineTooFast(run.spec, servo.axis))
-        return NoVerdict::TooFast;
-    const auto seenOften =
+        return NoVerdictReason::TooShort;
+    if (isSineTooFast(run.spec, servo.axis))
+        return NoVerdictReason::TooFast;
+    const auto wellSampledLegs =
         std::count_if(servo.legs.begin(), servo.legs.end(), [](const SweepLeg& leg) {
             return leg.samples * legsPerPeriod >= minReadingsPerPeriod;
         });
-    if (std::size_t(seenOften) * 4 < servo.legs.size() * 3)
-        return NoVerdict::TooFewReadings;
+    if (std::size_t(wellSampledLegs) * 4 < servo.legs.size() * 3)
+        return NoVerdictReason::TooFewReadings;
     for (const QLatin1StringView key : {relativeError, phaseLag}) {
-        if (const NoVerdict lack = lacks(servo, key); lack != NoVerdict::None)
+        if (const NoVerdictReason lack = metricReason(servo, key); lack != NoVerdictReason::None)
             return lack;
         // What half of the run was not seen in is not known of the run.
         const SweepMetric* metric = metricOf(servo, key);
         if (metric == nullptr || metric->count * 2 < servo.legs.size())
-            return NoVerdict::NotMeasured;
+            return NoVerdictReason::NotMeasured;
     }
-    return NoVerdict::None;
+    return NoVerdictReason::None;
 }
 
 /// How far a leg of a sine is behind, as the figure over the run counts it.
@@ -100,18 +100,19 @@ std::optional<double> lagOf(const SweepLeg& leg, const SweepServo& servo, const 
 
 /// A leg was behind by too much that was read too often for the delay of the link to explain it.
 /// What other legs lack says nothing against it.
-bool lagIsProven(const SweepServo& servo, const SweepLimit& limit)
+bool isLagProven(const SweepServo& servo, const SweepLimit& limit)
 {
     return std::any_of(servo.legs.begin(), servo.legs.end(), [&](const SweepLeg& leg) {
-        return leg.samples * legsPerPeriod >= readingsToFailSine &&
+        return leg.samples * legsPerPeriod >= minReadingsToFailSine &&
                gradeOf(lagOf(leg, servo, limit.metric), limit) == Grade::Fail;
     });
 }
 
 /// What less than half of the legs say anything about is not known of the run.
-bool saidByMost(const SweepServo& servo, const std::function<bool(const SweepLeg&)>& says)
+bool holdsForMostLegs(const SweepServo& servo,
+                      const std::function<bool(const SweepLeg&)>& predicate)
 {
-    return 2 * std::size_t(std::count_if(servo.legs.begin(), servo.legs.end(), says)) >
+    return 2 * std::size_t(std::count_if(servo.legs.begin(), servo.legs.end(), predicate)) >
            servo.legs.size();
 }
 
@@ -122,20 +123,21 @@ bool hasLimit(const SweepServo& servo, QLatin1StringView key)
 }
 
 /// That the servo came to its targets was seen, by moves that prove it.
-NoVerdict lackOfArrivals(const SweepServo& servo)
+NoVerdictReason arrivalReason(const SweepServo& servo)
 {
     const double tolerance = servo.axis.tolerance;
-    if (saidByMost(servo, [=](const SweepLeg& leg) { return provesArrival(leg, tolerance); }))
-        return NoVerdict::None;
+    if (holdsForMostLegs(servo, [=](const SweepLeg& leg) { return provesArrival(leg, tolerance); }))
+        return NoVerdictReason::None;
     const bool tooShort =
-        !saidByMost(servo, [=](const SweepLeg& leg) { return isLongEnough(leg, tolerance); });
-    return tooShort && !servo.legs.empty() ? NoVerdict::ShortMoves : NoVerdict::NotMeasured;
+        !holdsForMostLegs(servo, [=](const SweepLeg& leg) { return isLongEnough(leg, tolerance); });
+    return tooShort && !servo.legs.empty() ? NoVerdictReason::ShortMoves
+                                           : NoVerdictReason::NotMeasured;
 }
 
 /// Where it came to rest and how far beyond it went count where there is a limit for them.
-NoVerdict lackOfTargets(const SweepServo& servo)
+NoVerdictReason targetReason(const SweepServo& servo)
 {
-    if (const NoVerdict lack = lackOfArrivals(servo); lack != NoVerdict::None)
+    if (const NoVerdictReason lack = arrivalReason(servo); lack != NoVerdictReason::None)
         return lack;
     const std::pair<QLatin1StringView, std::optional<double> SweepLeg::*> deciding[]{
         {steadyError, &SweepLeg::steadyError}, {overshoot, &SweepLeg::overshoot}};
@@ -143,46 +145,47 @@ NoVerdict lackOfTargets(const SweepServo& servo)
         const auto measured = [member = member](const SweepLeg& leg) {
             return (leg.*member).has_value();
         };
-        if (hasLimit(servo, key) && !saidByMost(servo, measured))
-            return NoVerdict::NotMeasured;
+        if (hasLimit(servo, key) && !holdsForMostLegs(servo, measured))
+            return NoVerdictReason::NotMeasured;
     }
-    return NoVerdict::None;
+    return NoVerdictReason::None;
 }
 
 /// How far a servo is behind is known where its speed is; that it comes to its targets, always.
-NoVerdict lackOfRandom(const SweepServo& servo)
+NoVerdictReason randomReason(const SweepServo& servo)
 {
     if (servo.legs.size() < legsOfCycle)
-        return NoVerdict::TooShort;
-    if (const NoVerdict lack = lackOfArrivals(servo); lack != NoVerdict::None)
+        return NoVerdictReason::TooShort;
+    if (const NoVerdictReason lack = arrivalReason(servo); lack != NoVerdictReason::None)
         return lack;
-    const NoVerdict reached = lacks(servo, missedTargets);
-    return lacks(servo, relativeError) == NoVerdict::None ? NoVerdict::None : reached;
+    const NoVerdictReason reached = metricReason(servo, missedTargets);
+    return metricReason(servo, relativeError) == NoVerdictReason::None ? NoVerdictReason::None
+                                                                       : reached;
 }
 
-NoVerdict lackOf(const SweepRun& run, const SweepServo& servo)
+NoVerdictReason noVerdictReasonOf(const SweepRun& run, const SweepServo& servo)
 {
     if (run.end != SweepEnd::Finished)
-        return NoVerdict::Ended;
-    NoVerdict lack = NoVerdict::None;
+        return NoVerdictReason::Ended;
+    NoVerdictReason lack = NoVerdictReason::None;
     if (run.spec.shape == SweepShape::Sine)
-        lack = lackOfSine(run, servo);
+        lack = sineReason(run, servo);
     else if (run.spec.shape == SweepShape::Random)
-        lack = lackOfRandom(servo);
+        lack = randomReason(servo);
     else
-        lack = lackOfTargets(servo);
-    if (lack == NoVerdict::None && worst(servo.lines) == Grade::NotMeasured)
-        return NoVerdict::NotMeasured;
+        lack = targetReason(servo);
+    if (lack == NoVerdictReason::None && worstGrade(servo.lines) == Grade::NotMeasured)
+        return NoVerdictReason::NotMeasured;
     return lack;
 }
 } // namespace
 
-QString noVerdictName(NoVerdict reason)
+QString noVerdictReasonName(NoVerdictReason reason)
 {
     constexpr std::array names{
         "",         "ended",       "too-short", "too-few-readings", "too-fast",
         "no-limit", "short-moves", "slow-link", "not-measured"};
-    static_assert(names.size() == std::size_t(NoVerdict::NotMeasured) + 1);
+    static_assert(names.size() == std::size_t(NoVerdictReason::NotMeasured) + 1);
     return QString::fromLatin1(names[std::size_t(reason)]);
 }
 
@@ -196,7 +199,7 @@ bool provesArrival(const SweepLeg& leg, double tolerance)
     return leg.missed || (leg.timeToTarget && isLongEnough(leg, tolerance));
 }
 
-bool blamesServo(SweepEnd end)
+bool isServoFault(SweepEnd end)
 {
     return end == SweepEnd::Alarm || end == SweepEnd::Stall || end == SweepEnd::Failure;
 }
@@ -206,11 +209,11 @@ bool canBeReference(SweepEnd end)
     return end == SweepEnd::Finished;
 }
 
-Grade gradeAfter(SweepEnd end, Grade grade, bool toBlame)
+Grade gradeAfter(SweepEnd end, Grade grade, bool isResponsible)
 {
     if (end == SweepEnd::Finished || grade == Grade::Fail)
         return grade;
-    return toBlame && blamesServo(end) ? Grade::Fail : Grade::NotMeasured;
+    return isResponsible && isServoFault(end) ? Grade::Fail : Grade::NotMeasured;
 }
 
 SweepVerdict sweepVerdict(const SweepRun& run, const SweepServo& servo)
@@ -221,23 +224,23 @@ SweepVerdict sweepVerdict(const SweepRun& run, const SweepServo& servo)
             return line.grade == Grade::Fail &&
                    !(early && line.limit.metric == communicationErrors);
         });
-    const bool toBlame = run.endedBy == servo.parameters.servo.id && blamesServo(run.end);
-    if (failed || toBlame)
+    const bool isResponsible = run.endedBy == servo.parameters.servo.id && isServoFault(run.end);
+    if (failed || isResponsible)
         return {Grade::Fail};
-    const NoVerdict lack = lackOf(run, servo);
-    if (lack != NoVerdict::None)
+    const NoVerdictReason lack = noVerdictReasonOf(run, servo);
+    if (lack != NoVerdictReason::None)
         return {Grade::NotMeasured, lack};
-    return {worst(servo.lines)};
+    return {worstGrade(servo.lines)};
 }
 
-void giveVerdicts(SweepRun& run)
+void assignVerdicts(SweepRun& run)
 {
     for (SweepServo& servo : run.servos)
         servo.verdict = sweepVerdict(run, servo).grade;
 }
 
-std::vector<VerdictLine> judge(const SweepServo& servo, const std::vector<SweepMetric>& metrics,
-                               SweepShape shape)
+std::vector<VerdictLine> evaluate(const SweepServo& servo, const std::vector<SweepMetric>& metrics,
+                                  SweepShape shape)
 {
     const auto valueOf = [&](const QString& key) {
         const auto found = std::find_if(metrics.begin(), metrics.end(),
@@ -246,19 +249,19 @@ std::vector<VerdictLine> judge(const SweepServo& servo, const std::vector<SweepM
     };
     std::vector<VerdictLine> lines;
     for (const SweepLimit& limit : servo.limits.lines) {
-        if (!applies(limit.metric, shape))
+        if (!appliesTo(limit.metric, shape))
             continue;
         const auto value = valueOf(limit.metric);
-        const bool lags = limit.metric == relativeError || limit.metric == phaseLag;
+        const bool isLagMetric = limit.metric == relativeError || limit.metric == phaseLag;
         const Grade grade = gradeOf(value, limit);
-        const bool unproven =
-            grade == Grade::Fail && shape == SweepShape::Sine && lags && !lagIsProven(servo, limit);
+        const bool unproven = grade == Grade::Fail && shape == SweepShape::Sine && isLagMetric &&
+                              !isLagProven(servo, limit);
         lines.push_back({limit, value, unproven ? Grade::NotMeasured : grade});
     }
     return lines;
 }
 
-Grade worst(const std::vector<VerdictLine>& lines)
+Grade worstGrade(const std::vector<VerdictLine>& lines)
 {
     Grade grade = Grade::NotMeasured;
     for (const Grade one : {Grade::Pass, Grade::Warn, Grade::Fail}) {
@@ -279,7 +282,7 @@ std::optional<double> followingScale(SweepShape shape, const SweepAxis& axis)
     return shape == SweepShape::Random ? std::optional(range) : std::nullopt;
 }
 
-bool sineTooFast(const SweepSpec& spec, const SweepAxis& axis)
+bool isSineTooFast(const SweepSpec& spec, const SweepAxis& axis)
 {
     if (spec.shape != SweepShape::Sine || !axis.speed || spec.period <= base::Duration::zero())
         return false;

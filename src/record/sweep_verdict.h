@@ -12,7 +12,7 @@
 
 namespace record {
 /// Why a servo has no verdict.
-enum class NoVerdict : std::uint8_t {
+enum class NoVerdictReason : std::uint8_t {
     None,           ///< it has one
     Ended,          ///< the run did not finish
     TooShort,       ///< sine, random: less than one whole cycle
@@ -21,21 +21,21 @@ enum class NoVerdict : std::uint8_t {
     NoLimit,        ///< sine, random: no limit says how well goals must be followed or reached
     ShortMoves,     ///< paths with targets: most moves are no longer than a servo that stands still
                     ///< needs to be within tolerance, see provesArrival()
-    SlowLink,       ///< sine: too far behind, but only in legs with fewer than readingsToFailSine
-    NotMeasured,    ///< nothing, or not what the path is judged by in most of its legs
+    SlowLink,    ///< sine: too far behind, but only in legs with fewer than minReadingsToFailSine
+    NotMeasured, ///< nothing, or not what the path is judged by in most of its legs
 };
-QString noVerdictName(NoVerdict reason); ///< "ended", "too-short" …; None: empty
+QString noVerdictReasonName(NoVerdictReason reason); ///< "ended", "too-short" …; None: empty
 
 struct SweepVerdict {
     Grade grade = Grade::NotMeasured;
-    NoVerdict reason = NoVerdict::None;
+    NoVerdictReason reason = NoVerdictReason::None;
 };
 
 /// Fewer say nothing about how a sine is followed.
 inline constexpr int minReadingsPerPeriod = 20;
 /// With fewer in a leg (half a period), what a sine shows the servo to be behind by there may be
 /// the delay of the link: that it is too much is not known then.
-inline constexpr int readingsToFailSine = 40;
+inline constexpr int minReadingsToFailSine = 40;
 
 /// A shorter move proves nothing: a servo that stands still between its ends is within tolerance of
 /// both. Tolerances, from where the servo stood.
@@ -48,27 +48,28 @@ bool provesArrival(const SweepLeg& leg, double tolerance);
 
 SweepVerdict sweepVerdict(const SweepRun& run, const SweepServo& servo);
 /// SweepServo::verdict of all servos.
-void giveVerdicts(SweepRun& run);
-/// For lists, which have no figures: `grade` is what was stored; `toBlame`: this servo ended it.
-Grade gradeAfter(SweepEnd end, Grade grade, bool toBlame);
+void assignVerdicts(SweepRun& run);
+/// For lists, which have no figures: `grade` is what was stored; `isResponsible`: this servo ended
+/// it.
+Grade gradeAfter(SweepEnd end, Grade grade, bool isResponsible);
 /// An alarm, a stall, a failed limit: one servo is to blame for the end.
-bool blamesServo(SweepEnd end);
+bool isServoFault(SweepEnd end);
 /// Only a run that finished can be what others are held against.
 bool canBeReference(SweepEnd end);
 
 /// A line a limit that applies to the path: Fail before Warn; exactly on the limit is still good; a
 /// limit without `fail` only warns. What was not measured is NotMeasured; a value that is not a
-/// number fails. How far behind a sine is fails only by a leg with readingsToFailSine, else that
+/// number fails. How far behind a sine is fails only by a leg with minReadingsToFailSine, else that
 /// line is NotMeasured with its value. `metrics` are those of servo.legs, `servo.limits` the
 /// limits.
-std::vector<VerdictLine> judge(const SweepServo& servo, const std::vector<SweepMetric>& metrics,
-                               SweepShape shape);
+std::vector<VerdictLine> evaluate(const SweepServo& servo, const std::vector<SweepMetric>& metrics,
+                                  SweepShape shape);
 /// Fail before Warn before Pass; NotMeasured when no line was measured.
-Grade worst(const std::vector<VerdictLine>& lines);
+Grade worstGrade(const std::vector<VerdictLine>& lines);
 
 /// What the following error is held against, in steps: half the range of a sine (its amplitude),
 /// the range of random targets; nullopt: other paths.
 std::optional<double> followingScale(SweepShape shape, const SweepAxis& axis);
 /// In its middle the sine is faster than the speed the servo is told to move at.
-bool sineTooFast(const SweepSpec& spec, const SweepAxis& axis);
+bool isSineTooFast(const SweepSpec& spec, const SweepAxis& axis);
 } // namespace record

@@ -16,7 +16,7 @@ namespace {
 const auto openMode = QIODevice::WriteOnly | QIODevice::Unbuffered;
 
 template <typename File>
-bool writePieces(File& file, const std::function<void(const TextSink&)>& write)
+bool writeChunks(File& file, const std::function<void(const TextSink&)>& write)
 {
     if (!file.open(openMode))
         return false;
@@ -40,7 +40,7 @@ bool openForReading(QFile& file)
 }
 } // namespace
 
-base::Result<QByteArray> readTextFile(const QString& operation, const QString& path, qint64 largest)
+base::Result<QByteArray> readTextFile(const QString& operation, const QString& path, qint64 maxSize)
 {
     const QFileInfo source(path);
     if (!source.exists())
@@ -53,11 +53,11 @@ base::Result<QByteArray> readTextFile(const QString& operation, const QString& p
     if (!openForReading(file))
         return base::fail(base::ErrorCode::FileUnreadable, operation,
                           path + QStringLiteral(": ") + file.errorString());
-    const QByteArray text = file.read(largest + 1);
+    const QByteArray text = file.read(maxSize + 1);
     if (file.error() != QFileDevice::NoError)
         return base::fail(base::ErrorCode::FileUnreadable, operation,
                           path + QStringLiteral(": ") + file.errorString());
-    if (text.size() > largest)
+    if (text.size() > maxSize)
         return base::fail(base::ErrorCode::FileFormat, operation,
                           path + QStringLiteral(": too large for a file of this kind"));
     return text;
@@ -74,7 +74,7 @@ base::Result<void> saveTextFile(const QString& operation,
                                 const std::function<void(const TextSink&)>& write,
                                 const QString& path)
 {
-    return saveIfMade(
+    return saveTextFileIfValid(
         operation,
         [&](const TextSink& sink) -> base::Result<void> {
             write(sink);
@@ -83,26 +83,27 @@ base::Result<void> saveTextFile(const QString& operation,
         path);
 }
 
-base::Result<void> saveIfMade(const QString& operation,
-                              const std::function<base::Result<void>(const TextSink&)>& write,
-                              const QString& path)
+base::Result<void>
+saveTextFileIfValid(const QString& operation,
+                    const std::function<base::Result<void>(const TextSink&)>& write,
+                    const QString& path)
 {
     base::Result<void> made;
     const auto all = [&](const TextSink& sink) { made = write(sink); };
     if (path.isEmpty())
-        return tl::unexpected(noName(operation));
-    if (auto special = notForWriting(operation, path))
+        return tl::unexpected(noFileNameError(operation));
+    if (auto special = writeRefusal(operation, path))
         return tl::unexpected(std::move(*special));
     const QFileInfo target(path);
     // Renaming onto a pipe or device would replace it by a file.
     if (target.exists() && !target.isFile() && !target.isDir()) {
         QFile file(path);
-        if (!writePieces(file, all))
+        if (!writeChunks(file, all))
             return tl::unexpected(fileError(operation, file));
         return made;
     }
     QSaveFile file(path);
-    if (!writePieces(file, all))
+    if (!writeChunks(file, all))
         return tl::unexpected(fileError(operation, file));
     if (!made) {
         file.cancelWriting();

@@ -13,7 +13,7 @@
 
 namespace record {
 base::Result<QByteArray> readTextFile(const QString& operation, const QString& path,
-                                      qint64 largest);
+                                      qint64 maxSize);
 base::Result<void> saveTextFile(const QString& operation, const QByteArray& text,
                                 const QString& path);
 
@@ -25,7 +25,8 @@ base::Result<void> saveTextFile(const QString& operation,
                                 const std::function<void(const TextSink&)>& write,
                                 const QString& path);
 /// The same for a text that may fail to come about: then the file stays as it was.
-base::Result<void> saveIfMade(const QString& operation,
-                              const std::function<base::Result<void>(const TextSink&)>& write,
-                              const QString& path);
+base::Result<void>
+saveTextFileIfValid(const QString& operation,
+                    const std::function<base::Result<void>(const TextSink&)>& write,
+                    const QString& path);
 } // namespace record

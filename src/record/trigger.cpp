@@ -14,9 +14,9 @@ struct Name {
 constexpr std::array names{
     Name{MarkKind::Write, "write"},
     Name{MarkKind::Fault, "fault"},
-    Name{MarkKind::FaultOver, "fault-over"},
+    Name{MarkKind::FaultCleared, "fault-over"},
     Name{MarkKind::LinkError, "link-error"},
-    Name{MarkKind::LinkBack, "link-back"},
+    Name{MarkKind::LinkRestored, "link-back"},
     Name{MarkKind::Move, "move"},
     Name{MarkKind::Stop, "stop"},
     Name{MarkKind::Note, "note"},
@@ -46,7 +46,7 @@ void Trigger::arm(const TriggerSpec& spec)
     m_spec = spec;
     m_state = State::Armed;
     m_firedAt.reset();
-    m_ready = false;
+    m_isPrimed = false;
 }
 
 void Trigger::disarm()
@@ -58,7 +58,7 @@ void Trigger::disarm()
 void Trigger::sample(ChannelId channel, base::Duration at, double value)
 {
     if (m_state != State::Armed) {
-        reach(at);
+        advanceTo(at);
         return;
     }
     if (channel != m_spec.channel)
@@ -80,14 +80,14 @@ void Trigger::sample(ChannelId channel, base::Duration at, double value)
             fire(at);
         break;
     case TriggerSpec::Kind::Rising:
-        if (above && m_ready)
+        if (above && m_isPrimed)
             fire(at);
-        m_ready = m_ready || value < level - m_spec.hysteresis;
+        m_isPrimed = m_isPrimed || value < level - m_spec.hysteresis;
         break;
     case TriggerSpec::Kind::Falling:
-        if (below && m_ready)
+        if (below && m_isPrimed)
             fire(at);
-        m_ready = m_ready || value > level + m_spec.hysteresis;
+        m_isPrimed = m_isPrimed || value > level + m_spec.hysteresis;
         break;
     case TriggerSpec::Kind::Mark:
         break;
@@ -97,13 +97,13 @@ void Trigger::sample(ChannelId channel, base::Duration at, double value)
 void Trigger::gap(ChannelId channel)
 {
     if (channel == m_spec.channel)
-        m_ready = false;
+        m_isPrimed = false;
 }
 
 void Trigger::mark(const Mark& mark)
 {
     if (m_state != State::Armed) {
-        reach(mark.at);
+        advanceTo(mark.at);
         return;
     }
     const bool concerned =
@@ -112,7 +112,7 @@ void Trigger::mark(const Mark& mark)
         fire(mark.at);
 }
 
-void Trigger::reach(base::Duration now)
+void Trigger::advanceTo(base::Duration now)
 {
     if (m_state == State::Fired && now >= *m_firedAt + m_spec.post)
         m_state = State::Complete;
@@ -122,7 +122,7 @@ void Trigger::fire(base::Duration at)
 {
     m_state = State::Fired;
     m_firedAt = at;
-    reach(at);
+    advanceTo(at);
 }
 
 std::optional<TimeSpan> Trigger::window() const

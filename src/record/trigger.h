@@ -9,9 +9,9 @@ namespace record {
 enum class MarkKind : std::uint8_t {
     Write,
     Fault,
-    FaultOver,
+    FaultCleared,
     LinkError,
-    LinkBack,
+    LinkRestored,
     Move,
     Stop,
     Note
@@ -57,7 +57,7 @@ public:
     void gap(ChannelId channel);
     void mark(const Mark& mark);
     /// Time goes on without samples too; completes a trigger that has fired.
-    void reach(base::Duration now);
+    void advanceTo(base::Duration now);
 
     State state() const { return m_state; }
     const TriggerSpec& spec() const { return m_spec; }
@@ -71,6 +71,6 @@ private:
     TriggerSpec m_spec;
     State m_state = State::Idle;
     std::optional<base::Duration> m_firedAt;
-    bool m_ready = false; ///< the other side of the level has been seen
+    bool m_isPrimed = false; ///< the other side of the level has been seen
 };
 } // namespace record

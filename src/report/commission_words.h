@@ -11,8 +11,8 @@ namespace report {
 using catalog::Text;
 
 /// "voltage alarm", "belongs to another model: STS3215"; an error's name comes back as it is.
-Text commissionTroubleWords(const record::CommissionTrouble& trouble);
-Text commissionTroublesWords(const std::vector<record::CommissionTrouble>& troubles); ///< joined
-Text commissionVerdictWords(record::CommissionVerdict verdict);                       ///< "Good"
-QString commissionVerdictSign(record::CommissionVerdict verdict);                     ///< "✔"
+Text commissionIssueText(const record::CommissionIssue& issue);
+Text commissionIssuesText(const std::vector<record::CommissionIssue>& issues); ///< joined
+Text commissionVerdictText(record::CommissionVerdict verdict);                 ///< "Good"
+QString commissionVerdictSign(record::CommissionVerdict verdict);              ///< "✔"
 } // namespace report

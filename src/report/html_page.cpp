@@ -106,53 +106,53 @@ QString figure(double value)
     return text == QStringLiteral("-0") ? QStringLiteral("0") : text;
 }
 
-QString Scribe::span(const char* element, const catalog::Text& text) const
+QString HtmlWriter::span(const char* element, const catalog::Text& text) const
 {
-    if (m_tongue != Tongue::Both || text.en == text.zh)
-        return escaped(text.in(m_tongue == Tongue::Chinese));
+    if (m_language != ReportLanguage::Both || text.en == text.zh)
+        return escaped(text.in(m_language == ReportLanguage::Chinese));
     return QStringLiteral(
                "<%1 class=\"en\" lang=\"en\">%2</%1><%1 class=\"zh\" lang=\"zh\">%3</%1>")
         .arg(QString::fromLatin1(element), escaped(text.en), escaped(text.zh));
 }
 
-QString Scribe::say(const catalog::Text& text) const
+QString HtmlWriter::htmlText(const catalog::Text& text) const
 {
     return span("span", text);
 }
 
-QString Scribe::sayInSvg(const catalog::Text& text) const
+QString HtmlWriter::htmlInSvg(const catalog::Text& text) const
 {
     return span("tspan", text);
 }
 
-QString Scribe::inAttribute(const catalog::Text& text) const
+QString HtmlWriter::attributeText(const catalog::Text& text) const
 {
-    if (m_tongue == Tongue::Both)
+    if (m_language == ReportLanguage::Both)
         return escaped(text.en + QStringLiteral(" / ") + text.zh);
-    return escaped(text.in(m_tongue == Tongue::Chinese));
+    return escaped(text.in(m_language == ReportLanguage::Chinese));
 }
 
-QString Scribe::heading(int level, const catalog::Text& text) const
+QString HtmlWriter::heading(int level, const catalog::Text& text) const
 {
-    return QStringLiteral("<h%1>%2</h%1>\n").arg(level).arg(say(text));
+    return QStringLiteral("<h%1>%2</h%1>\n").arg(level).arg(htmlText(text));
 }
 
-QString Scribe::paragraph(const catalog::Text& text) const
+QString HtmlWriter::paragraph(const catalog::Text& text) const
 {
-    return QStringLiteral("<p>") + say(text) + QStringLiteral("</p>\n");
+    return QStringLiteral("<p>") + htmlText(text) + QStringLiteral("</p>\n");
 }
 
-QString Scribe::optional(std::optional<double> value, const catalog::Text& otherwise) const
+QString HtmlWriter::optional(std::optional<double> value, const catalog::Text& otherwise) const
 {
-    return value && std::isfinite(*value) ? figure(*value) : say(otherwise);
+    return value && std::isfinite(*value) ? figure(*value) : htmlText(otherwise);
 }
 
-QString table(const QStringList& headings, const std::vector<QStringList>& rows, bool many)
+QString table(const QStringList& headings, const std::vector<QStringList>& rows, bool isWide)
 {
     QString text = QStringLiteral("<div class=\"wide\"><table%1 border=\"1\" cellspacing=\"0\" "
                                   "cellpadding=\"%2\">\n<thead><tr>")
-                       .arg(many ? QStringLiteral(" class=\"many\"") : QString())
-                       .arg(many ? 2 : 3);
+                       .arg(isWide ? QStringLiteral(" class=\"many\"") : QString())
+                       .arg(isWide ? 2 : 3);
     for (const QString& heading : headings)
         text += QStringLiteral("<th>") + heading + QStringLiteral("</th>");
     text += QStringLiteral("</tr></thead>\n<tbody>\n");
@@ -168,7 +168,7 @@ QString table(const QStringList& headings, const std::vector<QStringList>& rows,
     return text + QStringLiteral("</tbody></table></div>\n");
 }
 
-QString pairs(const std::vector<QStringList>& rows)
+QString keyValueTable(const std::vector<QStringList>& rows)
 {
     QString text =
         QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\"><tbody>\n");
@@ -178,9 +178,10 @@ QString pairs(const std::vector<QStringList>& rows)
     return text + QStringLiteral("</tbody></table>\n");
 }
 
-QString page(const Scribe& scribe, const catalog::Text& title, const QString& body, bool chinese)
+QString page(const HtmlWriter& htmlWriter, const catalog::Text& title, const QString& body,
+             bool chinese)
 {
-    const bool both = scribe.tongue() == Tongue::Both;
+    const bool both = htmlWriter.language() == ReportLanguage::Both;
     QString text = QStringLiteral(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"%1\">\n<head>\n"
         "<meta charset=\"utf-8\"/>\n"

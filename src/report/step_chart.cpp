@@ -16,12 +16,12 @@ constexpr double left = 64;
 constexpr double right = width - 14;
 constexpr double top = 34;
 constexpr double bottom = height - 46;
-constexpr double room = 0.12; ///< above the target and below the start
+constexpr double headroom = 0.12; ///< above the target and below the start
 constexpr int ticks = 8;
-constexpr double finest = 0.4; ///< px between two points of a curve
+constexpr double minPointDistance = 0.4; ///< px between two points of a curve
 
 /// Dark enough for white paper.
-constexpr std::array colours{"#0b57d0", "#b3261e", "#1a7f37", "#8a5a00"};
+constexpr std::array colors{"#0b57d0", "#b3261e", "#1a7f37", "#8a5a00"};
 
 struct Scale {
     double low = 0;
@@ -39,7 +39,7 @@ struct Scale {
     }
 };
 
-double towards(const record::StepResponse& response, double position)
+double progressTo(const record::StepResponse& response, double position)
 {
     return response.target < response.start ? response.start - position : position - response.start;
 }
@@ -72,38 +72,38 @@ std::pair<Scale, Scale> scalesOf(const std::vector<record::StepRun>& runs)
             y.high = std::max(y.high, std::abs(response.target - response.start));
             for (const record::StepSample& sample : response.samples) {
                 x.high = std::max(x.high, *record::inMs(sample.at));
-                y.high = std::max(y.high, towards(response, sample.position));
-                y.low = std::min(y.low, towards(response, sample.position));
+                y.high = std::max(y.high, progressTo(response, sample.position));
+                y.low = std::min(y.low, progressTo(response, sample.position));
             }
         }
     }
-    const double margin = room * (y.high - y.low);
+    const double margin = headroom * (y.high - y.low);
     y.low -= margin;
     y.high += margin;
     return {x, y};
 }
 
 QString curve(const record::StepResponse& response, const Scale& x, const Scale& y,
-              const char* colour)
+              const char* color)
 {
     QString points;
     double drawn = -1;
     for (const record::StepSample& sample : response.samples) {
         const double across = x.at(*record::inMs(sample.at));
-        if (!points.isEmpty() && across - drawn < finest)
+        if (!points.isEmpty() && across - drawn < minPointDistance)
             continue;
         points += (points.isEmpty() ? u'M' : u'L') + px(across) + u' ' +
-                  px(y.at(towards(response, sample.position)));
+                  px(y.at(progressTo(response, sample.position)));
         drawn = across;
     }
     if (points.isEmpty())
         return {};
     return QStringLiteral("<path d=\"%1\" fill=\"none\" stroke=\"%2\" stroke-width=\"1.2\" "
                           "stroke-opacity=\"0.8\"/>\n")
-        .arg(points, QString::fromLatin1(colour));
+        .arg(points, QString::fromLatin1(color));
 }
 
-QString frame(const Scribe& scribe, const Scale& x, const Scale& y)
+QString frame(const HtmlWriter& htmlWriter, const Scale& x, const Scale& y)
 {
     const QString grid = QStringLiteral("stroke=\"#d0d7de\" stroke-width=\"1\"");
     QString marks;
@@ -115,11 +115,11 @@ QString frame(const Scribe& scribe, const Scale& x, const Scale& y)
                  text(left - 6, y.at(at) + 4, "end", figure(at));
     return marks +
            text((left + right) / 2, height - 10, "middle",
-                scribe.sayInSvg({QStringLiteral("ms from the goal on"),
-                                 QString::fromUtf8("发出目标后的时间 (ms)")})) +
+                htmlWriter.htmlInSvg({QStringLiteral("ms from the goal on"),
+                                      QString::fromUtf8("发出目标后的时间 (ms)")})) +
            text(left, top - 14, "start",
-                scribe.sayInSvg({QStringLiteral("steps towards the target"),
-                                 QString::fromUtf8("朝目标方向的步数")}));
+                htmlWriter.htmlInSvg({QStringLiteral("steps towards the target"),
+                                      QString::fromUtf8("朝目标方向的步数")}));
 }
 
 QString legend(std::size_t runs)
@@ -130,20 +130,20 @@ QString legend(std::size_t runs)
         const double x = right - entry * double(runs - i);
         entries += line(x, top - 18, x + 26, top - 18,
                         QStringLiteral("stroke=\"%1\" stroke-width=\"2\"")
-                            .arg(QString::fromLatin1(colours[i % colours.size()]))) +
+                            .arg(QString::fromLatin1(colors[i % colors.size()]))) +
                    text(x + 32, top - 14, "start", QString::number(i + 1));
     }
     return entries;
 }
 } // namespace
 
-QString stepChart(const Scribe& scribe, const std::vector<record::StepRun>& runs)
+QString stepChart(const HtmlWriter& htmlWriter, const std::vector<record::StepRun>& runs)
 {
     const auto [x, y] = scalesOf(runs);
-    QString content = frame(scribe, x, y);
+    QString content = frame(htmlWriter, x, y);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         for (const record::StepResponse& response : runs[i].responses)
-            content += curve(response, x, y, colours[i % colours.size()]);
+            content += curve(response, x, y, colors[i % colors.size()]);
     }
     if (!runs.empty() && !runs.front().responses.empty()) {
         const record::StepResponse& first = runs.front().responses.front();
@@ -156,7 +156,8 @@ QString stepChart(const Scribe& scribe, const std::vector<record::StepRun>& runs
                "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
                "aria-label=\"%1\" width=\"%2\" height=\"%3\" viewBox=\"0 0 %2 %3\">\n"
                "<rect x=\"0\" y=\"0\" width=\"%2\" height=\"%3\" fill=\"#ffffff\"/>\n%4</svg>\n")
-        .arg(scribe.inAttribute({QStringLiteral("Step responses"), QString::fromUtf8("阶跃响应")}))
+        .arg(htmlWriter.attributeText(
+            {QStringLiteral("Step responses"), QString::fromUtf8("阶跃响应")}))
         .arg(width)
         .arg(height)
         .arg(content + legend(runs.size()));

@@ -15,33 +15,32 @@ Text both(const char* english, const char* chinese)
     return {QString::fromUtf8(english), QString::fromUtf8(chinese)};
 }
 
-QString head(const Scribe& scribe, const StepRun& run)
+QString head(const HtmlWriter& htmlWriter, const StepRun& run)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     const record::SnapshotServo& servo = run.parameters.servo;
     std::vector<QStringList> rows{
-        {scribe.say(words.model), escaped(servo.model)},
-        {scribe.say(words.id), QString::number(servo.id)},
-        {scribe.say(words.date), escaped(run.at.toLocalTime().toString(Qt::ISODate))},
-        {scribe.say(words.port), escaped(run.port)},
-        {scribe.say(words.from), figure(run.axis.from)},
-        {scribe.say(words.to), figure(run.axis.to)},
-        {scribe.say(words.sampling), figure(run.sampleRate) + QStringLiteral(" Hz")},
-        {scribe.say(words.program), escaped(run.program)}};
+        {htmlWriter.htmlText(words.model), escaped(servo.model)},
+        {htmlWriter.htmlText(words.id), QString::number(servo.id)},
+        {htmlWriter.htmlText(words.date), escaped(run.at.toLocalTime().toString(Qt::ISODate))},
+        {htmlWriter.htmlText(words.port), escaped(run.port)},
+        {htmlWriter.htmlText(words.from), figure(run.axis.from)},
+        {htmlWriter.htmlText(words.to), figure(run.axis.to)},
+        {htmlWriter.htmlText(words.sampling), figure(run.sampleRate) + QStringLiteral(" Hz")},
+        {htmlWriter.htmlText(words.program), escaped(run.program)}};
     if (!run.spec.operatorName.isEmpty())
-        rows.push_back({scribe.say(words.operatorName), escaped(run.spec.operatorName)});
+        rows.push_back({htmlWriter.htmlText(words.operatorName), escaped(run.spec.operatorName)});
     if (!run.spec.note.isEmpty())
-        rows.push_back({scribe.say(words.note), escaped(run.spec.note)});
-    const QString simulated =
-        run.simulated
-            ? QStringLiteral("<p class=\"simulated\">%1</p>\n").arg(scribe.say(words.simulated))
-            : QString();
-    return simulated + pairs(rows);
+        rows.push_back({htmlWriter.htmlText(words.note), escaped(run.spec.note)});
+    const QString simulated = run.simulated ? QStringLiteral("<p class=\"simulated\">%1</p>\n")
+                                                  .arg(htmlWriter.htmlText(words.simulated))
+                                            : QString();
+    return simulated + keyValueTable(rows);
 }
 
-QString gains(const Scribe& scribe, const std::vector<StepRun>& runs)
+QString gains(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs)
 {
-    QStringList headings{scribe.say(both("Register", "寄存器"))};
+    QStringList headings{htmlWriter.htmlText(both("Register", "寄存器"))};
     for (std::size_t i = 0; i < runs.size(); ++i)
         headings << QString::number(i + 1);
     std::vector<QStringList> rows;
@@ -60,48 +59,52 @@ QString gains(const Scribe& scribe, const std::vector<StepRun>& runs)
     return table(headings, rows);
 }
 
-QString unit(const Scribe& scribe, const record::StepFigure& figure)
+QString unit(const HtmlWriter& htmlWriter, const record::StepFigure& figure)
 {
-    return scribe.say(unitWords(QString::fromUtf8(figure.unit)));
+    return htmlWriter.htmlText(unitText(QString::fromUtf8(figure.unit)));
 }
 
-QString single(const Scribe& scribe, const StepRun& run)
+QString single(const HtmlWriter& htmlWriter, const StepRun& run)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     std::vector<QStringList> rows;
     for (const record::StepFigure& one : record::stepFigures) {
-        rows.push_back({scribe.say(stepFigureWords(QString::fromLatin1(one.key))),
-                        scribe.optional(run.mean.*one.member, words.notMeasured),
-                        unit(scribe, one)});
+        rows.push_back({htmlWriter.htmlText(stepFigureText(QString::fromLatin1(one.key))),
+                        htmlWriter.optional(run.mean.*one.member, words.notMeasured),
+                        unit(htmlWriter, one)});
     }
-    return table({scribe.say(words.figure), scribe.say(words.value), scribe.say(words.unit)}, rows);
-}
-
-QString compared(const Scribe& scribe, const StepRun& before, const StepRun& after)
-{
-    const SweepWords& words = sweepWords();
-    std::vector<QStringList> rows;
-    for (const record::StepDifference& row : record::compareSteps(before, after)) {
-        rows.push_back({scribe.say(stepFigureWords(QString::fromLatin1(row.figure.key))),
-                        scribe.optional(row.before, words.notMeasured),
-                        scribe.optional(row.after, words.notMeasured),
-                        scribe.optional(row.difference, words.none), unit(scribe, row.figure),
-                        scribe.say(stepChangeWords(row.change))});
-    }
-    return table({scribe.say(words.figure), scribe.say(both("Before", "之前")),
-                  scribe.say(both("After", "之后")), scribe.say(both("Difference", "差值")),
-                  scribe.say(words.unit), scribe.say(both("Change", "变化"))},
+    return table({htmlWriter.htmlText(words.figure), htmlWriter.htmlText(words.value),
+                  htmlWriter.htmlText(words.unit)},
                  rows);
 }
 
-QString ends(const Scribe& scribe, const std::vector<StepRun>& runs)
+QString compared(const HtmlWriter& htmlWriter, const StepRun& before, const StepRun& after)
+{
+    const SweepTexts& words = sweepTexts();
+    std::vector<QStringList> rows;
+    for (const record::StepDifference& row : record::compareSteps(before, after)) {
+        rows.push_back({htmlWriter.htmlText(stepFigureText(QString::fromLatin1(row.figure.key))),
+                        htmlWriter.optional(row.before, words.notMeasured),
+                        htmlWriter.optional(row.after, words.notMeasured),
+                        htmlWriter.optional(row.difference, words.none),
+                        unit(htmlWriter, row.figure),
+                        htmlWriter.htmlText(stepChangeText(row.change))});
+    }
+    return table({htmlWriter.htmlText(words.figure), htmlWriter.htmlText(both("Before", "之前")),
+                  htmlWriter.htmlText(both("After", "之后")),
+                  htmlWriter.htmlText(both("Difference", "差值")), htmlWriter.htmlText(words.unit),
+                  htmlWriter.htmlText(both("Change", "变化"))},
+                 rows);
+}
+
+QString ends(const HtmlWriter& htmlWriter, const std::vector<StepRun>& runs)
 {
     QString text;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (runs[i].end != record::SweepEnd::Finished) {
-            const Text words = endWords(runs[i].end);
+            const Text words = endText(runs[i].end);
             const QString number = QString::number(i + 1) + QStringLiteral(": ");
-            text += scribe.paragraph({number + words.en, number + words.zh});
+            text += htmlWriter.paragraph({number + words.en, number + words.zh});
         }
     }
     return text;
@@ -111,25 +114,26 @@ QString ends(const Scribe& scribe, const std::vector<StepRun>& runs)
 QByteArray stepHtml(const std::vector<StepRun>& runs, const std::vector<record::StepAdvice>& advice,
                     bool chinese)
 {
-    const Scribe scribe(Tongue::Both);
+    const HtmlWriter htmlWriter(ReportLanguage::Both);
     const Text title = both("Step response", "阶跃响应");
-    QString body = scribe.heading(1, title) + head(scribe, runs.front()) + ends(scribe, runs) +
-                   stepChart(scribe, runs) + scribe.heading(2, both("Gains", "增益参数")) +
-                   gains(scribe, runs) + scribe.heading(2, both("Figures", "指标")) +
-                   scribe.paragraph(both("Means of all responses, there and back; errors that "
-                                         "remain by their size.",
-                                         "所有往返响应的平均值；静差取绝对值。"));
-    body += runs.size() > 1 ? compared(scribe, runs.front(), runs.back())
-                            : single(scribe, runs.front());
+    QString body = htmlWriter.heading(1, title) + head(htmlWriter, runs.front()) +
+                   ends(htmlWriter, runs) + stepChart(htmlWriter, runs) +
+                   htmlWriter.heading(2, both("Gains", "增益参数")) + gains(htmlWriter, runs) +
+                   htmlWriter.heading(2, both("Figures", "指标")) +
+                   htmlWriter.paragraph(both("Means of all responses, there and back; errors that "
+                                             "remain by their size.",
+                                             "所有往返响应的平均值；静差取绝对值。"));
+    body += runs.size() > 1 ? compared(htmlWriter, runs.front(), runs.back())
+                            : single(htmlWriter, runs.front());
     if (!advice.empty()) {
-        body += scribe.heading(2, both("What to try next", "下一步建议"));
+        body += htmlWriter.heading(2, both("What to try next", "下一步建议"));
         for (std::size_t i = 0; i < advice.size(); ++i) {
             if (i == 0 || advice[i].symptom != advice[i - 1].symptom)
-                body += scribe.heading(3, stepSymptomWords(advice[i].symptom));
-            body += scribe.paragraph(stepAdviceWords(advice[i]));
+                body += htmlWriter.heading(3, stepSymptomText(advice[i].symptom));
+            body += htmlWriter.paragraph(stepAdviceLine(advice[i]));
         }
     }
-    return page(scribe, title, body, chinese).toUtf8();
+    return page(htmlWriter, title, body, chinese).toUtf8();
 }
 
 base::Result<void> saveStepHtml(const std::vector<StepRun>& runs,

@@ -17,5 +17,5 @@ base::Result<void> saveStepHtml(const std::vector<record::StepRun>& runs,
                                 const QString& path);
 
 /// All responses over each other, in steps towards their target, ms from the goal on. SVG.
-QString stepChart(const Scribe& scribe, const std::vector<record::StepRun>& runs);
+QString stepChart(const HtmlWriter& htmlWriter, const std::vector<record::StepRun>& runs);
 } // namespace report

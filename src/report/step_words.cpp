@@ -20,32 +20,32 @@ Text both(const char* english, const char* chinese)
     return {QString::fromUtf8(english), QString::fromUtf8(chinese)};
 }
 
-struct FigureWords {
+struct FigureText {
     const char* key;
     const char* english;
     const char* chinese;
 };
 
-constexpr std::array figureWords{
-    FigureWords{"dead_time", "Dead time", "延迟时间"},
-    FigureWords{"rise_time", "Rise time 10–90 %", "上升时间 10–90 %"},
-    FigureWords{"time_to_target", "Time to target", "到位时间"},
-    FigureWords{"settling", "Settling time", "整定时间"},
-    FigureWords{"overshoot", "Overshoot", "超调"},
-    FigureWords{"overshoot_steps", "Overshoot", "超调步数"},
-    FigureWords{"steady_error", "Steady-state error", "静差"},
-    FigureWords{"swings", "Turns after arrival", "到位后往复次数"},
-    FigureWords{"swing_frequency", "Oscillation frequency", "振荡频率"},
-    FigureWords{"swing_amplitude", "Oscillation amplitude", "振荡幅度"},
-    FigureWords{"peak_speed", "Peak speed", "峰值速度"},
-    FigureWords{"peak_current", "Peak current", "峰值电流"},
-    FigureWords{"peak_load", "Peak load", "峰值负载"},
+constexpr std::array figureTexts{
+    FigureText{"dead_time", "Dead time", "延迟时间"},
+    FigureText{"rise_time", "Rise time 10–90 %", "上升时间 10–90 %"},
+    FigureText{"time_to_target", "Time to target", "到位时间"},
+    FigureText{"settling", "Settling time", "整定时间"},
+    FigureText{"overshoot", "Overshoot", "超调"},
+    FigureText{"overshoot_steps", "Overshoot", "超调步数"},
+    FigureText{"steady_error", "Steady-state error", "静差"},
+    FigureText{"swings", "Turns after arrival", "到位后往复次数"},
+    FigureText{"swing_frequency", "Oscillation frequency", "振荡频率"},
+    FigureText{"swing_amplitude", "Oscillation amplitude", "振荡幅度"},
+    FigureText{"peak_speed", "Peak speed", "峰值速度"},
+    FigureText{"peak_current", "Peak current", "峰值电流"},
+    FigureText{"peak_load", "Peak load", "峰值负载"},
 };
 } // namespace
 
-Text stepFigureWords(const QString& key)
+Text stepFigureText(const QString& key)
 {
-    for (const FigureWords& words : figureWords) {
+    for (const FigureText& words : figureTexts) {
         if (key == QLatin1String(words.key))
             return both(words.english, words.chinese);
     }
@@ -54,7 +54,7 @@ Text stepFigureWords(const QString& key)
 
 QString stepUnit(const record::StepFigure& figure, bool chinese)
 {
-    return unitWords(QString::fromUtf8(figure.unit)).in(chinese);
+    return unitText(QString::fromUtf8(figure.unit)).in(chinese);
 }
 
 QString stepValue(std::optional<double> value)
@@ -65,7 +65,7 @@ QString stepValue(std::optional<double> value)
     return QString::number(rounded == 0 ? 0 : rounded, 'g', QLocale::FloatingPointShortest);
 }
 
-Text stepChangeWords(StepChange change)
+Text stepChangeText(StepChange change)
 {
     switch (change) {
     case StepChange::Better:
@@ -82,7 +82,7 @@ Text stepChangeWords(StepChange change)
     return both("not measured", "未测量");
 }
 
-Text stepSymptomWords(StepSymptom symptom)
+Text stepSymptomText(StepSymptom symptom)
 {
     switch (symptom) {
     case StepSymptom::NotSeen:
@@ -118,13 +118,13 @@ Text stepSymptomWords(StepSymptom symptom)
     return {};
 }
 
-Text stepRemedyWords(StepRemedy remedy)
+Text stepRemedyText(StepRemedy remedy)
 {
     switch (remedy) {
     case StepRemedy::RepeatRun:
         return both("Check cable, adapter and computer load, then run it again",
                     "检查线缆、适配器和电脑负载，然后重新运行");
-    case StepRemedy::ClearWay:
+    case StepRemedy::RemoveObstacle:
         return both("Check mechanism, end stops, torque limit and supply",
                     "检查机构、机械限位、扭矩限制和供电");
     case StepRemedy::FreeMotion:
@@ -140,7 +140,7 @@ Text stepRemedyWords(StepRemedy remedy)
         return both("Lower D", "减小 D");
     case StepRemedy::RaiseI:
         return both("Raise I in small steps until the error shrinks", "I 由小到大逐步调整");
-    case StepRemedy::NoI:
+    case StepRemedy::DisableI:
         return both("Set I to 0", "I 设为 0");
     case StepRemedy::LowerStartupForce:
         return both("Lower the startup force", "减小启动扭矩");
@@ -156,9 +156,9 @@ Text stepRemedyWords(StepRemedy remedy)
     return {};
 }
 
-Text stepAdviceWords(const record::StepAdvice& advice)
+Text stepAdviceLine(const record::StepAdvice& advice)
 {
-    const Text remedy = stepRemedyWords(advice.remedy);
+    const Text remedy = stepRemedyText(advice.remedy);
     if (advice.key.isEmpty())
         return remedy;
     const QString values =
@@ -171,8 +171,8 @@ QString stepAdviceText(const std::vector<record::StepAdvice>& advice, bool chine
     QString text;
     for (std::size_t i = 0; i < advice.size(); ++i) {
         if (i == 0 || advice[i].symptom != advice[i - 1].symptom)
-            text += stepSymptomWords(advice[i].symptom).in(chinese) + QLatin1Char('\n');
-        text += QStringLiteral("  ") + stepAdviceWords(advice[i]).in(chinese) + QLatin1Char('\n');
+            text += stepSymptomText(advice[i].symptom).in(chinese) + QLatin1Char('\n');
+        text += QStringLiteral("  ") + stepAdviceLine(advice[i]).in(chinese) + QLatin1Char('\n');
     }
     return text;
 }

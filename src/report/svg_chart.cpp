@@ -12,8 +12,8 @@ constexpr double left = 64;
 constexpr double right = chartWidth - 14;
 constexpr double top = 30;
 constexpr double bottom = chartHeight - 46;
-constexpr std::size_t mostPoints = 2000;
-constexpr int mostBars = 400;
+constexpr std::size_t maxPoints = 2000;
+constexpr int maxBars = 400;
 
 struct Axis {
     double low = 0;
@@ -60,7 +60,7 @@ QString text(double x, double y, const char* anchor, const QString& content,
         .arg(number(x), number(y), QString::fromLatin1(anchor), content, more);
 }
 
-QString frame(const Scribe& scribe, const Axis& x, const Axis& y, const Text& xTitle,
+QString frame(const HtmlWriter& htmlWriter, const Axis& x, const Axis& y, const Text& xTitle,
               const Text& yTitle)
 {
     constexpr auto grid = "stroke=\"#d0d7de\" stroke-width=\"1\"";
@@ -75,17 +75,17 @@ QString frame(const Scribe& scribe, const Axis& x, const Axis& y, const Text& xT
            QStringLiteral("<rect x=\"%1\" y=\"%2\" width=\"%3\" height=\"%4\" fill=\"none\" "
                           "stroke=\"#57606a\" stroke-width=\"1\"/>\n")
                .arg(number(left), number(top), number(right - left), number(bottom - top)) +
-           text((left + right) / 2, chartHeight - 10, "middle", scribe.sayInSvg(xTitle)) +
-           text(left, top - 12, "start", scribe.sayInSvg(yTitle));
+           text((left + right) / 2, chartHeight - 10, "middle", htmlWriter.htmlInSvg(xTitle)) +
+           text(left, top - 12, "start", htmlWriter.htmlInSvg(yTitle));
 }
 
-QString picture(const Scribe& scribe, const Text& title, const QString& content)
+QString picture(const HtmlWriter& htmlWriter, const Text& title, const QString& content)
 {
     return QStringLiteral(
                "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
                "aria-label=\"%1\" width=\"%2\" height=\"%3\" viewBox=\"0 0 %2 %3\">\n"
                "<rect x=\"0\" y=\"0\" width=\"%2\" height=\"%3\" fill=\"#ffffff\"/>\n%4</svg>\n")
-        .arg(scribe.inAttribute(title))
+        .arg(htmlWriter.attributeText(title))
         .arg(chartWidth)
         .arg(chartHeight)
         .arg(content);
@@ -121,15 +121,15 @@ QString curve(const std::vector<ChartSample>& samples, double ChartSample::*memb
     return points;
 }
 
-QString legend(const Scribe& scribe)
+QString legend(const HtmlWriter& htmlWriter)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     return line(right - 190, top - 16, right - 160, top - 16,
                 "stroke=\"#0b57d0\" stroke-width=\"1.5\"") +
-           text(right - 154, top - 12, "start", scribe.sayInSvg(words.position)) +
+           text(right - 154, top - 12, "start", htmlWriter.htmlInSvg(words.position)) +
            line(right - 85, top - 16, right - 55, top - 16,
                 "stroke=\"#b3261e\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"") +
-           text(right - 49, top - 12, "start", scribe.sayInSvg(words.goal));
+           text(right - 49, top - 12, "start", htmlWriter.htmlInSvg(words.goal));
 }
 
 struct Bars {
@@ -146,7 +146,7 @@ Bars barsOf(const std::vector<double>& errors)
     // A bar stands around its value, so that 0 is the middle of one.
     bars.first = (std::floor(*low / bars.width + 0.5) - 0.5) * bars.width;
     bars.counts.resize(std::size_t(
-        std::clamp(std::floor((*high - bars.first) / bars.width) + 1, 1.0, double(mostBars))));
+        std::clamp(std::floor((*high - bars.first) / bars.width) + 1, 1.0, double(maxBars))));
     for (const double error : errors) {
         const auto place = std::size_t(std::max(0.0, (error - bars.first) / bars.width));
         ++bars.counts[std::min(place, bars.counts.size() - 1)];
@@ -155,7 +155,7 @@ Bars barsOf(const std::vector<double>& errors)
 }
 
 /// With what it is, `place` from the right, above the frame.
-QString limitLines(const Scribe& scribe, const Axis& x, std::optional<double> limit,
+QString limitLines(const HtmlWriter& htmlWriter, const Axis& x, std::optional<double> limit,
                    const Text& name, double place, const char* style)
 {
     if (!limit)
@@ -163,7 +163,7 @@ QString limitLines(const Scribe& scribe, const Axis& x, std::optional<double> li
     const QString number = QStringLiteral(" > ") + figure(*limit);
     QString lines = line(right - place, top - 16, right - place + 30, top - 16, style) +
                     text(right - place + 36, top - 12, "start",
-                         scribe.sayInSvg({name.en + number, name.zh + number}));
+                         htmlWriter.htmlInSvg({name.en + number, name.zh + number}));
     for (const double side : {-1.0, 1.0}) {
         const double at = side * *limit;
         if (at >= x.low && at <= x.high)
@@ -173,16 +173,16 @@ QString limitLines(const Scribe& scribe, const Axis& x, std::optional<double> li
 }
 } // namespace
 
-std::vector<ChartSample> thinned(const std::vector<ChartSample>& samples, std::size_t most)
+std::vector<ChartSample> decimated(const std::vector<ChartSample>& samples, std::size_t maxCount)
 {
-    if (samples.size() <= most || most < 2)
+    if (samples.size() <= maxCount || maxCount < 2)
         return samples;
-    const std::size_t stretches = most / 2;
+    const std::size_t buckets = maxCount / 2;
     std::vector<ChartSample> kept;
-    kept.reserve(2 * stretches);
-    for (std::size_t i = 0; i < stretches; ++i) {
-        const auto begin = samples.begin() + std::ptrdiff_t(i * samples.size() / stretches);
-        const auto end = samples.begin() + std::ptrdiff_t((i + 1) * samples.size() / stretches);
+    kept.reserve(2 * buckets);
+    for (std::size_t i = 0; i < buckets; ++i) {
+        const auto begin = samples.begin() + std::ptrdiff_t(i * samples.size() / buckets);
+        const auto end = samples.begin() + std::ptrdiff_t((i + 1) * samples.size() / buckets);
         // Comparing with NaN has no order; a gap stays where a stretch has nothing else.
         const auto lower = [](const ChartSample& a, const ChartSample& b) {
             const double low = -std::numeric_limits<double>::infinity();
@@ -199,10 +199,10 @@ std::vector<ChartSample> thinned(const std::vector<ChartSample>& samples, std::s
     return kept;
 }
 
-QString positionChart(const Scribe& scribe, const std::vector<ChartSample>& samples)
+QString positionChart(const HtmlWriter& htmlWriter, const std::vector<ChartSample>& samples)
 {
-    const SweepWords& words = sweepWords();
-    const std::vector<ChartSample> shown = thinned(samples, mostPoints);
+    const SweepTexts& words = sweepTexts();
+    const std::vector<ChartSample> shown = decimated(samples, maxPoints);
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const ChartSample& sample : shown) {
@@ -212,32 +212,32 @@ QString positionChart(const Scribe& scribe, const std::vector<ChartSample>& samp
         }
     }
     if (shown.empty() || low > high)
-        return scribe.paragraph(words.noSeries);
+        return htmlWriter.paragraph(words.noSeries);
     const double margin = (high - low) * 0.05;
     const Axis x = axisOver(shown.front().t, shown.back().t, left, right, 10);
     const Axis y = axisOver(low - margin, high + margin, bottom, top, 6);
-    return picture(scribe, words.positionChart,
-                   frame(scribe, x, y, words.timeAxis, words.positionAxis) +
+    return picture(htmlWriter, words.positionChart,
+                   frame(htmlWriter, x, y, words.timeAxis, words.positionAxis) +
                        path(curve(shown, &ChartSample::goal, true, x, y),
                             "stroke=\"#b3261e\" stroke-width=\"1.2\" stroke-dasharray=\"5 3\"") +
                        path(curve(shown, &ChartSample::position, false, x, y),
                             "stroke=\"#0b57d0\" stroke-width=\"1.5\" stroke-linejoin=\"round\"") +
-                       legend(scribe));
+                       legend(htmlWriter));
 }
 
-QString errorHistogram(const Scribe& scribe, const std::vector<double>& errors,
+QString errorHistogram(const HtmlWriter& htmlWriter, const std::vector<double>& errors,
                        std::optional<double> warn, std::optional<double> fail)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     const Bars bars = barsOf(errors);
     const double end = bars.first + bars.width * double(bars.counts.size());
-    const int most = *std::max_element(bars.counts.begin(), bars.counts.end());
+    const int maxCount = *std::max_element(bars.counts.begin(), bars.counts.end());
     // Room for 0, and for the warning if it is not far away.
     const double room = std::max({warn.value_or(0) * 1.1, -bars.first, end});
     const Axis x = axisOver(-room, room, left, right, 12);
-    Axis y = axisOver(0, most * 1.08, bottom, top, 5);
+    Axis y = axisOver(0, maxCount * 1.08, bottom, top, 5);
     y.step = std::max(1.0, y.step);
-    QString content = frame(scribe, x, y, words.errorAxis, words.legsAxis);
+    QString content = frame(htmlWriter, x, y, words.errorAxis, words.legsAxis);
     for (std::size_t i = 0; i < bars.counts.size(); ++i) {
         if (bars.counts[i] == 0)
             continue;
@@ -250,10 +250,10 @@ QString errorHistogram(const Scribe& scribe, const std::vector<double>& errors,
                             number(height));
     }
     content += line(x.at(0), top, x.at(0), bottom, "stroke=\"#1f2328\" stroke-width=\"1\"") +
-               limitLines(scribe, x, warn, words.warnLimit, 250,
+               limitLines(htmlWriter, x, warn, words.warnLimit, 250,
                           "stroke=\"#8a5a00\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"") +
-               limitLines(scribe, x, fail, words.failLimit, 120,
+               limitLines(htmlWriter, x, fail, words.failLimit, 120,
                           "stroke=\"#b3261e\" stroke-width=\"1.5\" stroke-dasharray=\"2 2\"");
-    return picture(scribe, words.histogram, content);
+    return picture(htmlWriter, words.histogram, content);
 }
 } // namespace report

@@ -16,14 +16,14 @@ struct ChartSample {
 };
 
 /// At most `most` of them, the lowest and highest of each stretch in their order.
-std::vector<ChartSample> thinned(const std::vector<ChartSample>& samples, std::size_t most);
+std::vector<ChartSample> decimated(const std::vector<ChartSample>& samples, std::size_t maxCount);
 
 constexpr int chartWidth = 760;
 constexpr int chartHeight = 280;
 
-QString positionChart(const Scribe& scribe, const std::vector<ChartSample>& samples);
+QString positionChart(const HtmlWriter& htmlWriter, const std::vector<ChartSample>& samples);
 
 /// Limits are drawn on both sides of 0. `errors` must not be empty.
-QString errorHistogram(const Scribe& scribe, const std::vector<double>& errors,
+QString errorHistogram(const HtmlWriter& htmlWriter, const std::vector<double>& errors,
                        std::optional<double> warn, std::optional<double> fail);
 } // namespace report

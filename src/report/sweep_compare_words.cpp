@@ -33,9 +33,9 @@ double share(const record::FigureDifference& figure)
 }
 } // namespace
 
-const CompareWords& compareWords()
+const CompareTexts& compareTexts()
 {
-    static const CompareWords words{
+    static const CompareTexts words{
         both("Two sweep tests compared", "两次扫描测试对比"),
         both("A", "A"),
         both("B", "B"),
@@ -60,10 +60,10 @@ const CompareWords& compareWords()
     return words;
 }
 
-Text testItemWords(record::TestItem item)
+Text testItemText(record::TestItem item)
 {
     using record::TestItem;
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     switch (item) {
     case TestItem::Model:
         return words.model;
@@ -111,7 +111,7 @@ Text testItemWords(record::TestItem item)
     return words.end;
 }
 
-Text testValueWords(record::TestItem item, const QString& value)
+Text testValueText(record::TestItem item, const QString& value)
 {
     using record::TestItem;
     if (item == TestItem::Simulated)
@@ -119,14 +119,14 @@ Text testValueWords(record::TestItem item, const QString& value)
     if (value.isEmpty())
         return item == TestItem::Speed || item == TestItem::Acceleration ||
                        item == TestItem::MoveTime
-                   ? sweepWords().asTheServoHasIt
+                   ? sweepTexts().asTheServoHasIt
                    : same(QStringLiteral("–"));
     if (item == TestItem::Shape)
-        return shapeWords(record::sweepShapeFromName(value).value_or(record::SweepShape::Points));
+        return shapeText(record::sweepShapeFromName(value).value_or(record::SweepShape::Points));
     if (item == TestItem::Pace)
-        return paceWords(record::sweepPaceFromName(value).value_or(record::SweepPace::Delay));
+        return paceText(record::sweepPaceFromName(value).value_or(record::SweepPace::Delay));
     if (item == TestItem::End)
-        return endWords(record::sweepEndFromName(value).value_or(record::SweepEnd::LinkLost));
+        return endText(record::sweepEndFromName(value).value_or(record::SweepEnd::LinkLost));
     return same(value);
 }
 
@@ -153,7 +153,7 @@ QString differenceText(const record::FigureDifference& difference)
     return text == QStringLiteral("0") ? text : u'+' + text;
 }
 
-std::vector<Text> referenceLines(const record::SweepComparison& comparison, std::size_t most)
+std::vector<Text> referenceLines(const record::SweepComparison& comparison, std::size_t maxCount)
 {
     std::vector<const record::FigureDifference*> chosen;
     for (const record::FigureDifference& one : comparison.figures) {
@@ -162,11 +162,11 @@ std::vector<Text> referenceLines(const record::SweepComparison& comparison, std:
     }
     std::stable_sort(chosen.begin(), chosen.end(),
                      [](const auto* a, const auto* b) { return share(*a) > share(*b); });
-    chosen.resize(std::min(chosen.size(), most));
+    chosen.resize(std::min(chosen.size(), maxCount));
     std::vector<Text> lines;
     for (const record::FigureDifference* one : chosen) {
-        const Text name = metricWords(one->key);
-        const Text unit = unitWords(one->unit);
+        const Text name = metricLabel(one->key);
+        const Text unit = unitText(one->unit);
         const QString number = differenceText(*one);
         const bool better = one->better == record::Better::B;
         lines.push_back({QStringLiteral("%1 %2 %3 (%4)")

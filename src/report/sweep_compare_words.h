@@ -9,15 +9,15 @@
 namespace report {
 using catalog::Text;
 
-struct CompareWords {
+struct CompareTexts {
     Text title, a, b, run, difference, better, gradeA, gradeB, warnings, notComparable, someDiffer,
         gradesDiffer, sameTest, testPart, settings, noSettings, setting, steadyErrors;
 };
-const CompareWords& compareWords();
+const CompareTexts& compareTexts();
 
-Text testItemWords(record::TestItem item);
+Text testItemText(record::TestItem item);
 /// The value of one side, in words where it is a technical name.
-Text testValueWords(record::TestItem item, const QString& value);
+Text testValueText(record::TestItem item, const QString& value);
 /// "A" or "B"; "=" where they are the same; "–" where one was not measured.
 QString betterSign(const record::FigureDifference& figure);
 /// "+2.5", "−8", "–".
@@ -25,5 +25,6 @@ QString differenceText(const record::FigureDifference& figure);
 
 /// "Hysteresis +5 step (worse)", figures that differ by a tenth or more, the largest first, at most
 /// `most`; how one servo compares with its reference.
-std::vector<Text> referenceLines(const record::SweepComparison& comparison, std::size_t most = 5);
+std::vector<Text> referenceLines(const record::SweepComparison& comparison,
+                                 std::size_t maxCount = 5);
 } // namespace report

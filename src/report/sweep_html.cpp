@@ -8,9 +8,9 @@ namespace report {
 QByteArray sweepHtml(const record::SweepRun& run, const std::vector<SweepSeries>& series,
                      bool chinese)
 {
-    const Scribe scribe(Tongue::Both);
-    const QString body = sweepBody(scribe, run, series, [](const QString& svg) { return svg; });
-    return page(scribe, sweepWords().title, body, chinese).toUtf8();
+    const HtmlWriter htmlWriter(ReportLanguage::Both);
+    const QString body = sweepBody(htmlWriter, run, series, [](const QString& svg) { return svg; });
+    return page(htmlWriter, sweepTexts().title, body, chinese).toUtf8();
 }
 
 base::Result<void> saveSweepHtml(const record::SweepRun& run,

@@ -19,59 +19,61 @@ Text seconds(base::Duration span)
 }
 
 /// A row only where there is something to say.
-void addUserRow(const Scribe& scribe, Rows& rows, const Text& name, const QString& text)
+void addUserRow(const HtmlWriter& htmlWriter, Rows& rows, const Text& name, const QString& text)
 {
     if (!text.isEmpty())
-        rows.push_back({scribe.say(name), userText(text)});
+        rows.push_back({htmlWriter.htmlText(name), userText(text)});
 }
 
-QString verdictPart(const Scribe& scribe, const record::SweepRun& run)
+QString verdictPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
 {
-    const SweepWords& words = sweepWords();
-    QString text = scribe.heading(1, words.title);
+    const SweepTexts& words = sweepTexts();
+    QString text = htmlWriter.heading(1, words.title);
     if (run.simulated)
-        text += QStringLiteral("<p class=\"simulated\">") + scribe.say(words.simulated) +
+        text += QStringLiteral("<p class=\"simulated\">") + htmlWriter.htmlText(words.simulated) +
                 QStringLiteral("</p>\n");
-    text += QStringLiteral("<p class=\"overall\">") + badge(scribe, run.verdict()) +
-            QStringLiteral("</p>\n<p>") + scribe.say(endWords(run.end));
+    text += QStringLiteral("<p class=\"overall\">") + badge(htmlWriter, run.verdict()) +
+            QStringLiteral("</p>\n<p>") + htmlWriter.htmlText(endText(run.end));
     if (run.endedBy >= 0)
-        text += u' ' + scribe.say(words.endedBy) + QStringLiteral(": ID ") +
+        text += u' ' + htmlWriter.htmlText(words.endedBy) + QStringLiteral(": ID ") +
                 QString::number(run.endedBy);
     return text + QStringLiteral("</p>\n");
 }
 
-QString benchPart(const Scribe& scribe, const record::SweepRun& run)
+QString benchPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     Rows rows;
     rows.push_back(
-        {scribe.say(words.date),
+        {htmlWriter.htmlText(words.date),
          run.at.toUTC().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) + QStringLiteral(" UTC")});
-    addUserRow(scribe, rows, words.operatorName, run.spec.operatorName);
-    addUserRow(scribe, rows, words.note, run.spec.note);
-    rows.push_back({scribe.say(words.port), escaped(run.port) + QStringLiteral(", ") +
-                                                QString::number(run.baud) +
-                                                QStringLiteral(" baud")});
-    rows.push_back({scribe.say(words.length), scribe.say(seconds(run.length))});
-    rows.push_back({scribe.say(words.sampling), figure(run.sampleRate) + QStringLiteral(" /s")});
-    rows.push_back({scribe.say(words.program), escaped(run.program)});
-    return scribe.heading(2, words.bench) + pairs(rows);
+    addUserRow(htmlWriter, rows, words.operatorName, run.spec.operatorName);
+    addUserRow(htmlWriter, rows, words.note, run.spec.note);
+    rows.push_back({htmlWriter.htmlText(words.port), escaped(run.port) + QStringLiteral(", ") +
+                                                         QString::number(run.baud) +
+                                                         QStringLiteral(" baud")});
+    rows.push_back({htmlWriter.htmlText(words.length), htmlWriter.htmlText(seconds(run.length))});
+    rows.push_back(
+        {htmlWriter.htmlText(words.sampling), figure(run.sampleRate) + QStringLiteral(" /s")});
+    rows.push_back({htmlWriter.htmlText(words.program), escaped(run.program)});
+    return htmlWriter.heading(2, words.bench) + keyValueTable(rows);
 }
 
-QString servosPart(const Scribe& scribe, const record::SweepRun& run)
+QString servosPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     Rows rows;
     for (const record::SweepServo& servo : run.servos) {
-        const record::SnapshotServo& who = servo.parameters.servo;
-        rows.push_back({QString::number(who.id), escaped(who.model), escaped(who.firmware),
-                        escaped(who.protocol), userText(servo.parameters.label),
-                        badge(scribe, servo.verdict)});
+        const record::SnapshotServo& identity = servo.parameters.servo;
+        rows.push_back({QString::number(identity.id), escaped(identity.model),
+                        escaped(identity.firmware), escaped(identity.protocol),
+                        userText(servo.parameters.label), badge(htmlWriter, servo.verdict)});
     }
-    const QStringList headings{scribe.say(words.id),       scribe.say(words.model),
-                               scribe.say(words.firmware), scribe.say(words.protocol),
-                               scribe.say(words.label),    scribe.say(words.verdict)};
-    return scribe.heading(2, words.servos) + table(headings, rows);
+    const QStringList headings{
+        htmlWriter.htmlText(words.id),       htmlWriter.htmlText(words.model),
+        htmlWriter.htmlText(words.firmware), htmlWriter.htmlText(words.protocol),
+        htmlWriter.htmlText(words.label),    htmlWriter.htmlText(words.verdict)};
+    return htmlWriter.heading(2, words.servos) + table(headings, rows);
 }
 
 QString rangeOf(const record::SweepRange& range)
@@ -90,106 +92,114 @@ QString pointsOf(const record::SweepSpec& spec)
 }
 
 /// What only some shapes have.
-void addShapeRows(const Scribe& scribe, const record::SweepSpec& spec, Rows& rows)
+void addShapeRows(const HtmlWriter& htmlWriter, const record::SweepSpec& spec, Rows& rows)
 {
     using record::SweepShape;
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     if (spec.shape == SweepShape::Points) {
-        rows.push_back({scribe.say(words.points), pointsOf(spec)});
+        rows.push_back({htmlWriter.htmlText(words.points), pointsOf(spec)});
     } else {
-        const QString ends = scribe.say(words.from) + QStringLiteral(" … ") + scribe.say(words.to);
+        const QString ends =
+            htmlWriter.htmlText(words.from) + QStringLiteral(" … ") + htmlWriter.htmlText(words.to);
         rows.push_back({ends, rangeOf(spec.range)});
         for (const auto& [id, range] : spec.ranges)
             rows.push_back({ends + QStringLiteral(", ID ") + QString::number(id), rangeOf(range)});
     }
     if (spec.shape == SweepShape::Stairs)
-        rows.push_back({scribe.say(words.step), escaped(spec.step)});
+        rows.push_back({htmlWriter.htmlText(words.step), escaped(spec.step)});
     if (spec.shape == SweepShape::Sine)
-        rows.push_back({scribe.say(words.period), scribe.say(seconds(spec.period))});
+        rows.push_back(
+            {htmlWriter.htmlText(words.period), htmlWriter.htmlText(seconds(spec.period))});
     if (spec.shape == SweepShape::Random)
-        rows.push_back({scribe.say(words.seed), QString::number(spec.seed)});
+        rows.push_back({htmlWriter.htmlText(words.seed), QString::number(spec.seed)});
 }
 
-void addMotionRows(const Scribe& scribe, const record::SweepSpec& spec, Rows& rows)
+void addMotionRows(const HtmlWriter& htmlWriter, const record::SweepSpec& spec, Rows& rows)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     const auto asked = [&](const QString& text) {
-        return text.isEmpty() ? scribe.say(words.asTheServoHasIt) : escaped(text);
+        return text.isEmpty() ? htmlWriter.htmlText(words.asTheServoHasIt) : escaped(text);
     };
-    rows.push_back({scribe.say(words.speed), asked(spec.speed)});
-    rows.push_back({scribe.say(words.acceleration), asked(spec.acceleration)});
+    rows.push_back({htmlWriter.htmlText(words.speed), asked(spec.speed)});
+    rows.push_back({htmlWriter.htmlText(words.acceleration), asked(spec.acceleration)});
     if (!spec.time.isEmpty())
-        rows.push_back({scribe.say(words.moveTime), escaped(spec.time)});
+        rows.push_back({htmlWriter.htmlText(words.moveTime), escaped(spec.time)});
 }
 
-QString stopsOf(const Scribe& scribe, const record::SweepSpec& spec)
+QString stopsOf(const HtmlWriter& htmlWriter, const record::SweepSpec& spec)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     QStringList stops;
     if (spec.stopOnAlarm)
-        stops.append(scribe.say(words.stopOnAlarm));
+        stops.append(htmlWriter.htmlText(words.stopOnAlarm));
     if (spec.stopOnStall)
-        stops.append(scribe.say(words.stopOnStall));
+        stops.append(htmlWriter.htmlText(words.stopOnStall));
     if (spec.stopOnFailure)
-        stops.append(scribe.say(words.stopOnFailure));
-    return stops.isEmpty() ? scribe.say(words.nothingElse) : stops.join(QStringLiteral(", "));
+        stops.append(htmlWriter.htmlText(words.stopOnFailure));
+    return stops.isEmpty() ? htmlWriter.htmlText(words.onlyOnLostLink)
+                           : stops.join(QStringLiteral(", "));
 }
 
-QString testPart(const Scribe& scribe, const record::SweepRun& run)
+QString testPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     const record::SweepSpec& spec = run.spec;
     Rows rows;
-    rows.push_back({scribe.say(words.shape), scribe.say(shapeWords(spec.shape))});
-    addShapeRows(scribe, spec, rows);
-    rows.push_back({scribe.say(words.pace), inSeconds(spec.pause) + QStringLiteral(" s ") +
-                                                scribe.say(paceWords(spec.pace))});
-    rows.push_back({scribe.say(words.cycles),
-                    spec.cycles > 0 ? QString::number(spec.cycles) : scribe.say(words.asLongAs)});
+    rows.push_back({htmlWriter.htmlText(words.shape), htmlWriter.htmlText(shapeText(spec.shape))});
+    addShapeRows(htmlWriter, spec, rows);
+    rows.push_back({htmlWriter.htmlText(words.pace), inSeconds(spec.pause) + QStringLiteral(" s ") +
+                                                         htmlWriter.htmlText(paceText(spec.pace))});
+    rows.push_back({htmlWriter.htmlText(words.cycles), spec.cycles > 0
+                                                           ? QString::number(spec.cycles)
+                                                           : htmlWriter.htmlText(words.asLongAs)});
     if (spec.length.count() > 0)
-        rows.push_back({scribe.say(words.duration), scribe.say(seconds(spec.length))});
-    addMotionRows(scribe, spec, rows);
+        rows.push_back(
+            {htmlWriter.htmlText(words.duration), htmlWriter.htmlText(seconds(spec.length))});
+    addMotionRows(htmlWriter, spec, rows);
     if (spec.warmUp.count() > 0)
-        rows.push_back({scribe.say(words.warmUp), scribe.say(seconds(spec.warmUp))});
-    rows.push_back({scribe.say(words.afterwards),
-                    scribe.say(spec.releaseAtEnd ? words.releases : words.holds)});
-    rows.push_back({scribe.say(words.stopsOn), stopsOf(scribe, spec)});
-    return scribe.heading(2, words.test) + pairs(rows);
+        rows.push_back(
+            {htmlWriter.htmlText(words.warmUp), htmlWriter.htmlText(seconds(spec.warmUp))});
+    rows.push_back({htmlWriter.htmlText(words.afterwards),
+                    htmlWriter.htmlText(spec.releaseAtEnd ? words.releases : words.holds)});
+    rows.push_back({htmlWriter.htmlText(words.stopsOn), stopsOf(htmlWriter, spec)});
+    return htmlWriter.heading(2, words.test) + keyValueTable(rows);
 }
 
-QString busPart(const Scribe& scribe, const record::SweepRun& run)
+QString busPart(const HtmlWriter& htmlWriter, const record::SweepRun& run)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     const auto count = [](std::uint64_t number) { return QString::number(number); };
     Rows rows;
     for (const record::SweepServo& servo : run.servos) {
         const record::SweepErrors& errors = servo.errors;
         rows.push_back({QString::number(servo.parameters.servo.id), count(errors.asked),
-                        count(errors.timeOuts), count(errors.badChecks), count(errors.foreign),
+                        count(errors.timeouts), count(errors.badChecksums), count(errors.foreign),
                         count(errors.late)});
     }
     QString text =
-        scribe.heading(2, words.bus) +
-        table({scribe.say(words.id), scribe.say(words.asked), scribe.say(words.timeOuts),
-               scribe.say(words.badChecks), scribe.say(words.foreign), scribe.say(words.late)},
+        htmlWriter.heading(2, words.bus) +
+        table({htmlWriter.htmlText(words.id), htmlWriter.htmlText(words.asked),
+               htmlWriter.htmlText(words.timeouts), htmlWriter.htmlText(words.badChecksums),
+               htmlWriter.htmlText(words.foreign), htmlWriter.htmlText(words.late)},
               rows) +
-        scribe.heading(3, words.gaps);
+        htmlWriter.heading(3, words.gaps);
     if (run.gaps.empty())
-        return text + scribe.paragraph(words.noGaps);
+        return text + htmlWriter.paragraph(words.noGaps);
     Rows gaps;
     for (const record::SweepGap& gap : run.gaps)
         gaps.push_back({inSeconds(gap.at), inSeconds(gap.span)});
-    return text + table({scribe.say(words.gapAt), scribe.say(words.gapSpan)}, gaps);
+    return text +
+           table({htmlWriter.htmlText(words.gapAt), htmlWriter.htmlText(words.gapSpan)}, gaps);
 }
 } // namespace
 
-QString sweepBody(const Scribe& scribe, const record::SweepRun& run,
-                  const std::vector<SweepSeries>& series, const PlaceChart& place)
+QString sweepBody(const HtmlWriter& htmlWriter, const record::SweepRun& run,
+                  const std::vector<SweepSeries>& series, const EmbedChart& place)
 {
-    QString text = verdictPart(scribe, run) + servosPart(scribe, run) + benchPart(scribe, run) +
-                   testPart(scribe, run);
+    QString text = verdictPart(htmlWriter, run) + servosPart(htmlWriter, run) +
+                   benchPart(htmlWriter, run) + testPart(htmlWriter, run);
     for (const record::SweepServo& servo : run.servos)
-        text += servoPart(scribe, run, servo, series, place);
-    return text + busPart(scribe, run);
+        text += servoPart(htmlWriter, run, servo, series, place);
+    return text + busPart(htmlWriter, run);
 }
 } // namespace report

@@ -16,10 +16,10 @@ struct SweepSeries {
 };
 
 /// Markup that shows this SVG.
-using PlaceChart = std::function<QString(const QString& svg)>;
+using EmbedChart = std::function<QString(const QString& svg)>;
 
-QString sweepBody(const Scribe& scribe, const record::SweepRun& run,
-                  const std::vector<SweepSeries>& series, const PlaceChart& place);
+QString sweepBody(const HtmlWriter& htmlWriter, const record::SweepRun& run,
+                  const std::vector<SweepSeries>& series, const EmbedChart& place);
 
 /// All up to `all`; else the first and last 50 and the 20 worst of the others (missed, alarms, then
 /// the largest steady error), in their order.
@@ -27,10 +27,10 @@ std::vector<const record::SweepLeg*> legsToShow(const std::vector<record::SweepL
                                                 std::size_t all = 200);
 
 // of sweep_parts_servo.cpp
-QString servoPart(const Scribe& scribe, const record::SweepRun& run,
+QString servoPart(const HtmlWriter& htmlWriter, const record::SweepRun& run,
                   const record::SweepServo& servo, const std::vector<SweepSeries>& series,
-                  const PlaceChart& place);
-QString badge(const Scribe& scribe, record::Grade grade);
-QString lineBadge(const Scribe& scribe, record::Grade grade); ///< of one figure
-QString inSeconds(base::Duration span);                       ///< "1.5"
+                  const EmbedChart& place);
+QString badge(const HtmlWriter& htmlWriter, record::Grade grade);
+QString lineBadge(const HtmlWriter& htmlWriter, record::Grade grade); ///< of one figure
+QString inSeconds(base::Duration span);                               ///< "1.5"
 } // namespace report

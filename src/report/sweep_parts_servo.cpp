@@ -17,7 +17,7 @@ Text withUnit(const QString& number, const QString& unit)
 {
     if (unit.isEmpty())
         return {number, number};
-    const Text words = unitWords(unit);
+    const Text words = unitText(unit);
     return {number + u' ' + words.en, number + u' ' + words.zh};
 }
 
@@ -26,24 +26,24 @@ Text withUnit(double number, const QString& unit)
     return withUnit(figure(number), unit);
 }
 
-QString coloured(record::Grade grade, const QString& words)
+QString colored(record::Grade grade, const QString& words)
 {
-    return QStringLiteral("<span class=\"verdict\" style=\"color: %1\">").arg(gradeColour(grade)) +
+    return QStringLiteral("<span class=\"verdict\" style=\"color: %1\">").arg(gradeColor(grade)) +
            gradeSign(grade) + u' ' + words + QStringLiteral("</span>");
 }
 
-QString limitCell(const Scribe& scribe, const record::SweepLimit& limit,
+QString limitCell(const HtmlWriter& htmlWriter, const record::SweepLimit& limit,
                   const std::optional<double>& bound)
 {
     if (!bound)
         return QStringLiteral("–");
     const QString sign = limit.atLeast ? QStringLiteral("&lt; ") : QStringLiteral("&gt; ");
-    return sign + scribe.say(withUnit(*bound, limit.unit));
+    return sign + htmlWriter.htmlText(withUnit(*bound, limit.unit));
 }
 
 Text reasonOf(const record::VerdictLine& line)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     if (line.grade == record::Grade::NotMeasured)
         return words.noFeedback;
     if (line.grade == record::Grade::Pass)
@@ -54,118 +54,122 @@ Text reasonOf(const record::VerdictLine& line)
     return {form.en.arg(number.en), form.zh.arg(number.zh)};
 }
 
-QString verdictLines(const Scribe& scribe, const record::SweepServo& servo,
-                     record::NoVerdict reason)
+QString verdictLines(const HtmlWriter& htmlWriter, const record::SweepServo& servo,
+                     record::NoVerdictReason reason)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     Rows rows;
     for (const record::VerdictLine& line : servo.lines) {
         const QString value = line.value && std::isfinite(*line.value)
-                                  ? scribe.say(withUnit(*line.value, line.limit.unit))
-                                  : scribe.say(words.notMeasured);
-        rows.push_back({lineBadge(scribe, line.grade), scribe.say(metricWords(line.limit.metric)),
-                        value, limitCell(scribe, line.limit, line.limit.warn),
-                        limitCell(scribe, line.limit, line.limit.fail),
-                        scribe.say(reasonOf(line))});
+                                  ? htmlWriter.htmlText(withUnit(*line.value, line.limit.unit))
+                                  : htmlWriter.htmlText(words.notMeasured);
+        rows.push_back({lineBadge(htmlWriter, line.grade),
+                        htmlWriter.htmlText(metricLabel(line.limit.metric)), value,
+                        limitCell(htmlWriter, line.limit, line.limit.warn),
+                        limitCell(htmlWriter, line.limit, line.limit.fail),
+                        htmlWriter.htmlText(reasonOf(line))});
     }
-    QString text = scribe.heading(3, words.verdict);
-    if (reason != record::NoVerdict::None)
-        text += scribe.paragraph(noVerdictWords(reason));
-    text += QStringLiteral("<p>") + scribe.say(words.limits) + QStringLiteral(": ") +
-            (servo.limits.name.isEmpty() ? scribe.say(words.none) : escaped(servo.limits.name)) +
+    QString text = htmlWriter.heading(3, words.verdict);
+    if (reason != record::NoVerdictReason::None)
+        text += htmlWriter.paragraph(noVerdictReasonText(reason));
+    text += QStringLiteral("<p>") + htmlWriter.htmlText(words.limits) + QStringLiteral(": ") +
+            (servo.limits.name.isEmpty() ? htmlWriter.htmlText(words.none)
+                                         : escaped(servo.limits.name)) +
             QStringLiteral("</p>\n");
-    return text + table({scribe.say(words.result), scribe.say(words.figure),
-                         scribe.say(words.value), scribe.say(words.warnLimit),
-                         scribe.say(words.failLimit), scribe.say(words.reason)},
+    return text + table({htmlWriter.htmlText(words.result), htmlWriter.htmlText(words.figure),
+                         htmlWriter.htmlText(words.value), htmlWriter.htmlText(words.warnLimit),
+                         htmlWriter.htmlText(words.failLimit), htmlWriter.htmlText(words.reason)},
                         rows);
 }
 
-QString metricsTable(const Scribe& scribe, const record::SweepServo& servo)
+QString metricsTable(const HtmlWriter& htmlWriter, const record::SweepServo& servo)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     const Text none{QStringLiteral("–"), QStringLiteral("–")};
     Rows rows;
     for (const record::SweepMetric& metric : servo.metrics)
-        rows.push_back({scribe.say(metricWords(metric.key)),
-                        scribe.optional(metric.value, words.notMeasured),
-                        scribe.say(unitWords(metric.unit)), scribe.optional(metric.mean, none),
-                        scribe.optional(metric.min, none), scribe.optional(metric.max, none),
-                        QString::number(metric.count)});
-    return table({scribe.say(words.figure), scribe.say(words.value), scribe.say(words.unit),
-                  scribe.say(words.mean), scribe.say(words.lowest), scribe.say(words.highest),
-                  scribe.say(words.count)},
+        rows.push_back({htmlWriter.htmlText(metricLabel(metric.key)),
+                        htmlWriter.optional(metric.value, words.notMeasured),
+                        htmlWriter.htmlText(unitText(metric.unit)),
+                        htmlWriter.optional(metric.mean, none),
+                        htmlWriter.optional(metric.min, none),
+                        htmlWriter.optional(metric.max, none), QString::number(metric.count)});
+    return table({htmlWriter.htmlText(words.figure), htmlWriter.htmlText(words.value),
+                  htmlWriter.htmlText(words.unit), htmlWriter.htmlText(words.mean),
+                  htmlWriter.htmlText(words.lowest), htmlWriter.htmlText(words.highest),
+                  htmlWriter.htmlText(words.count)},
                  rows) +
-           scribe.paragraph(words.howJudged) + scribe.paragraph(words.hysteresisNote);
+           htmlWriter.paragraph(words.gradingNote) + htmlWriter.paragraph(words.hysteresisNote);
 }
 
-QString charts(const Scribe& scribe, const record::SweepServo& servo,
-               const std::vector<SweepSeries>& series, const PlaceChart& place)
+QString charts(const HtmlWriter& htmlWriter, const record::SweepServo& servo,
+               const std::vector<SweepSeries>& series, const EmbedChart& place)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     const auto drawn = [&](const QString& markup) {
         return markup.startsWith(QStringLiteral("<svg")) ? place(markup) : markup;
     };
-    QString text = scribe.heading(3, words.positionChart);
+    QString text = htmlWriter.heading(3, words.positionChart);
     const auto own = std::find_if(series.begin(), series.end(), [&](const SweepSeries& one) {
         return one.servo == servo.parameters.servo.id;
     });
-    text += own == series.end() ? scribe.paragraph(words.noSeries)
-                                : drawn(positionChart(scribe, own->samples));
-    text += scribe.heading(3, words.histogram);
+    text += own == series.end() ? htmlWriter.paragraph(words.noSeries)
+                                : drawn(positionChart(htmlWriter, own->samples));
+    text += htmlWriter.heading(3, words.histogram);
     std::vector<double> errors;
     for (const record::SweepLeg& leg : servo.legs) {
         if (leg.steadyError && std::isfinite(*leg.steadyError))
             errors.push_back(*leg.steadyError);
     }
     if (errors.empty())
-        return text + scribe.paragraph(words.noErrors);
+        return text + htmlWriter.paragraph(words.noErrors);
     record::SweepLimit limit;
     for (const record::SweepLimit& line : servo.limits.lines) {
         if (line.metric == QStringLiteral("steady_error"))
             limit = line;
     }
-    return text + drawn(errorHistogram(scribe, errors, limit.warn, limit.fail));
+    return text + drawn(errorHistogram(htmlWriter, errors, limit.warn, limit.fail));
 }
 
-QString remarksOf(const Scribe& scribe, const record::SweepLeg& leg)
+QString remarksOf(const HtmlWriter& htmlWriter, const record::SweepLeg& leg)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     QStringList remarks;
     if (leg.missed)
-        remarks.append(QStringLiteral("✘ ") + scribe.say(words.missed));
+        remarks.append(QStringLiteral("✘ ") + htmlWriter.htmlText(words.missed));
     if (leg.flagWrong.value_or(false))
-        remarks.append(QStringLiteral("⚠ ") + scribe.say(words.flagWrong));
+        remarks.append(QStringLiteral("⚠ ") + htmlWriter.htmlText(words.flagWrong));
     if (leg.alarms != 0)
-        remarks.append(QStringLiteral("⚠ ") + scribe.say(alarmBitsWords(leg.alarms)));
+        remarks.append(QStringLiteral("⚠ ") + htmlWriter.htmlText(alarmBitsText(leg.alarms)));
     return remarks.join(QStringLiteral(", "));
 }
 
-QStringList legRow(const Scribe& scribe, const record::SweepLeg& leg)
+QStringList legRow(const HtmlWriter& htmlWriter, const record::SweepLeg& leg)
 {
     const Text none{QStringLiteral("–"), QStringLiteral("–")};
     const auto ms = [](std::optional<base::Duration> span) {
         return span ? std::optional<double>(double(span->count()) / 1000) : std::nullopt;
     };
-    const auto cell = [&](std::optional<double> value) { return scribe.optional(value, none); };
+    const auto cell = [&](std::optional<double> value) { return htmlWriter.optional(value, none); };
     return {QString::number(leg.number), QString::number(leg.cycle), inSeconds(leg.at),
             figure(leg.start),           figure(leg.target),         cell(leg.reached),
             cell(ms(leg.timeToTarget)),  cell(ms(leg.settling)),     cell(leg.overshoot),
             cell(leg.steadyError),       cell(leg.meanSpeed),        cell(leg.followingError),
             cell(leg.currentPeak),       cell(leg.loadPeak),         cell(leg.voltageMin),
-            cell(leg.temperatureMax),    QString::number(leg.lost),  remarksOf(scribe, leg)};
+            cell(leg.temperatureMax),    QString::number(leg.lost),  remarksOf(htmlWriter, leg)};
 }
 
-QString legsTable(const Scribe& scribe, const record::SweepServo& servo)
+QString legsTable(const HtmlWriter& htmlWriter, const record::SweepServo& servo)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     const auto shown = legsToShow(servo.legs);
     Rows rows;
     for (const record::SweepLeg* leg : shown)
-        rows.push_back(legRow(scribe, *leg));
-    QString text = scribe.heading(3, words.legs);
+        rows.push_back(legRow(htmlWriter, *leg));
+    QString text = htmlWriter.heading(3, words.legs);
     if (shown.size() < servo.legs.size()) {
         const QString all = QString::number(servo.legs.size());
-        text += scribe.paragraph({words.legsShown.en.arg(all), words.legsShown.zh.arg(all)});
+        text += htmlWriter.paragraph({words.legsShown.en.arg(all), words.legsShown.zh.arg(all)});
     }
     QStringList headings;
     for (const Text& heading :
@@ -173,49 +177,52 @@ QString legsTable(const Scribe& scribe, const record::SweepServo& servo)
           words.timeToTarget, words.settling, words.overshoot, words.steadyError, words.meanSpeed,
           words.following, words.current, words.load, words.voltage, words.temperature, words.lost,
           words.remarks})
-        headings.append(scribe.say(heading));
+        headings.append(htmlWriter.htmlText(heading));
     return text + table(headings, rows, true);
 }
 
-QString axisRows(const Scribe& scribe, const record::SweepServo& servo)
+QString axisRows(const HtmlWriter& htmlWriter, const record::SweepServo& servo)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     const QString step = QStringLiteral("step");
     const record::SweepAxis& axis = servo.axis;
     const QString range = figure(axis.from) + QStringLiteral(" … ") + figure(axis.to);
-    Rows rows{{scribe.say(words.inSteps), scribe.say(withUnit(range, step))},
-              {scribe.say(words.tolerance), scribe.say(withUnit(axis.tolerance, step))}};
+    Rows rows{{htmlWriter.htmlText(words.inSteps), htmlWriter.htmlText(withUnit(range, step))},
+              {htmlWriter.htmlText(words.tolerance),
+               htmlWriter.htmlText(withUnit(axis.tolerance, step))}};
     if (axis.speed)
-        rows.push_back(
-            {scribe.say(words.speed), scribe.say(withUnit(*axis.speed, QStringLiteral("step/s")))});
+        rows.push_back({htmlWriter.htmlText(words.speed),
+                        htmlWriter.htmlText(withUnit(*axis.speed, QStringLiteral("step/s")))});
     if (axis.acceleration)
-        rows.push_back({scribe.say(words.acceleration),
+        rows.push_back({htmlWriter.htmlText(words.acceleration),
                         figure(*axis.acceleration) + QStringLiteral(" step/s²")});
-    return pairs(rows);
+    return keyValueTable(rows);
 }
 
-QString parametersPart(const Scribe& scribe, const record::SweepServo& servo)
+QString parametersPart(const HtmlWriter& htmlWriter, const record::SweepServo& servo)
 {
-    const SweepWords& words = sweepWords();
+    const SweepTexts& words = sweepTexts();
     const record::Snapshot& kept = servo.parameters;
     Rows rows;
     for (const record::SnapshotRegister& reg : kept.registers)
-        rows.push_back({QString::number(reg.address), escaped(reg.key),
-                        reg.raw ? QString::number(qint64(*reg.raw)) : scribe.say(words.notMeasured),
-                        scribe.optional(reg.value, {QStringLiteral("–"), QStringLiteral("–")}),
-                        escaped(reg.unit), escaped(catalog::areaName(reg.area))});
-    return QStringLiteral("<details><summary>") + scribe.say(words.parameters) +
-           QStringLiteral("</summary>\n<p>") + scribe.say(words.readAt) + QStringLiteral(": ") +
-           kept.at.toUTC().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
+        rows.push_back(
+            {QString::number(reg.address), escaped(reg.key),
+             reg.raw ? QString::number(qint64(*reg.raw)) : htmlWriter.htmlText(words.notMeasured),
+             htmlWriter.optional(reg.value, {QStringLiteral("–"), QStringLiteral("–")}),
+             escaped(reg.unit), escaped(catalog::areaName(reg.area))});
+    return QStringLiteral("<details><summary>") + htmlWriter.htmlText(words.parameters) +
+           QStringLiteral("</summary>\n<p>") + htmlWriter.htmlText(words.readAt) +
+           QStringLiteral(": ") + kept.at.toUTC().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
            QStringLiteral(" UTC, ") + escaped(kept.servo.map) + QStringLiteral("</p>\n") +
-           table({scribe.say(words.address), scribe.say(words.name), scribe.say(words.raw),
-                  scribe.say(words.value), scribe.say(words.unit), scribe.say(words.area)},
+           table({htmlWriter.htmlText(words.address), htmlWriter.htmlText(words.name),
+                  htmlWriter.htmlText(words.raw), htmlWriter.htmlText(words.value),
+                  htmlWriter.htmlText(words.unit), htmlWriter.htmlText(words.area)},
                  rows) +
            QStringLiteral("</details>\n");
 }
 
 /// Missed before alarms before errors.
-double badness(const record::SweepLeg& leg)
+double severity(const record::SweepLeg& leg)
 {
     constexpr double beyondAnyError = 1e9;
     const double error = std::abs(leg.steadyError.value_or(0));
@@ -239,21 +246,21 @@ std::vector<const record::SweepLeg*> legsToShow(const std::vector<record::SweepL
         (atEnds ? shown : middle).push_back(&legs[i]);
     }
     std::partial_sort(middle.begin(), middle.begin() + std::ptrdiff_t(shownWorst), middle.end(),
-                      [](const auto* a, const auto* b) { return badness(*a) > badness(*b); });
+                      [](const auto* a, const auto* b) { return severity(*a) > severity(*b); });
     shown.insert(shown.end(), middle.begin(), middle.begin() + std::ptrdiff_t(shownWorst));
     // All of one list: by place is by time.
     std::sort(shown.begin(), shown.end());
     return shown;
 }
 
-QString badge(const Scribe& scribe, record::Grade grade)
+QString badge(const HtmlWriter& htmlWriter, record::Grade grade)
 {
-    return coloured(grade, scribe.say(gradeWords(grade)));
+    return colored(grade, htmlWriter.htmlText(gradeLabel(grade)));
 }
 
-QString lineBadge(const Scribe& scribe, record::Grade grade)
+QString lineBadge(const HtmlWriter& htmlWriter, record::Grade grade)
 {
-    return coloured(grade, scribe.say(lineGradeWords(grade)));
+    return colored(grade, htmlWriter.htmlText(lineGradeLabel(grade)));
 }
 
 QString inSeconds(base::Duration span)
@@ -261,16 +268,16 @@ QString inSeconds(base::Duration span)
     return figure(double(span.count()) / 1e6);
 }
 
-QString servoPart(const Scribe& scribe, const record::SweepRun& run,
+QString servoPart(const HtmlWriter& htmlWriter, const record::SweepRun& run,
                   const record::SweepServo& servo, const std::vector<SweepSeries>& series,
-                  const PlaceChart& place)
+                  const EmbedChart& place)
 {
-    const record::NoVerdict reason = record::sweepVerdict(run, servo).reason;
-    const record::SnapshotServo& who = servo.parameters.servo;
-    const QString name = QStringLiteral("ID %1 · ").arg(who.id) + who.model;
-    return scribe.heading(2, {name, name}) + axisRows(scribe, servo) +
-           verdictLines(scribe, servo, reason) + metricsTable(scribe, servo) +
-           charts(scribe, servo, series, place) + legsTable(scribe, servo) +
-           parametersPart(scribe, servo);
+    const record::NoVerdictReason reason = record::sweepVerdict(run, servo).reason;
+    const record::SnapshotServo& identity = servo.parameters.servo;
+    const QString name = QStringLiteral("ID %1 · ").arg(identity.id) + identity.model;
+    return htmlWriter.heading(2, {name, name}) + axisRows(htmlWriter, servo) +
+           verdictLines(htmlWriter, servo, reason) + metricsTable(htmlWriter, servo) +
+           charts(htmlWriter, servo, series, place) + legsTable(htmlWriter, servo) +
+           parametersPart(htmlWriter, servo);
 }
 } // namespace report

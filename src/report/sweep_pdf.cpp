@@ -45,16 +45,16 @@ QImage pictureOf(const QString& svg)
 QByteArray sweepPdf(const record::SweepRun& run, const std::vector<SweepSeries>& series,
                     bool chinese)
 {
-    const Scribe scribe(chinese ? Tongue::Chinese : Tongue::English);
+    const HtmlWriter htmlWriter(chinese ? ReportLanguage::Chinese : ReportLanguage::English);
     QTextDocument document;
     document.setDefaultFont(paperFont());
     int charts = 0;
-    const QString body = sweepBody(scribe, run, series, [&](const QString& svg) {
+    const QString body = sweepBody(htmlWriter, run, series, [&](const QString& svg) {
         const QString name = QStringLiteral("chart-%1").arg(++charts);
         document.addResource(QTextDocument::ImageResource, QUrl(name), pictureOf(svg));
         return QStringLiteral("<p><img src=\"%1\" width=\"%2\"/></p>\n").arg(name).arg(shownWidth);
     });
-    document.setHtml(page(scribe, sweepWords().title, body, chinese));
+    document.setHtml(page(htmlWriter, sweepTexts().title, body, chinese));
 
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
@@ -62,7 +62,7 @@ QByteArray sweepPdf(const record::SweepRun& run, const std::vector<SweepSeries>&
         QPdfWriter writer(&buffer);
         // The table of legs needs the width.
         writer.setPageLayout({QPageSize(QPageSize::A4), QPageLayout::Landscape, {}});
-        writer.setTitle(sweepWords().title.in(chinese));
+        writer.setTitle(sweepTexts().title.in(chinese));
         writer.setCreator(run.program);
         document.print(&writer);
     }

@@ -10,7 +10,7 @@ Text both(const char* english, const char* chinese)
     return {QString::fromUtf8(english), QString::fromUtf8(chinese)};
 }
 
-void fillHeading(SweepWords& words)
+void fillHeading(SweepTexts& words)
 {
     words.title = both("Sweep test report", "扫描测试报告");
     words.simulated = both("SIMULATED: no real servo was tested", "模拟：未测试真实舵机");
@@ -36,7 +36,7 @@ void fillHeading(SweepWords& words)
     words.id = both("ID", "ID");
 }
 
-void fillTest(SweepWords& words)
+void fillTest(SweepTexts& words)
 {
     words.shape = both("Path", "路径");
     words.from = both("From", "起点");
@@ -62,12 +62,12 @@ void fillTest(SweepWords& words)
     words.stopOnAlarm = both("an alarm", "报警");
     words.stopOnStall = both("a stall", "堵转");
     words.stopOnFailure = both("the first failed line", "首个不合格项");
-    words.nothingElse = both("a lost link only", "仅连接丢失");
+    words.onlyOnLostLink = both("a lost link only", "仅连接丢失");
     words.inSteps = both("In steps", "折算为步");
     words.tolerance = both("A target counts as reached within", "到位允差");
 }
 
-void fillFigures(SweepWords& words)
+void fillFigures(SweepTexts& words)
 {
     words.result = both("Result", "结果");
     words.figure = both("Figure", "指标");
@@ -87,7 +87,7 @@ void fillFigures(SweepWords& words)
     words.count = both("Count", "样本数");
     words.notMeasured = both("not measured", "未测量");
     words.limits = both("Limits", "限值");
-    words.howJudged = both(
+    words.gradingNote = both(
         "Errors, overshoot, settling, following, phase lag, repeatability, current and load are "
         "judged by the worst leg, speeds and the time to target by their mean, and what is "
         "counted by its sum.",
@@ -98,7 +98,7 @@ void fillFigures(SweepWords& words)
              "位置均为舵机自身反馈：编码器之后的齿轮间隙未测量。");
 }
 
-void fillCharts(SweepWords& words)
+void fillCharts(SweepTexts& words)
 {
     words.positionChart = both("Position against goal", "位置与目标");
     words.goal = both("goal", "目标");
@@ -112,7 +112,7 @@ void fillCharts(SweepWords& words)
     words.noErrors = both("No steady error was measured.", "未测得静差。");
 }
 
-void fillLegs(SweepWords& words)
+void fillLegs(SweepTexts& words)
 {
     words.legs = both("Legs", "各程数据");
     words.legsShown =
@@ -142,12 +142,12 @@ void fillLegs(SweepWords& words)
     words.peak = both("Peak", "峰值");
 }
 
-void fillBus(SweepWords& words)
+void fillBus(SweepTexts& words)
 {
     words.bus = both("Bus", "总线");
     words.asked = both("Readings and writes", "读写次数");
-    words.timeOuts = both("No answer", "通信超时");
-    words.badChecks = both("Wrong checksum", "校验错误");
+    words.timeouts = both("No answer", "通信超时");
+    words.badChecksums = both("Wrong checksum", "校验错误");
     words.foreign = both("Foreign frames", "外来帧");
     words.late = both("Late answers", "迟到应答");
     words.gaps = both("Gaps", "中断");
@@ -223,10 +223,10 @@ Text wordsOf(const std::array<Entry, Count>& entries, const QString& key)
 }
 } // namespace
 
-const SweepWords& sweepWords()
+const SweepTexts& sweepTexts()
 {
-    static const SweepWords words = [] {
-        SweepWords all;
+    static const SweepTexts words = [] {
+        SweepTexts all;
         fillHeading(all);
         fillTest(all);
         fillFigures(all);
@@ -238,7 +238,7 @@ const SweepWords& sweepWords()
     return words;
 }
 
-Text gradeWords(record::Grade grade)
+Text gradeLabel(record::Grade grade)
 {
     switch (grade) {
     case record::Grade::Pass:
@@ -253,7 +253,7 @@ Text gradeWords(record::Grade grade)
     return both("No verdict", "无结论");
 }
 
-Text lineGradeWords(record::Grade grade)
+Text lineGradeLabel(record::Grade grade)
 {
     switch (grade) {
     case record::Grade::Pass:
@@ -265,7 +265,7 @@ Text lineGradeWords(record::Grade grade)
     case record::Grade::NotMeasured:
         break;
     }
-    return sweepWords().notMeasured;
+    return sweepTexts().notMeasured;
 }
 
 QString gradeSign(record::Grade grade)
@@ -283,7 +283,7 @@ QString gradeSign(record::Grade grade)
     return QStringLiteral("–");
 }
 
-QString gradeColour(record::Grade grade)
+QString gradeColor(record::Grade grade)
 {
     switch (grade) {
     case record::Grade::Pass:
@@ -298,42 +298,42 @@ QString gradeColour(record::Grade grade)
     return QStringLiteral("#57606a");
 }
 
-Text noVerdictWords(record::NoVerdict reason)
+Text noVerdictReasonText(record::NoVerdictReason reason)
 {
     switch (reason) {
-    case record::NoVerdict::None:
+    case record::NoVerdictReason::None:
         return {};
-    case record::NoVerdict::Ended:
+    case record::NoVerdictReason::Ended:
         return both("No verdict: the run ended before there was one.",
                     "无结论：运行在得出结论之前已结束。");
-    case record::NoVerdict::TooShort:
+    case record::NoVerdictReason::TooShort:
         return both("No verdict: too short to judge. Run at least one whole cycle.",
                     "无结论：测试太短，无法判定。请至少运行一个完整循环。");
-    case record::NoVerdict::TooFewReadings:
+    case record::NoVerdictReason::TooFewReadings:
         return both("No verdict: fewer than 20 readings per period. Use a longer period, fewer "
                     "servos or a higher baud rate.",
                     "无结论：每周期采样数少于 20。请加长周期、减少舵机或提高波特率。");
-    case record::NoVerdict::TooFast:
+    case record::NoVerdictReason::TooFast:
         return both("No verdict: the sine is faster than the servo is set to turn. Use a longer "
                     "period, a smaller range or a higher speed.",
                     "无结论：正弦快于舵机设定的速度。请加长周期、缩小范围或提高速度。");
-    case record::NoVerdict::NoLimit:
+    case record::NoVerdictReason::NoLimit:
         return both("No verdict: the limits do not say how well goals must be followed. Add limits "
                     "for the relative following error and the phase lag.",
                     "无结论：限值中没有跟随要求。请添加相对跟随误差和相位滞后的限值。");
-    case record::NoVerdict::ShortMoves:
+    case record::NoVerdictReason::ShortMoves:
         return both("No verdict: the moves are too short for the tolerance, so a servo that stands "
                     "still would pass, too. Move at least three times the tolerance.",
                     "无结论：相对于到位允差，行程太短，静止不动的舵机也会合格。行程至少应为允差的"
                     "三倍。");
-    case record::NoVerdict::SlowLink:
+    case record::NoVerdictReason::SlowLink:
         return both(
             "No verdict: the servo lags too far behind, but the delay of the link may be the "
             "cause. Read at least 40 times per period: use a longer period, fewer servos or "
             "a faster adapter.",
             "无结论：滞后超出限值，但可能是通信延迟所致。每周期至少需采样 40 次：请加长周期、"
             "减少舵机或换用更快的适配器。");
-    case record::NoVerdict::NotMeasured:
+    case record::NoVerdictReason::NotMeasured:
         break;
     }
     return both("No verdict: what this test is judged by was not measured in most moves. Allow "
@@ -342,7 +342,7 @@ Text noVerdictWords(record::NoVerdict reason)
                 "减少舵机，更换更快的适配器。");
 }
 
-Text endWords(record::SweepEnd end)
+Text endText(record::SweepEnd end)
 {
     switch (end) {
     case record::SweepEnd::Finished:
@@ -368,7 +368,7 @@ Text endWords(record::SweepEnd end)
         return both("Ended early: a servo had no torque any more: it has restarted, or another "
                     "program switched it off. It was not switched on again.",
                     "提前结束：舵机已无扭矩输出（已重启，或被其他程序关闭），未再次使能。");
-    case record::SweepEnd::Exchanged:
+    case record::SweepEnd::ServoReplaced:
         return both("Ended early: another servo answers under this ID than the one being tested.",
                     "提前结束：应答此 ID 的已不是被测舵机，而是另一个舵机。");
     case record::SweepEnd::LinkLost:
@@ -378,7 +378,7 @@ Text endWords(record::SweepEnd end)
                 "提前结束：连接丢失且未恢复。");
 }
 
-Text shapeWords(record::SweepShape shape)
+Text shapeText(record::SweepShape shape)
 {
     switch (shape) {
     case record::SweepShape::Sweep:
@@ -397,7 +397,7 @@ Text shapeWords(record::SweepShape shape)
     return both("list of points", "目标点列表");
 }
 
-Text paceWords(record::SweepPace pace)
+Text paceText(record::SweepPace pace)
 {
     return pace == record::SweepPace::Delay
                ? both("delay from one goal to the next, arrived or not",
@@ -405,17 +405,17 @@ Text paceWords(record::SweepPace pace)
                : both("dwell after arrival", "到位后停留");
 }
 
-Text metricWords(const QString& key)
+Text metricLabel(const QString& key)
 {
     return wordsOf(metricEntries, key);
 }
 
-Text unitWords(const QString& unit)
+Text unitText(const QString& unit)
 {
     return wordsOf(unitEntries, unit);
 }
 
-Text alarmBitsWords(std::uint8_t alarms)
+Text alarmBitsText(std::uint8_t alarms)
 {
     Text words;
     for (std::size_t bit = 0; bit < 8; ++bit) {

@@ -21,9 +21,9 @@ QString bitName(const device::Servo& servo, int bit)
 }
 } // namespace
 
-std::vector<AlarmNow> alarmsNow(const device::Servo& servo)
+std::vector<ActiveAlarm> activeAlarms(const device::Servo& servo)
 {
-    std::vector<AlarmNow> alarms;
+    std::vector<ActiveAlarm> alarms;
     for (int bit = 0; bit < 8; ++bit) {
         if ((servo.status >> bit & 1) != 0)
             alarms.push_back({bitName(servo, bit), bit, false});
@@ -36,7 +36,7 @@ std::vector<AlarmNow> alarmsNow(const device::Servo& servo)
     return alarms;
 }
 
-std::vector<AlarmLatch::Change> AlarmLatch::update(const std::vector<AlarmNow>& now,
+std::vector<AlarmLatch::Change> AlarmLatch::update(const std::vector<ActiveAlarm>& now,
                                                    base::Duration at)
 {
     std::vector<Change> changes;
@@ -46,12 +46,12 @@ std::vector<AlarmLatch::Change> AlarmLatch::update(const std::vector<AlarmNow>& 
             changes.push_back({alarm.what, false});
         if (!alarm.active && still) {
             changes.push_back({alarm.what, true});
-            ++alarm.times;
+            ++alarm.count;
             alarm.latestAt = at;
         }
         alarm.active = still;
     }
-    for (const AlarmNow& one : now) {
+    for (const ActiveAlarm& one : now) {
         const bool known = std::any_of(m_alarms.begin(), m_alarms.end(),
                                        [&](const Alarm& alarm) { return alarm.what == one; });
         if (known)
@@ -70,7 +70,7 @@ void AlarmLatch::acknowledge()
         alarm.acknowledged = true;
 }
 
-bool AlarmLatch::anyActive() const
+bool AlarmLatch::hasActive() const
 {
     return std::any_of(m_alarms.begin(), m_alarms.end(),
                        [](const Alarm& alarm) { return alarm.active; });

@@ -11,36 +11,36 @@
 
 namespace session {
 /// One that is active now.
-struct AlarmNow {
+struct ActiveAlarm {
     QString key;          ///< "overload"; "bit-4" where the map has no name for it
     int bit = -1;         ///< of Servo::status; -1: none
     bool derived = false; ///< worked out from measurements and limits, not reported
-    bool operator==(const AlarmNow&) const = default;
+    bool operator==(const ActiveAlarm&) const = default;
 };
 /// Reported bits, or what device::derivedAlarms works out ("temperature", "voltage").
-std::vector<AlarmNow> alarmsNow(const device::Servo& servo);
+std::vector<ActiveAlarm> activeAlarms(const device::Servo& servo);
 
 struct Alarm {
-    AlarmNow what;
+    ActiveAlarm what;
     bool active = false;
     QDateTime firstSeen;
     base::Duration firstAt{}; ///< desk clock
     base::Duration latestAt{};
-    int times = 0; ///< how often it came
+    int count = 0; ///< how often it came
     bool acknowledged = false;
 };
 
 class AlarmLatch {
 public:
     struct Change {
-        AlarmNow what;
-        bool came = false; ///< else it went
+        ActiveAlarm what;
+        bool raised = false; ///< else it went
     };
-    std::vector<Change> update(const std::vector<AlarmNow>& now, base::Duration at);
+    std::vector<Change> update(const std::vector<ActiveAlarm>& now, base::Duration at);
     /// Those that are over go at once, the others as soon as they are.
     void acknowledge();
     const std::vector<Alarm>& alarms() const { return m_alarms; } ///< oldest first
-    bool anyActive() const;
+    bool hasActive() const;
 
 private:
     std::vector<Alarm> m_alarms;

@@ -35,19 +35,19 @@ base::Result<std::vector<ReferenceResult>> compared(const History& history,
 }
 
 /// Opened for each question: a file that was moved or mended meanwhile is no trouble then.
-class FileSource final : public ArchiveSource {
+class HistoryFileSource final : public HistorySource {
 public:
-    FileSource(QString path, std::shared_ptr<JobThread> thread)
+    HistoryFileSource(QString path, std::shared_ptr<JobThread> thread)
         : m_path(std::move(path))
         , m_thread(std::move(thread))
     {}
 
-    void start(Question question) override
+    void start(Query query) override
     {
-        m_thread->start([path = m_path, question = std::move(question)] {
+        m_thread->start([path = m_path, query = std::move(query)] {
             const auto history = History::open(path);
-            question(history ? base::Result<History*>(history->get())
-                             : base::Result<History*>(tl::unexpected(history.error())));
+            query(history ? base::Result<History*>(history->get())
+                          : base::Result<History*>(tl::unexpected(history.error())));
         });
     }
 
@@ -57,94 +57,94 @@ private:
 };
 } // namespace
 
-Archive::Archive(QString path, QObject* parent)
+HistoryService::HistoryService(QString path, QObject* parent)
     : QObject(parent)
     , m_path(std::move(path))
-    , m_post(std::make_shared<LoosePost>(m_inbox))
+    , m_post(std::make_shared<GuardedPoster>(m_mainQueue))
     , m_thread(std::make_shared<JobThread>())
-    , m_source(std::make_unique<FileSource>(m_path, m_thread))
-    , m_watch(std::make_unique<HistoryWatch>(m_path, *m_thread, m_post))
+    , m_source(std::make_unique<HistoryFileSource>(m_path, m_thread))
+    , m_watch(std::make_unique<HistoryWatcher>(m_path, *m_thread, m_post))
 {
-    connect(m_watch.get(), &HistoryWatch::changed, this, &Archive::changed);
+    connect(m_watch.get(), &HistoryWatcher::changed, this, &HistoryService::changed);
 }
 
-Archive::Archive(std::unique_ptr<ArchiveSource> source, QObject* parent)
+HistoryService::HistoryService(std::unique_ptr<HistorySource> source, QObject* parent)
     : QObject(parent)
-    , m_post(std::make_shared<LoosePost>(m_inbox))
+    , m_post(std::make_shared<GuardedPoster>(m_mainQueue))
     , m_thread(std::make_shared<JobThread>())
     , m_source(std::move(source))
 {}
 
 /// The thread drops what waits; a run is not dropped.
-Archive::~Archive()
+HistoryService::~HistoryService()
 {
     m_post->close();
     m_source.reset();
     m_thread.reset();
     m_watch.reset();
     while (!m_pending.empty())
-        keepNext();
+        saveNext();
 }
 
 /// On the archive's thread, and at the very end on the main thread.
-record::KeptRun Archive::keepNext()
+record::SavedRun HistoryService::saveNext()
 {
-    Keeping next;
+    SaveJob next;
     {
         const std::lock_guard lock(m_mutex);
         next = m_pending.front();
     }
-    record::KeptRun kept = next(m_path);
+    record::SavedRun kept = next(m_path);
     const std::lock_guard lock(m_mutex);
     m_pending.pop_front();
     return kept;
 }
 
-void Archive::keepLater(Keeping keeping, Kind kind)
+void HistoryService::saveLater(SaveJob saveJob, Kind kind)
 {
     {
         const std::lock_guard lock(m_mutex);
-        m_pending.push_back(std::move(keeping));
+        m_pending.push_back(std::move(saveJob));
     }
     m_thread->start([this, kind] {
-        m_inbox.post([this, kind, kept = keepNext()] {
+        m_mainQueue.post([this, kind, kept = saveNext()] {
             if (kept.trouble) {
                 if (kind == Kind::Run)
-                    Q_EMIT keepFailed(*kept.trouble, kept.file);
+                    Q_EMIT runSaveFailed(*kept.trouble, kept.file);
                 else
                     Q_EMIT failed(*kept.trouble);
                 return;
             }
             if (kind == Kind::Run)
-                Q_EMIT this->kept(kept.number);
+                Q_EMIT this->runSaved(kept.number);
             Q_EMIT changed();
         });
     });
 }
 
-void Archive::keep(SharedRun run, const QStringList& files)
+void HistoryService::saveRun(SharedRun run, const QStringList& files)
 {
-    keepLater([run = std::move(run), files](const QString& path) {
-        return record::keepRun(path, *run, files);
+    saveLater([run = std::move(run), files](const QString& path) {
+        return record::saveRun(path, *run, files);
     });
 }
 
-void Archive::keep(SharedStep run, const QStringList& files)
+void HistoryService::saveRun(SharedStep run, const QStringList& files)
 {
-    keepLater([run = std::move(run), files](const QString& path) {
-        return record::keepRun(path, *run, files);
+    saveLater([run = std::move(run), files](const QString& path) {
+        return record::saveRun(path, *run, files);
     });
 }
 
-void Archive::setViewed(QObject* viewer, bool viewed)
+void HistoryService::setWatched(QObject* viewer, bool viewed)
 {
     if (m_watch)
-        m_watch->setViewed(viewer, viewed);
+        m_watch->setWatched(viewer, viewed);
 }
 
-void Archive::change(std::function<base::Result<void>(History&)> deed)
+void HistoryService::change(std::function<base::Result<void>(History&)> action)
 {
-    ask<void>(std::move(deed), this, [this](const base::Result<void>& done) {
+    query<void>(std::move(action), this, [this](const base::Result<void>& done) {
         if (!done)
             Q_EMIT failed(done.error());
         else
@@ -152,16 +152,16 @@ void Archive::change(std::function<base::Result<void>(History&)> deed)
     });
 }
 
-void Archive::list(const record::RunFilter& filter, QObject* context,
-                   Answer<std::vector<record::TestRun>> answer)
+void HistoryService::list(const record::RunFilter& filter, QObject* context,
+                          Answer<std::vector<record::TestRun>> answer)
 {
-    ask<std::vector<record::TestRun>>([filter](History& history) { return history.runs(filter); },
-                                      context, std::move(answer));
+    query<std::vector<record::TestRun>>([filter](History& history) { return history.runs(filter); },
+                                        context, std::move(answer));
 }
 
-void Archive::load(std::int64_t number, QObject* context, Answer<SharedRun> answer)
+void HistoryService::load(std::int64_t number, QObject* context, Answer<SharedRun> answer)
 {
-    ask<SharedRun>(
+    query<SharedRun>(
         [number](History& history) -> base::Result<SharedRun> {
             auto run = history.sweep(number);
             if (!run)
@@ -171,30 +171,30 @@ void Archive::load(std::int64_t number, QObject* context, Answer<SharedRun> answ
         context, std::move(answer));
 }
 
-void Archive::compareWithReference(SharedRun run, QObject* context,
-                                   Answer<std::vector<ReferenceResult>> answer)
+void HistoryService::compareWithReference(SharedRun run, QObject* context,
+                                          Answer<std::vector<ReferenceResult>> answer)
 {
-    ask<std::vector<ReferenceResult>>(
+    query<std::vector<ReferenceResult>>(
         [run = std::move(run)](History& history) { return compared(history, *run); }, context,
         std::move(answer));
 }
 
-void Archive::setLabel(std::int64_t number, int servo, const QString& label)
+void HistoryService::setLabel(std::int64_t number, int servo, const QString& label)
 {
     change([=](History& history) { return history.setLabel(number, servo, label); });
 }
 
-void Archive::setNote(std::int64_t number, const QString& note)
+void HistoryService::setNote(std::int64_t number, const QString& note)
 {
     change([=](History& history) { return history.setNote(number, note); });
 }
 
-void Archive::setReference(std::int64_t number, int servo, bool reference)
+void HistoryService::setReference(std::int64_t number, int servo, bool reference)
 {
     change([=](History& history) { return history.setReference(number, servo, reference); });
 }
 
-void Archive::remove(const std::vector<std::int64_t>& numbers)
+void HistoryService::remove(const std::vector<std::int64_t>& numbers)
 {
     change([numbers](History& history) -> base::Result<void> {
         for (const std::int64_t number : numbers) {
@@ -205,11 +205,12 @@ void Archive::remove(const std::vector<std::int64_t>& numbers)
     });
 }
 
-void Archive::work(std::function<base::Result<void>()> job, QObject* context, Answer<void> answer)
+void HistoryService::runInOrder(std::function<base::Result<void>()> job, QObject* context,
+                                Answer<void> answer)
 {
     const QPointer<QObject> guard(context);
     m_thread->start([this, job = std::move(job), guard, answer = std::move(answer)] {
-        m_inbox.post([guard, answer, done = job()] {
+        m_mainQueue.post([guard, answer, done = job()] {
             if (guard)
                 answer(done);
         });

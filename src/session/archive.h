@@ -20,7 +20,7 @@
 #include <QPointer>
 
 namespace session {
-class HistoryWatch;
+class HistoryWatcher;
 using SharedRun = std::shared_ptr<const record::SweepRun>;
 using SharedStep = std::shared_ptr<const record::StepRun>;
 using SharedSnapshot = std::shared_ptr<const record::Snapshot>;
@@ -30,30 +30,30 @@ struct ReferenceResult {
     int servo = -1;
     record::TestRun run; ///< the reference's
     record::TestServo reference;
-    record::SweepComparison found; ///< A is the reference
-    bool ignored = false;          ///< the reference did not finish: nothing is compared
+    record::SweepComparison comparison; ///< A is the reference
+    bool ignored = false;               ///< the reference did not finish: nothing is compared
 };
 
-class Archive final : public QObject {
+class HistoryService final : public QObject {
     Q_OBJECT
 
 public:
-    explicit Archive(QString path = historyFile(), QObject* parent = nullptr);
+    explicit HistoryService(QString path = historyFile(), QObject* parent = nullptr);
     /// Asked only: what would keep or change anything fails.
-    explicit Archive(std::unique_ptr<ArchiveSource> source, QObject* parent = nullptr);
-    ~Archive() override;
+    explicit HistoryService(std::unique_ptr<HistorySource> source, QObject* parent = nullptr);
+    ~HistoryService() override;
 
     /// kept() or keepFailed() follow. Order is kept.
-    void keep(SharedRun run, const QStringList& files = {});
-    void keep(SharedStep run, const QStringList& files = {});
+    void saveRun(SharedRun run, const QStringList& files = {});
+    void saveRun(SharedStep run, const QStringList& files = {});
 
     // Kept in order; changed() or failed() follow. An alarm that came twice counts once.
-    void keepAlarm(const base::ServoIdentity& who, const QString& key, bool derived, bool came,
+    void saveAlarm(const base::ServoIdentity& identity, const QString& key, bool derived, bool came,
                    const QDateTime& at);
-    void keepRecording(const record::HistoryRecording& recording,
+    void saveRecording(const record::HistoryRecording& recording,
                        const std::vector<base::ServoIdentity>& servos);
-    void keepSnapshot(SharedSnapshot snapshot, record::SnapshotReason reason,
-                      const QString& file = {});
+    void saveHistorySnapshot(SharedSnapshot snapshot, record::SnapshotReason reason,
+                             const QString& file = {});
 
     template <typename T>
     using Answer = std::function<void(const base::Result<T>&)>;
@@ -65,8 +65,8 @@ public:
 
     /// Any other question or deed: run on the archive's thread with the history open.
     template <typename T>
-    void ask(std::function<base::Result<T>(record::History&)> question, QObject* context,
-             Answer<T> answer);
+    void query(std::function<base::Result<T>(record::History&)> query, QObject* context,
+               Answer<T> answer);
 
     // Pages: filter.most rows, filter.after for the next. archive_lists.cpp.
     void servos(const record::HistoryFilter& filter, QObject* context,
@@ -82,7 +82,7 @@ public:
     void loadSnapshot(std::int64_t number, QObject* context, Answer<SharedSnapshot> answer);
     /// The catalog's data is shared; the object may go.
     void tableAt(const catalog::Catalog& catalog, std::int64_t servo, const QDateTime& at,
-                 QObject* context, Answer<record::TablePoint> answer);
+                 QObject* context, Answer<record::TableState> answer);
     void alarms(const record::HistoryFilter& filter, QObject* context,
                 Answer<std::vector<record::HistoryAlarm>> answer);
     void recordings(const record::HistoryFilter& filter, QObject* context,
@@ -98,9 +98,9 @@ public:
     // A server's: who sends there; whose history is asked for from now on (nullopt: everybody's);
     // and by whom rows of "writes", "snapshots" … were sent, number → name. A file answers none.
     void benches(QObject* context, Answer<std::vector<record::HistoryBench>> answer);
-    void chooseBench(std::optional<std::int64_t> bench) { m_source->choose(bench); }
-    void benchesOf(const QString& table, const std::vector<std::int64_t>& numbers, QObject* context,
-                   Answer<QMap<qint64, QString>> answer);
+    void selectBench(std::optional<std::int64_t> bench) { m_source->selectBench(bench); }
+    void benchNames(const QString& table, const std::vector<std::int64_t>& numbers,
+                    QObject* context, Answer<QMap<qint64, QString>> answer);
 
     // changed() or failed() follow
     void setLabel(std::int64_t number, int servo, const QString& label);
@@ -115,46 +115,45 @@ public:
 
     /// While there is a viewer, changed() also follows what other programs and connections write
     /// to the file. A server is not watched.
-    void setViewed(QObject* viewer, bool viewed);
+    void setWatched(QObject* viewer, bool viewed);
 
     /// Something slow that touches no history, such as saving a report, in the same order.
-    void work(std::function<base::Result<void>()> job, QObject* context, Answer<void> answer);
+    void runInOrder(std::function<base::Result<void>()> job, QObject* context, Answer<void> answer);
 
 Q_SIGNALS:
-    void kept(std::int64_t number);
+    void runSaved(std::int64_t number);
     /// `file`: where the run was left instead; empty: it is nowhere.
-    void keepFailed(const base::Error& error, const QString& file);
+    void runSaveFailed(const base::Error& error, const QString& file);
     void changed();
     void failed(const base::Error& error);
 
 private:
     /// What is to be kept, whatever happens: answers where it went.
-    using Keeping = std::function<record::KeptRun(const QString& path)>;
+    using SaveJob = std::function<record::SavedRun(const QString& path)>;
     /// A run has a number that kept() tells; without room for the rest, failed() follows.
     enum class Kind : std::uint8_t { Run, Other };
-    void keepLater(Keeping keeping, Kind kind = Kind::Run);
-    void change(std::function<base::Result<void>(record::History&)> deed);
-    record::KeptRun keepNext();
+    void saveLater(SaveJob saveJob, Kind kind = Kind::Run);
+    void change(std::function<base::Result<void>(record::History&)> action);
+    record::SavedRun saveNext();
 
     const QString m_path;
-    Inbox m_inbox;
+    MainThreadQueue m_mainQueue;
     std::mutex m_mutex;
-    std::deque<Keeping> m_pending; ///< what is to be kept and is not yet
-    std::shared_ptr<LoosePost> m_post;
+    std::deque<SaveJob> m_pending; ///< what is to be kept and is not yet
+    std::shared_ptr<GuardedPoster> m_post;
     std::shared_ptr<JobThread> m_thread; ///< shared with the source, where that is the file
-    std::unique_ptr<ArchiveSource> m_source;
-    std::unique_ptr<HistoryWatch> m_watch; ///< null over a server
+    std::unique_ptr<HistorySource> m_source;
+    std::unique_ptr<HistoryWatcher> m_watch; ///< null over a server
 };
 
 template <typename T>
-void Archive::ask(std::function<base::Result<T>(record::History&)> question, QObject* context,
-                  Answer<T> answer)
+void HistoryService::query(std::function<base::Result<T>(record::History&)> query, QObject* context,
+                           Answer<T> answer)
 {
     const QPointer<QObject> guard(context);
-    m_source->start([post = m_post, question = std::move(question), guard,
+    m_source->start([post = m_post, query = std::move(query), guard,
                      answer = std::move(answer)](const base::Result<record::History*>& history) {
-        auto result =
-            history ? question(**history) : base::Result<T>(tl::unexpected(history.error()));
+        auto result = history ? query(**history) : base::Result<T>(tl::unexpected(history.error()));
         post->post([guard, answer, result = std::move(result)] {
             if (guard)
                 answer(result);

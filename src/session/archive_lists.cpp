@@ -7,23 +7,24 @@ using record::History;
 using record::HistoryFilter;
 
 namespace {
-record::KeptRun outcomeOf(const QString& path,
-                          const std::function<base::Result<void>(const record::HistoryLog&)>& deed)
+record::SavedRun
+outcomeOf(const QString& path,
+          const std::function<base::Result<void>(const record::HistoryLog&)>& action)
 {
     const auto history = History::open(path);
     const auto done =
-        history ? deed((*history)->log()) : base::Result<void>(tl::unexpected(history.error()));
-    record::KeptRun kept;
+        history ? action((*history)->log()) : base::Result<void>(tl::unexpected(history.error()));
+    record::SavedRun kept;
     if (!done)
         kept.trouble = done.error();
     return kept;
 }
 
 base::Result<void> eachOf(const std::vector<std::int64_t>& numbers,
-                          const std::function<base::Result<void>(std::int64_t)>& deed)
+                          const std::function<base::Result<void>(std::int64_t)>& action)
 {
     for (const std::int64_t number : numbers) {
-        if (const auto done = deed(number); !done)
+        if (const auto done = action(number); !done)
             return done;
     }
     return {};
@@ -36,22 +37,23 @@ base::Result<void> withoutValue(const base::Result<T>& result)
 }
 } // namespace
 
-void Archive::keepAlarm(const base::ServoIdentity& who, const QString& key, bool derived, bool came,
-                        const QDateTime& at)
+void HistoryService::saveAlarm(const base::ServoIdentity& identity, const QString& key,
+                               bool derived, bool came, const QDateTime& at)
 {
-    keepLater(
+    saveLater(
         [=](const QString& path) {
             return outcomeOf(path, [&](const record::HistoryLog& log) {
-                return came ? log.alarmCame(who, key, derived, at) : log.alarmWent(who, key, at);
+                return came ? log.recordAlarmStart(identity, key, derived, at)
+                            : log.recordAlarmEnd(identity, key, at);
             });
         },
         Kind::Other);
 }
 
-void Archive::keepRecording(const record::HistoryRecording& recording,
-                            const std::vector<base::ServoIdentity>& servos)
+void HistoryService::saveRecording(const record::HistoryRecording& recording,
+                                   const std::vector<base::ServoIdentity>& servos)
 {
-    keepLater(
+    saveLater(
         [=](const QString& path) {
             return outcomeOf(path, [&](const record::HistoryLog& log) {
                 return withoutValue(log.addRecording(recording, servos));
@@ -60,10 +62,10 @@ void Archive::keepRecording(const record::HistoryRecording& recording,
         Kind::Other);
 }
 
-void Archive::keepSnapshot(SharedSnapshot snapshot, record::SnapshotReason reason,
-                           const QString& file)
+void HistoryService::saveHistorySnapshot(SharedSnapshot snapshot, record::SnapshotReason reason,
+                                         const QString& file)
 {
-    keepLater(
+    saveLater(
         [snapshot = std::move(snapshot), reason, file](const QString& path) {
             return outcomeOf(path, [&](const record::HistoryLog& log) {
                 return withoutValue(log.addSnapshot(*snapshot, reason, file));
@@ -72,47 +74,48 @@ void Archive::keepSnapshot(SharedSnapshot snapshot, record::SnapshotReason reaso
         Kind::Other);
 }
 
-void Archive::servos(const HistoryFilter& filter, QObject* context,
-                     Answer<std::vector<record::HistoryServo>> answer)
+void HistoryService::servos(const HistoryFilter& filter, QObject* context,
+                            Answer<std::vector<record::HistoryServo>> answer)
 {
-    ask<std::vector<record::HistoryServo>>(
+    query<std::vector<record::HistoryServo>>(
         [filter](History& history) { return history.log().servos(filter); }, context,
         std::move(answer));
 }
 
-void Archive::writes(const HistoryFilter& filter, QObject* context,
-                     Answer<std::vector<record::HistoryWrite>> answer)
+void HistoryService::writes(const HistoryFilter& filter, QObject* context,
+                            Answer<std::vector<record::HistoryWrite>> answer)
 {
-    ask<std::vector<record::HistoryWrite>>(
+    query<std::vector<record::HistoryWrite>>(
         [filter](History& history) { return history.log().writes(filter); }, context,
         std::move(answer));
 }
 
-void Archive::countWrites(const HistoryFilter& filter, QObject* context,
-                          Answer<std::int64_t> answer)
+void HistoryService::countWrites(const HistoryFilter& filter, QObject* context,
+                                 Answer<std::int64_t> answer)
 {
-    ask<std::int64_t>([filter](History& history) { return history.log().countWrites(filter); },
-                      context, std::move(answer));
+    query<std::int64_t>([filter](History& history) { return history.log().countWrites(filter); },
+                        context, std::move(answer));
 }
 
-void Archive::writtenKeys(std::optional<std::int64_t> servo, QObject* context,
-                          Answer<QStringList> answer)
+void HistoryService::writtenKeys(std::optional<std::int64_t> servo, QObject* context,
+                                 Answer<QStringList> answer)
 {
-    ask<QStringList>([servo](History& history) { return history.log().writtenKeys(servo); },
-                     context, std::move(answer));
+    query<QStringList>([servo](History& history) { return history.log().writtenKeys(servo); },
+                       context, std::move(answer));
 }
 
-void Archive::snapshots(const HistoryFilter& filter, QObject* context,
-                        Answer<std::vector<record::HistorySnapshot>> answer)
+void HistoryService::snapshots(const HistoryFilter& filter, QObject* context,
+                               Answer<std::vector<record::HistorySnapshot>> answer)
 {
-    ask<std::vector<record::HistorySnapshot>>(
+    query<std::vector<record::HistorySnapshot>>(
         [filter](History& history) { return history.log().snapshots(filter); }, context,
         std::move(answer));
 }
 
-void Archive::loadSnapshot(std::int64_t number, QObject* context, Answer<SharedSnapshot> answer)
+void HistoryService::loadSnapshot(std::int64_t number, QObject* context,
+                                  Answer<SharedSnapshot> answer)
 {
-    ask<SharedSnapshot>(
+    query<SharedSnapshot>(
         [number](History& history) -> base::Result<SharedSnapshot> {
             auto snapshot = history.log().snapshot(number);
             if (!snapshot)
@@ -122,37 +125,40 @@ void Archive::loadSnapshot(std::int64_t number, QObject* context, Answer<SharedS
         context, std::move(answer));
 }
 
-void Archive::tableAt(const catalog::Catalog& catalog, std::int64_t servo, const QDateTime& at,
-                      QObject* context, Answer<record::TablePoint> answer)
+void HistoryService::tableAt(const catalog::Catalog& catalog, std::int64_t servo,
+                             const QDateTime& at, QObject* context,
+                             Answer<record::TableState> answer)
 {
     // A copy shares what it was loaded with.
-    ask<record::TablePoint>(
+    query<record::TableState>(
         [models = catalog, servo, at](History& history) {
             return record::tableAt(history.file(), models, servo, at);
         },
         context, std::move(answer));
 }
 
-void Archive::alarms(const HistoryFilter& filter, QObject* context,
-                     Answer<std::vector<record::HistoryAlarm>> answer)
+void HistoryService::alarms(const HistoryFilter& filter, QObject* context,
+                            Answer<std::vector<record::HistoryAlarm>> answer)
 {
-    ask<std::vector<record::HistoryAlarm>>(
+    query<std::vector<record::HistoryAlarm>>(
         [filter](History& history) { return history.log().alarms(filter); }, context,
         std::move(answer));
 }
 
-void Archive::recordings(const HistoryFilter& filter, QObject* context,
-                         Answer<std::vector<record::HistoryRecording>> answer)
+void HistoryService::recordings(const HistoryFilter& filter, QObject* context,
+                                Answer<std::vector<record::HistoryRecording>> answer)
 {
-    ask<std::vector<record::HistoryRecording>>(
+    query<std::vector<record::HistoryRecording>>(
         [filter](History& history) { return history.log().recordings(filter); }, context,
         std::move(answer));
 }
 
-void Archive::exportTo(const QString& path, bool csv, const std::vector<record::HistoryKind>& kinds,
-                       const HistoryFilter& filter, QObject* context, Answer<std::int64_t> answer)
+void HistoryService::exportTo(const QString& path, bool csv,
+                              const std::vector<record::HistoryKind>& kinds,
+                              const HistoryFilter& filter, QObject* context,
+                              Answer<std::int64_t> answer)
 {
-    ask<std::int64_t>(
+    query<std::int64_t>(
         [=](History& history) -> base::Result<std::int64_t> {
             if (!csv)
                 return record::exportHistoryJson(history, kinds, filter, path);
@@ -164,9 +170,9 @@ void Archive::exportTo(const QString& path, bool csv, const std::vector<record::
         context, std::move(answer));
 }
 
-void Archive::loadStep(std::int64_t number, QObject* context, Answer<SharedStep> answer)
+void HistoryService::loadStep(std::int64_t number, QObject* context, Answer<SharedStep> answer)
 {
-    ask<SharedStep>(
+    query<SharedStep>(
         [number](History& history) -> base::Result<SharedStep> {
             auto run = history.step(number);
             if (!run)
@@ -176,29 +182,30 @@ void Archive::loadStep(std::int64_t number, QObject* context, Answer<SharedStep>
         context, std::move(answer));
 }
 
-void Archive::setServoLabel(std::int64_t servo, const QString& label)
+void HistoryService::setServoLabel(std::int64_t servo, const QString& label)
 {
     change([=](History& history) { return history.log().setLabel(servo, label); });
 }
 
-void Archive::anotherServo(std::int64_t servo, const QString& label)
+void HistoryService::anotherServo(std::int64_t servo, const QString& label)
 {
-    change([=](History& history) { return withoutValue(history.log().another(servo, label)); });
+    change(
+        [=](History& history) { return withoutValue(history.log().assignToOther(servo, label)); });
 }
 
-void Archive::setSnapshotNote(std::int64_t number, const QString& label, const QString& note)
+void HistoryService::setSnapshotNote(std::int64_t number, const QString& label, const QString& note)
 {
     change([=](History& history) { return history.log().setSnapshotNote(number, label, note); });
 }
 
-void Archive::removeSnapshots(const std::vector<std::int64_t>& numbers)
+void HistoryService::removeSnapshots(const std::vector<std::int64_t>& numbers)
 {
     change([numbers](History& history) {
         return eachOf(numbers, [&](std::int64_t one) { return history.log().removeSnapshot(one); });
     });
 }
 
-void Archive::removeRecordings(const std::vector<std::int64_t>& numbers)
+void HistoryService::removeRecordings(const std::vector<std::int64_t>& numbers)
 {
     change([numbers](History& history) {
         return eachOf(numbers,

@@ -6,10 +6,10 @@ namespace session {
 using record::History;
 using record::HistoryServer;
 
-void Archive::benches(QObject* context, Answer<std::vector<record::HistoryBench>> answer)
+void HistoryService::benches(QObject* context, Answer<std::vector<record::HistoryBench>> answer)
 {
     using Benches = std::vector<record::HistoryBench>;
-    ask<Benches>(
+    query<Benches>(
         [](History& history) -> base::Result<Benches> {
             const auto* server = dynamic_cast<const HistoryServer*>(&history.file());
             return server == nullptr ? Benches() : server->benches();
@@ -17,14 +17,14 @@ void Archive::benches(QObject* context, Answer<std::vector<record::HistoryBench>
         context, std::move(answer));
 }
 
-void Archive::benchesOf(const QString& table, const std::vector<std::int64_t>& numbers,
-                        QObject* context, Answer<QMap<qint64, QString>> answer)
+void HistoryService::benchNames(const QString& table, const std::vector<std::int64_t>& numbers,
+                                QObject* context, Answer<QMap<qint64, QString>> answer)
 {
     using Names = QMap<qint64, QString>;
-    ask<Names>(
+    query<Names>(
         [table, numbers](History& history) -> base::Result<Names> {
             const auto* server = dynamic_cast<const HistoryServer*>(&history.file());
-            return server == nullptr ? Names() : server->benchesOf(table, numbers);
+            return server == nullptr ? Names() : server->benchNames(table, numbers);
         },
         context, std::move(answer));
 }

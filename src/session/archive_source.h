@@ -9,14 +9,14 @@
 #include <functional>
 
 namespace session {
-class ArchiveSource {
+class HistorySource {
 public:
-    using Question = std::function<void(const base::Result<record::History*>&)>;
+    using Query = std::function<void(const base::Result<record::History*>&)>;
 
-    virtual ~ArchiveSource() = default;
+    virtual ~HistorySource() = default;
     /// The question may outlive the archive: it owns what it uses.
-    virtual void start(Question question) = 0;
+    virtual void start(Query query) = 0;
     /// Whose history the next questions are about; nullopt: everybody's. A file has one.
-    virtual void choose(std::optional<std::int64_t> bench) { (void)bench; }
+    virtual void selectBench(std::optional<std::int64_t> bench) { (void)bench; }
 };
 } // namespace session

@@ -11,25 +11,25 @@
 #include <optional>
 
 namespace session {
-class CommissionNames {
+class CommissionLabels {
 public:
-    explicit CommissionNames(QString history = historyFile())
+    explicit CommissionLabels(QString history = historyFile())
         : m_history(std::move(history))
     {}
 
-    /// jobs::CommissionHooks::meet
-    base::Result<void> meet(const device::Servo& servo);
-    /// jobs::CommissionHooks::name
-    base::Result<void> name(const device::Servo& servo, const QString& label, bool another);
+    /// jobs::CommissionCallbacks::meet
+    base::Result<void> servoFound(const device::Servo& servo);
+    /// jobs::CommissionCallbacks::name
+    base::Result<void> setLabel(const device::Servo& servo, const QString& label, bool another);
 
 private:
-    struct Aside {
-        base::ServoIdentity who;
+    struct ParkedLabel {
+        base::ServoIdentity identity;
         QString label;
     };
 
     QString m_history;
-    std::optional<Aside> m_aside;
-    QString m_given; ///< to the servo at hand
+    std::optional<ParkedLabel> m_parked;
+    QString m_assigned; ///< to the servo at hand
 };
 } // namespace session

@@ -12,12 +12,12 @@
 #include <mutex>
 
 namespace session {
-constexpr auto drainEvery = std::chrono::milliseconds(40);
+constexpr auto drainInterval = std::chrono::milliseconds(40);
 
 /// Filled on the job's thread, emptied on the main thread: the latest counts.
 struct Commissioning::Live {
     std::atomic<jobs::CommissionAnswer> answer = jobs::CommissionAnswer::None;
-    std::atomic<bool> cancelled = false; ///< before it began
+    std::atomic<bool> canceled = false; ///< before it began
     std::mutex mutex;
     std::optional<jobs::CommissionView> view{};
     std::optional<record::CommissionBatch> batch{};
@@ -38,9 +38,9 @@ struct Commissioning::Live {
 Commissioning::Commissioning(Desk& desk, QObject* parent)
     : QObject(parent)
     , m_desk(desk)
-    , m_post(std::make_shared<LoosePost>(m_inbox))
+    , m_post(std::make_shared<GuardedPoster>(m_mainQueue))
 {
-    m_drainTimer.setInterval(drainEvery);
+    m_drainTimer.setInterval(drainInterval);
     connect(&m_drainTimer, &QTimer::timeout, this, &Commissioning::drain);
 }
 
@@ -48,7 +48,7 @@ Commissioning::~Commissioning()
 {
     m_post->close();
     if (m_running)
-        m_live->cancelled = true; // the desk ends its task when it closes
+        m_live->canceled = true; // the desk ends its task when it closes
 }
 
 void Commissioning::drain()
@@ -61,7 +61,7 @@ void Commissioning::drain()
         batch.swap(m_live->batch);
     }
     if (batch) {
-        m_begun = true;
+        m_filesAccepted = true;
         m_batch = std::move(*batch);
         Q_EMIT batchChanged();
     }
@@ -94,17 +94,17 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
     m_view = {};
     m_csvPath = csvPath;
     m_batch = {};
-    m_begun = false;
+    m_filesAccepted = false;
     m_baud = spec.baud;
-    ++m_looks; // what is still being looked at comes too late
+    ++m_checkNumber; // what is still being looked at comes too late
     m_live = std::make_shared<Live>();
     const auto live = m_live;
     Task task;
     task.name = QStringLiteral("commission");
-    task.lasting = true;
+    task.isLongRunning = true;
     task.quiet = true;
     task.work = [=](TaskContext& context) mutable -> base::Result<void> {
-        if (live->cancelled)
+        if (live->canceled)
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("commission"));
         jobs::CommissionSpec order = spec;
         if (const auto taken = takeTemplate(order, templateFile); !taken)
@@ -114,47 +114,49 @@ bool Commissioning::start(const jobs::CommissionSpec& spec, const QString& csvPa
             return tl::unexpected(batch.error());
         batch->program = programName();
         live->show(*batch);
-        jobs::CommissionHooks hooks;
-        hooks.onChange = [live](const jobs::CommissionView& view) { live->show(view); };
-        hooks.onBatch = [&] { live->show(*batch); };
-        hooks.answer = [live] { return live->answer.exchange(jobs::CommissionAnswer::None); };
-        hooks.save = [](const device::Context& with, device::Servo& servo) {
+        jobs::CommissionCallbacks callbacks;
+        callbacks.onChange = [live](const jobs::CommissionView& view) { live->show(view); };
+        callbacks.onBatch = [&] { live->show(*batch); };
+        callbacks.answer = [live] { return live->answer.exchange(jobs::CommissionAnswer::None); };
+        callbacks.save = [](const device::Context& with, device::Servo& servo) {
             return saveSafetySnapshot(with, servo, record::SnapshotReason::Commission);
         };
-        CommissionNames names;
-        hooks.meet = [&names](const device::Servo& servo) { return names.meet(servo); };
-        hooks.name = [&names](const device::Servo& servo, const QString& label, bool another) {
-            return names.name(servo, label, another);
+        CommissionLabels names;
+        callbacks.onNewServo = [&names](const device::Servo& servo) {
+            return names.servoFound(servo);
         };
-        const auto end = jobs::commission(context.device, order, *batch, csvPath, hooks);
+        callbacks.name = [&names](const device::Servo& servo, const QString& label, bool another) {
+            return names.setLabel(servo, label, another);
+        };
+        const auto end = jobs::commission(context.device, order, *batch, csvPath, callbacks);
         live->show(*batch);
         return end ? base::Result<void>() : tl::unexpected(end.error());
     };
     task.guard = this;
-    task.done = [this](const TaskEnd& end) { finish(end); };
+    task.done = [this](const TaskCompletion& end) { finish(end); };
     m_drainTimer.start();
     m_desk.perform(0, std::move(task));
-    Q_EMIT began();
+    Q_EMIT started();
     return true;
 }
 
-void Commissioning::finish(const TaskEnd& end)
+void Commissioning::finish(const TaskCompletion& end)
 {
     m_drainTimer.stop();
     drain();
     m_running = false;
     const bool stopped = end.error && end.error->code == base::ErrorCode::Stopped;
-    if (m_begun && (!end.error || stopped))
-        searchAnew();
-    Q_EMIT ended(stopped ? std::nullopt : end.error);
+    if (m_filesAccepted && (!end.error || stopped))
+        restartSearch();
+    Q_EMIT finished(stopped ? std::nullopt : end.error);
 }
 
 /// Whoever was in the list has been unplugged, or answers elsewhere now.
-void Commissioning::searchAnew()
+void Commissioning::restartSearch()
 {
     jobs::ScanSpec spec;
     std::set<int> rates{m_desk.baud()};
-    if (m_desk.hasBaud()) {
+    if (m_desk.canSetBaud()) {
         if (m_baud > 0)
             rates.insert(m_baud);
         for (const ServoRef ref : m_desk.servos())
@@ -165,14 +167,15 @@ void Commissioning::searchAnew()
 }
 
 namespace {
-struct Looked {
+struct FileCheckResult {
     record::CommissionBatch batch;
-    CommissionFiles files;
+    CommissionFileCheck files;
 };
 
-Looked lookAt(const catalog::Catalog& catalog, const QString& csvPath, const QString& templateFile)
+FileCheckResult checkFilesAt(const catalog::Catalog& catalog, const QString& csvPath,
+                             const QString& templateFile)
 {
-    Looked seen;
+    FileCheckResult seen;
     if (!csvPath.isEmpty()) {
         auto batch = record::openCommissionBatch(csvPath);
         if (batch)
@@ -191,21 +194,21 @@ Looked lookAt(const catalog::Catalog& catalog, const QString& csvPath, const QSt
 }
 } // namespace
 
-void Commissioning::look(const QString& csvPath, const QString& templateFile)
+void Commissioning::checkFiles(const QString& csvPath, const QString& templateFile)
 {
     if (m_running)
         return;
-    const int number = ++m_looks;
-    m_lookThread.start([=, this, post = m_post, catalog = m_desk.catalog()] {
-        auto seen = std::make_shared<Looked>(lookAt(catalog, csvPath, templateFile));
+    const int number = ++m_checkNumber;
+    m_fileThread.start([=, this, post = m_post, catalog = m_desk.catalog()] {
+        auto seen = std::make_shared<FileCheckResult>(checkFilesAt(catalog, csvPath, templateFile));
         post->post([=, this] {
-            if (number != m_looks || m_running)
+            if (number != m_checkNumber || m_running)
                 return;
             m_csvPath = csvPath;
             m_batch = std::move(seen->batch);
             m_files = std::move(seen->files);
             Q_EMIT batchChanged();
-            Q_EMIT looked();
+            Q_EMIT filesChecked();
         });
     });
 }
@@ -237,7 +240,7 @@ QStringList dangerousKeys(const catalog::Catalog& catalog, const record::Snapsho
     return keys;
 }
 
-QString proposedBatch(const QDate& today)
+QString defaultBatchPath(const QDate& today)
 {
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     const bool ownPlace = !qEnvironmentVariableIsEmpty("SERVODESK_DATA_DIR");
@@ -258,30 +261,30 @@ void Commissioning::stop()
 {
     if (!m_running)
         return;
-    m_live->cancelled = true;
+    m_live->canceled = true;
     m_desk.stopTest();
 }
 
-void Commissioning::answer(jobs::CommissionAnswer answer)
+void Commissioning::submitAnswer(jobs::CommissionAnswer answer)
 {
     if (m_running && m_view.step == jobs::CommissionStep::Confirm)
         m_live->answer = answer;
 }
 
-bool Commissioning::hasBag() const
+bool Commissioning::hasHotplugQueue() const
 {
-    return m_desk.connection() != nullptr && m_desk.connection()->hasBag();
+    return m_desk.connection() != nullptr && m_desk.connection()->hasHotplugQueue();
 }
 
-std::size_t Commissioning::inBag() const
+std::size_t Commissioning::pendingServoCount() const
 {
-    return m_desk.connection() != nullptr ? m_desk.connection()->inBag() : 0;
+    return m_desk.connection() != nullptr ? m_desk.connection()->pendingServoCount() : 0;
 }
 
-void Commissioning::plugNext()
+void Commissioning::connectNext()
 {
     if (m_desk.connection() != nullptr)
-        (void)m_desk.connection()->plugNext();
+        (void)m_desk.connection()->connectNext();
 }
 
 void Commissioning::unplug()

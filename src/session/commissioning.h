@@ -13,13 +13,13 @@
 namespace session {
 /// A file for a new batch, where documents are kept (in the data folder where that has been
 /// chosen): named by the date; one that is another list already is passed over.
-QString proposedBatch(const QDate& today);
+QString defaultBatchPath(const QDate& today);
 
 /// Registers of a template that are written only with the user's consent.
 QStringList dangerousKeys(const catalog::Catalog& catalog, const record::Snapshot& settings);
 
 /// What is in the files of a line, before it is started.
-struct CommissionFiles {
+struct CommissionFileCheck {
     std::optional<base::Error> batchError{};
     std::optional<base::Error> templateError{};
     QStringList dangerous{}; ///< keys of the template that need consent
@@ -38,35 +38,35 @@ public:
                const QString& templateFile = {});
     /// Reads both files; no port is needed. looked() follows, of the latest call only: batch() and
     /// files(). Not while the line runs.
-    void look(const QString& csvPath, const QString& templateFile);
-    const CommissionFiles& files() const { return m_files; }
+    void checkFiles(const QString& csvPath, const QString& templateFile);
+    const CommissionFileCheck& files() const { return m_files; }
     void stop();
-    bool running() const { return m_running; }
-    void answer(jobs::CommissionAnswer answer);
+    bool isRunning() const { return m_running; }
+    void submitAnswer(jobs::CommissionAnswer answer);
 
     const jobs::CommissionView& view() const { return m_view; } ///< while it runs
     const record::CommissionBatch& batch() const { return m_batch; }
     const QString& csvPath() const { return m_csvPath; } ///< of that batch; empty: none yet
 
     // --- a simulated bag of servos ---
-    bool hasBag() const;
-    std::size_t inBag() const;
-    void plugNext();
+    bool hasHotplugQueue() const;
+    std::size_t pendingServoCount() const;
+    void connectNext();
     void unplug();
 
 Q_SIGNALS:
-    void looked();
-    void began();
+    void filesChecked();
+    void started();
     void changed();      ///< view()
     void batchChanged(); ///< batch()
     /// `error`: why it could not begin or go on.
-    void ended(const std::optional<base::Error>& error);
+    void finished(const std::optional<base::Error>& error);
 
 private:
     struct Live;
     void drain();
-    void finish(const TaskEnd& end);
-    void searchAnew();
+    void finish(const TaskCompletion& end);
+    void restartSearch();
 
     Desk& m_desk;
     bool m_running = false;
@@ -74,13 +74,13 @@ private:
     jobs::CommissionView m_view;
     record::CommissionBatch m_batch;
     QString m_csvPath;
-    bool m_begun = false; ///< its files were good: the wire is the line's
-    int m_baud = 0;       ///< that servos get; 0: their own
-    CommissionFiles m_files;
-    int m_looks = 0;
+    bool m_filesAccepted = false; ///< its files were good: the wire is the line's
+    int m_baud = 0;               ///< that servos get; 0: their own
+    CommissionFileCheck m_files;
+    int m_checkNumber = 0;
     QTimer m_drainTimer;
-    Inbox m_inbox;
-    std::shared_ptr<LoosePost> m_post;
-    LooseThread m_lookThread; ///< a file may lie where nobody answers
+    MainThreadQueue m_mainQueue;
+    std::shared_ptr<GuardedPoster> m_post;
+    DetachableWorker m_fileThread; ///< a file may lie where nobody answers
 };
 } // namespace session

@@ -19,12 +19,12 @@ Connection::Connection(std::unique_ptr<bus::Bus> bus, std::shared_ptr<sim::Share
 
 Connection::~Connection() = default;
 
-device::Context Connection::context(const base::Stop& stop, device::Notices& notices)
+device::Context Connection::context(const base::StopToken& stop, device::Notices& notices)
 {
     return {*m_bus, m_catalog, m_journal, stop, notices};
 }
 
-void Connection::know(const device::Servo& servo)
+void Connection::addStopTarget(const device::Servo& servo)
 {
     m_known[{servo.protocol, servo.id}] = servo;
     updateStopFrames();
@@ -36,7 +36,7 @@ std::vector<base::Protocol> Connection::protocols() const
         return {*m_protocol};
     auto possible = m_catalog.protocolsAt(m_bus->baud());
     // A bridge has no rate of its own to judge by.
-    if (!m_bus->hasBaud() || possible.empty())
+    if (!m_bus->canSetBaud() || possible.empty())
         possible.assign(base::allProtocols.begin(), base::allProtocols.end());
     return possible;
 }
@@ -44,7 +44,7 @@ std::vector<base::Protocol> Connection::protocols() const
 void Connection::updateStopFrames()
 {
     std::vector<device::Servo> servos;
-    for (const auto& [who, known] : m_known)
+    for (const auto& [identity, known] : m_known)
         servos.push_back(known);
     // The rate may change in the middle of a job; who then turns must hear it too.
     const std::vector<base::Protocol> everybody(base::allProtocols.begin(),
@@ -61,20 +61,23 @@ bool Connection::powerCycle()
     return true;
 }
 
-bool Connection::hasBag() const
-{
-    return m_simulation && m_simulation->with([](sim::VirtualBus& bus) { return bus.isBag(); });
-}
-
-std::size_t Connection::inBag() const
-{
-    return m_simulation ? m_simulation->with([](sim::VirtualBus& bus) { return bus.inBag(); }) : 0;
-}
-
-bool Connection::plugNext()
+bool Connection::hasHotplugQueue() const
 {
     return m_simulation &&
-           m_simulation->with([](sim::VirtualBus& bus) { return bus.plugNext().has_value(); });
+           m_simulation->with([](sim::VirtualBus& bus) { return bus.hasHotplugQueue(); });
+}
+
+std::size_t Connection::pendingServoCount() const
+{
+    return m_simulation
+               ? m_simulation->with([](sim::VirtualBus& bus) { return bus.pendingServoCount(); })
+               : 0;
+}
+
+bool Connection::connectNext()
+{
+    return m_simulation &&
+           m_simulation->with([](sim::VirtualBus& bus) { return bus.connectNext().has_value(); });
 }
 
 void Connection::unplugAll()

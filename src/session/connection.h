@@ -26,9 +26,10 @@ struct PortRequest {
     /// spoken; else 1 Mbaud.
     std::optional<int> baud{};
     Parity parity = Parity::None;
-    std::optional<base::Protocol> protocol{}; ///< none: whatever can exist at the rate
-    std::optional<base::Duration> patience{}; ///< beyond wire time and reply delay
-    std::optional<base::Duration> silence{};  ///< between Modbus frames, instead of the standard's
+    std::optional<base::Protocol> protocol{};         ///< none: whatever can exist at the rate
+    std::optional<base::Duration> maxReplyLateness{}; ///< beyond wire time and reply delay
+    std::optional<base::Duration>
+        frameSilence{}; ///< between Modbus frames, instead of the standard's
     std::optional<int> retries{};
 };
 
@@ -40,21 +41,21 @@ public:
     ~Connection();
 
     bus::Bus& bus() { return *m_bus; }
-    device::Context context(const base::Stop& stop, device::Notices& notices);
+    device::Context context(const base::StopToken& stop, device::Notices& notices);
 
     /// The languages to try: the one asked for, or all that can exist at the present rate.
     std::vector<base::Protocol> protocols() const;
 
     /// From now on the emergency stop also names this servo.
-    void know(const device::Servo& servo);
+    void addStopTarget(const device::Servo& servo);
 
-    bool simulated() const { return m_simulation != nullptr; }
+    bool isSimulated() const { return m_simulation != nullptr; }
     /// Switches all simulated servos off and on again; false on a real port.
     bool powerCycle();
     /// The simulated servos are in a bag and plugged in one after the other.
-    bool hasBag() const;
-    std::size_t inBag() const; ///< simulated servos that have not been plugged in yet
-    bool plugNext(); ///< unplugs the one before; false: the bag is empty, or there is none
+    bool hasHotplugQueue() const;
+    std::size_t pendingServoCount() const; ///< simulated servos that have not been plugged in yet
+    bool connectNext(); ///< unplugs the one before; false: the bag is empty, or there is none
     void unplugAll();
     /// What is behind a simulated port, for trouble made on purpose; null on a real one.
     sim::SharedBus* simulation() const { return m_simulation.get(); }

@@ -10,9 +10,9 @@ using namespace std::chrono_literals;
 
 namespace {
 /// Unplugging is noticed by the bus within 200 ms, and here within as much again.
-constexpr auto lookInterval = 200ms;
+constexpr auto linkCheckInterval = 200ms;
 /// Torque switches that have not been read back by then are reported.
-constexpr auto confirmedWithin = 1500ms;
+constexpr auto confirmTimeout = 1500ms;
 } // namespace
 
 Desk::Desk(Session& session, QObject* parent)
@@ -22,16 +22,16 @@ Desk::Desk(Session& session, QObject* parent)
     , m_searchThread(std::make_unique<JobThread>())
     , m_taskThread(std::make_unique<JobThread>())
 {
-    m_look.setInterval(lookInterval);
-    connect(&m_look, &QTimer::timeout, this, &Desk::lookAtLink);
-    m_stopUnconfirmed.setInterval(confirmedWithin);
+    m_linkTimer.setInterval(linkCheckInterval);
+    connect(&m_linkTimer, &QTimer::timeout, this, &Desk::checkLink);
+    m_stopUnconfirmed.setInterval(confirmTimeout);
     m_stopUnconfirmed.setSingleShot(true);
     connect(&m_stopUnconfirmed, &QTimer::timeout, this, &Desk::reportUnconfirmed);
-    m_feedTimer.setInterval(33ms);
-    m_feedTimer.setTimerType(Qt::PreciseTimer);
-    connect(&m_feedTimer, &QTimer::timeout, this, [this] {
-        collectFeed();
-        updateFeed(); // one of them may have a new ID now: asked under that one
+    m_pollTimer.setInterval(33ms);
+    m_pollTimer.setTimerType(Qt::PreciseTimer);
+    connect(&m_pollTimer, &QTimer::timeout, this, [this] {
+        collectReadings();
+        updatePolling(); // one of them may have a new ID now: asked under that one
     });
 }
 
@@ -43,9 +43,9 @@ Desk::~Desk()
         m_running->stop.request();
 }
 
-bool Desk::simulated() const
+bool Desk::isSimulated() const
 {
-    return m_connection && m_connection->simulated();
+    return m_connection && m_connection->isSimulated();
 }
 
 int Desk::baud() const
@@ -53,9 +53,9 @@ int Desk::baud() const
     return m_connection ? m_connection->bus().baud() : 0;
 }
 
-bool Desk::hasBaud() const
+bool Desk::canSetBaud() const
 {
-    return m_connection && m_connection->bus().hasBaud();
+    return m_connection && m_connection->bus().canSetBaud();
 }
 
 bus::Statistics Desk::statistics() const
@@ -68,12 +68,12 @@ base::Duration Desk::now() const
     return m_session.clock().now();
 }
 
-void Desk::tell(Event event)
+void Desk::emitEvent(Event event)
 {
     event.at = QDateTime::currentDateTime();
     if (const ServoEntry* known = servo(event.servo))
         event.id = known->servo.id;
-    Q_EMIT happened(event);
+    Q_EMIT eventOccurred(event);
 }
 
 void Desk::setState(LinkState state)
@@ -82,10 +82,10 @@ void Desk::setState(LinkState state)
         return;
     m_state = state;
     if (state == LinkState::Open)
-        m_look.start();
+        m_linkTimer.start();
     else
-        m_look.stop();
-    updateFeed();
+        m_linkTimer.stop();
+    updatePolling();
     Q_EMIT linkChanged();
 }
 
@@ -97,38 +97,38 @@ void Desk::connectTo(const PortRequest& request)
         return;
     }
     if (request.name != m_request.name)
-        forgetServos();
+        clearServos();
     m_request = request;
-    m_intentsLooked = false;
-    m_answers.clear();
+    m_intentsChecked = false;
+    m_replyCounters.clear();
     m_opening = true;
     setState(LinkState::Opening);
     m_openThread->start([this, request] {
         auto result =
             std::make_shared<base::Result<std::unique_ptr<Connection>>>(m_session.connect(request));
-        m_inbox.post([this, result] { opened(std::move(*result)); });
+        m_mainQueue.post([this, result] { portOpened(std::move(*result)); });
     });
 }
 
-void Desk::forgetServos()
+void Desk::clearServos()
 {
     m_servos.clear();
     m_order.clear();
     m_undo.clear();
     m_redo.clear();
-    m_returning.reset();
-    m_feeder.forgetAll();
+    m_pendingStep.reset();
+    m_polling.removeAllServos();
     m_lastSearch.reset();
     Q_EMIT servosCleared();
     Q_EMIT undoChanged();
 }
 
-void Desk::opened(base::Result<std::unique_ptr<Connection>> result)
+void Desk::portOpened(base::Result<std::unique_ptr<Connection>> result)
 {
     m_opening = false;
     if (m_state == LinkState::Closing) { // the user has changed their mind meanwhile
         result = base::fail(base::ErrorCode::Stopped);
-        goOn();
+        scheduleNext();
         return;
     }
     if (!result) {
@@ -139,47 +139,47 @@ void Desk::opened(base::Result<std::unique_ptr<Connection>> result)
     m_connection = std::move(*result);
     m_portName = m_connection->bus().portName();
     for (auto& [ref, known] : m_servos) {
-        m_connection->know(known.servo);
+        m_connection->addStopTarget(known.servo);
         known.turns.reset();
     }
     setState(LinkState::Open);
-    tell({.kind = Event::Kind::Connected, .task = m_connection->bus().portName()});
+    emitEvent({.kind = Event::Kind::Connected, .task = m_connection->bus().portName()});
     if (std::exchange(m_stopNotSent, false))
-        tell({.kind = Event::Kind::StopNotSent, .earlier = true});
+        emitEvent({.kind = Event::Kind::StopNotSent, .isRepeated = true});
 }
 
-void Desk::disconnectFrom(AtClose moving, LockAtClose lock)
+void Desk::disconnectFrom(MotionOnClose moving, LockOnClose lock)
 {
     if (m_state == LinkState::Off && !m_connection) {
         m_nextRequest.reset();
         return;
     }
-    if (m_leaving) { // asked for again while servos are being stopped
-        if (moving == AtClose::LeaveMoving)
+    if (m_pendingClose) { // asked for again while servos are being stopped
+        if (moving == MotionOnClose::LeaveMoving)
             closeNow();
         return;
     }
-    m_leaving = Leaving{moving, lock};
-    makeSafe();
+    m_pendingClose = PendingClose{moving, lock};
+    prepareClose();
 }
 
 void Desk::closeNow()
 {
     if (m_state == LinkState::Lost && !m_connection) {
-        m_leaving.reset();
+        m_pendingClose.reset();
         setState(LinkState::Off);
         if (m_closing)
             QMetaObject::invokeMethod(this, &Desk::closed, Qt::QueuedConnection);
         return;
     }
-    dropQueue(base::ErrorCode::Stopped, true);
+    clearQueue(base::ErrorCode::Stopped, true);
     stopSearch();
     stopTest(); // hours may be left of it
     setState(LinkState::Closing);
-    goOn();
+    scheduleNext();
 }
 
-void Desk::close(AtClose moving, LockAtClose lock)
+void Desk::closeForExit(MotionOnClose moving, LockOnClose lock)
 {
     m_closing = true;
     m_nextRequest.reset();
@@ -197,31 +197,31 @@ void Desk::powerCycle()
         known.turns.reset();
 }
 
-void Desk::lookAtLink()
+void Desk::checkLink()
 {
     if (m_connection) {
-        noteHeard();
-        identifyHeard();
+        updatePresence();
+        identifyReturned();
     }
     if (!m_connection || !m_connection->bus().lost())
         return;
     setState(LinkState::Lost);
     stopSearch();
-    dropQueue(base::ErrorCode::LinkLost);
-    tell({.kind = Event::Kind::LinkLost, .task = m_request.name});
-    goOn();
+    clearQueue(base::ErrorCode::LinkLost);
+    emitEvent({.kind = Event::Kind::LinkLost, .task = m_request.name});
+    scheduleNext();
 }
 
 /// After anything has ended: the port is closed when that was waited for, the next search or task
 /// begins.
-void Desk::goOn()
+void Desk::scheduleNext()
 {
     startNext();
     const bool idle = !m_opening && !m_running && m_queue.empty() &&
                       !(m_search && m_search->started) && m_identifying.empty();
     if (idle && (m_state == LinkState::Closing || m_state == LinkState::Lost)) {
         m_search.reset();
-        m_feeder.stop(nullptr);
+        m_polling.stop(nullptr);
         // Closing a port may take as long as its adapter likes. Opening waits in the same line.
         m_openThread->start([old = std::shared_ptr<Connection>(std::move(m_connection))]() mutable {
             old.reset();
@@ -232,19 +232,19 @@ void Desk::goOn()
     }
     startSearch();
     startNext(); // what may go on beside the search that has just begun
-    updateFeed();
+    updatePolling();
 }
 
 void Desk::finishClosing()
 {
-    const Leaving left = std::exchange(m_leaving, std::nullopt).value_or(Leaving{});
+    const PendingClose left = std::exchange(m_pendingClose, std::nullopt).value_or(PendingClose{});
     setState(LinkState::Off);
-    tell({.kind = Event::Kind::Disconnected,
-          .task = m_request.name,
-          .halted = left.halted,
-          .moving = left.moving,
-          .locked = left.locked,
-          .unlocked = left.unlocked});
+    emitEvent({.kind = Event::Kind::Disconnected,
+               .task = m_request.name,
+               .halted = left.halted,
+               .moving = left.moving,
+               .locked = left.locked,
+               .unlocked = left.unlocked});
     if (m_closing) {
         // Not from within the call that asked for it: a window being closed cannot be closed.
         QMetaObject::invokeMethod(this, &Desk::closed, Qt::QueuedConnection);
@@ -257,17 +257,17 @@ void Desk::finishClosing()
 
 const ServoEntry* Desk::servo(ServoRef ref) const
 {
-    const auto place = m_servos.find(ref);
-    return place != m_servos.end() ? &place->second : nullptr;
+    const auto it = m_servos.find(ref);
+    return it != m_servos.end() ? &it->second : nullptr;
 }
 
 ServoEntry* Desk::entry(ServoRef ref)
 {
-    const auto place = m_servos.find(ref);
-    return place != m_servos.end() ? &place->second : nullptr;
+    const auto it = m_servos.find(ref);
+    return it != m_servos.end() ? &it->second : nullptr;
 }
 
-ServoRef Desk::find(base::Protocol protocol, int id) const
+ServoRef Desk::findServo(base::Protocol protocol, int id) const
 {
     for (const ServoRef ref : m_order) {
         const device::Servo& known = m_servos.at(ref).servo;

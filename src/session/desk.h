@@ -21,13 +21,13 @@
 #include <deque>
 
 namespace jobs {
-struct StopVerdict;
-struct Applied;
+struct StopCheckResult;
+struct ApplyResult;
 } // namespace jobs
 
 namespace session {
-struct ApplyOrder;
-struct RestoreOrder;
+struct ApplyRequest;
+struct RestoreRequest;
 
 /// A servo that goes on without the program.
 struct MovingServo {
@@ -36,26 +36,26 @@ struct MovingServo {
 };
 
 /// What becomes of servos that this program has set in motion when the port closes.
-enum class AtClose : std::uint8_t {
-    Stop,        ///< as far as they answer; the port closes in any case
-    StopOrStay,  ///< where one could not be stopped the port stays open: stayedOpen()
-    LeaveMoving, ///< the user has said so
+enum class MotionOnClose : std::uint8_t {
+    Stop,           ///< as far as they answer; the port closes in any case
+    StopOrKeepOpen, ///< where one could not be stopped the port stays open: stayedOpen()
+    LeaveMoving,    ///< the user has said so
 };
 
 /// What becomes of an EPROM lock that a write of this program has left open.
-enum class LockAtClose : std::uint8_t {
-    Close,       ///< as far as the servo answers; the port closes in any case
-    CloseOrStay, ///< where one stays open the port does: stayedOpen()
-    LeaveOpen,   ///< the user has said so
+enum class LockOnClose : std::uint8_t {
+    Close,           ///< as far as the servo answers; the port closes in any case
+    CloseOrKeepOpen, ///< where one stays open the port does: stayedOpen()
+    LeaveOpen,       ///< the user has said so
 };
 
 /// What the journal still holds of the servos on this port, beside the work that is under way.
-struct UnfinishedWrites {
+struct OpenWrites {
     std::vector<int> ids{};           ///< of the servos
     std::vector<ServoRef> unlocked{}; ///< those whose EPROM lock is open since
     /// Of servos that the list does not show since, the IDs they may have ("1 / 21"): a write has
     /// opened the EPROM lock, and it has not been proven closed.
-    QStringList openElsewhere{};
+    QStringList unlockedElsewhere{};
 };
 
 class Desk final : public QObject {
@@ -68,28 +68,30 @@ public:
     // --- the port ---
     LinkState state() const { return m_state; }
     const PortRequest& lastRequest() const { return m_request; }
-    bool simulated() const;
+    bool isSimulated() const;
     int baud() const; ///< the port's present rate; 0 without port
-    bool hasBaud() const;
+    bool canSetBaud() const;
     bus::Statistics statistics() const;
     base::Duration now() const; ///< the clock of all times here
     const catalog::Catalog& catalog() const { return m_session.catalog(); }
     Session& session() { return m_session; }
     Connection* connection() const { return m_connection.get(); } ///< null while not open
-    bool hadPort() const { return !m_portName.isEmpty(); }        ///< one was open before, or is
+    bool hasOpenedPort() const { return !m_portName.isEmpty(); }  ///< one was open before, or is
 
     /// Closes what is open first. linkChanged follows; a failure arrives as connectFailed.
     void connectTo(const PortRequest& request);
     /// Ends searches and polls, finishes the writes asked for, drops other tasks that wait. The
     /// list stays, greyed by the state.
-    void disconnectFrom(AtClose moving = AtClose::Stop, LockAtClose lock = LockAtClose::Close);
+    void disconnectFrom(MotionOnClose moving = MotionOnClose::Stop,
+                        LockOnClose lock = LockOnClose::Close);
     /// Like disconnectFrom(), for closing the window: closed() follows, once.
-    void close(AtClose moving = AtClose::Stop, LockAtClose lock = LockAtClose::Close);
-    /// Reads the journal; unfinishedFound follows, after a few seconds in any case.
-    void findUnfinished();
-    /// Reads which of the servos that were moved or energised from here still turn; motionFound
+    void closeForExit(MotionOnClose moving = MotionOnClose::Stop,
+                      LockOnClose lock = LockOnClose::Close);
+    /// Reads the journal; openWritesFound follows, after a few seconds in any case.
+    void findOpenWrites();
+    /// Reads which of the servos that were moved or energised from here still turn; motionDetected
     /// follows. Writes nothing.
-    void findMotion();
+    void detectMotion();
     void powerCycle(); ///< simulated servos only
 
     // --- search ---
@@ -98,9 +100,9 @@ public:
     /// the end, and the event names them.
     void search(const jobs::ScanSpec& spec);
     /// The next searches also say whether this ID is absent at the port's rate.
-    void expect(std::optional<int> id) { m_expectedId = id; }
+    void setExpectedId(std::optional<int> id) { m_expectedId = id; }
     void stopSearch();
-    bool searching() const { return m_search != nullptr; }
+    bool isSearching() const { return m_search != nullptr; }
     /// Of a search that finds nothing.
     base::Duration searchEstimate(const jobs::ScanSpec& spec) const;
     const std::optional<jobs::ScanReport>& lastSearch() const { return m_lastSearch; }
@@ -110,38 +112,39 @@ public:
 
     // --- servos ---
     const std::vector<ServoRef>& servos() const { return m_order; }
-    const ServoEntry* servo(ServoRef ref) const;          ///< null: gone
-    ServoRef find(base::Protocol protocol, int id) const; ///< 0: not in the list
+    const ServoEntry* servo(ServoRef ref) const;               ///< null: gone
+    ServoRef findServo(base::Protocol protocol, int id) const; ///< 0: not in the list
 
     /// Reads the whole table. Writes nothing.
     void readTable(ServoRef ref);
-    void write(ServoRef ref, const WriteOrder& order);
+    void write(ServoRef ref, const WriteRequest& request);
     void perform(ServoRef ref, Task task);
     /// As its plan says, in one transaction; told like a write, and Undo takes it back. The bench
     /// of session/restore_order.h.
-    void restore(ServoRef ref, const RestoreOrder& order);
+    void restore(ServoRef ref, const RestoreRequest& request);
     /// One after the other, at the port's rate.
-    void apply(ApplyOrder order);
-    bool busy() const;                     ///< a task runs or waits
-    std::optional<bool> testHolds() const; ///< Task::holdsAfterwards of the one that runs
-    bool testing() const;                  ///< a lasting task runs; see Task::lasting
-    void stopTask();                       ///< the running task; those that wait are dropped
-    void stopTest(); ///< the running one, if it is a lasting one; nothing else
+    void apply(ApplyRequest request);
+    bool isBusy() const; ///< a task runs or waits
+    std::optional<bool>
+    testHoldsTorque() const; ///< Task::holdsTorqueAfterwards of the one that runs
+    bool isTesting() const;  ///< a lasting task runs; see Task::isLongRunning
+    void stopTask();         ///< the running task; those that wait are dropped
+    void stopTest();         ///< the running one, if it is a lasting one; nothing else
     /// A test runs, or a servo is seen to move or to be jammed, or may move as it was commanded.
-    bool driving() const;
+    bool isMotionPossible() const;
 
     /// Regular reading of what `user` ("memory", "operate", "record") wants to see, of servos that
     /// answer at the port's rate. Replaces this user's wish before; no parts: ends it.
-    void wish(const QString& user, const FeedWish& wish);
-    FeedRate rate(ServoRef ref) const { return m_feeder.rate(ref); }
+    void subscribe(const QString& user, const Subscription& wish);
+    PollRate pollRate(ServoRef ref) const { return m_polling.rate(ref); }
     Communication communication(ServoRef ref) const;
 
     void acknowledgeAlarms(ServoRef ref);
     /// A goal was sent: shown in charts and recordings.
-    void noteMove(ServoRef ref, const QString& text, bool dragged = false);
+    void markMove(ServoRef ref, const QString& text, bool dragged = false);
 
-    const UndoStep* nextUndo() const;
-    const UndoStep* nextRedo() const;
+    const UndoStep* undoStep() const;
+    const UndoStep* redoStep() const;
     void undo();
     /// `dangerous`: the user's consent, asked for anew; without it a dangerous row is refused.
     void redo(bool dangerous = false);
@@ -150,24 +153,25 @@ public:
     void loadHistory(ServoRef ref);
 
     /// Torque off for the whole bus, ahead of everything. Never waits. Then reads every torque
-    /// switch back and makes harmless what waits in servos (StopChecked). Whatever moves a servo is
-    /// refused until torque has been switched on for it again.
+    /// switch back and makes harmless what waits in servos (StopVerified). Whatever moves a servo
+    /// is refused until torque has been switched on for it again.
     void emergencyStop();
 
     // --- interrupted writes of earlier sessions ---
     /// Looks (reads only) and answers with openIntents; asked by itself after the first search.
     /// `anyPort`: also for servos whose change was begun on a port that is gone.
-    void lookForIntents(bool anyPort = false);
-    void settleIntent(const QString& uuid, jobs::RecoverAction action);
-    void forgetIntent(const QString& uuid);
+    void findOpenIntents(bool anyPort = false);
+    void recoverIntent(const QString& uuid, jobs::RecoveryAction action);
+    void discardIntent(const QString& uuid);
 
 Q_SIGNALS:
     void linkChanged();
     void connectFailed(const base::Error& error);
     void closed();
-    void motionFound(const std::vector<session::MovingServo>& moving);
-    void unfinishedFound(const session::UnfinishedWrites& found);
-    void stayedOpen(); ///< after AtClose::StopOrStay or LockAtClose::CloseOrStay; see NotLeft
+    void motionDetected(const std::vector<session::MovingServo>& moving);
+    void openWritesFound(const session::OpenWrites& found);
+    void portKeptOpen(); ///< after MotionOnClose::StopOrKeepOpen or LockOnClose::CloseOrKeepOpen;
+                         ///< see CloseCanceled
 
     void searchChanged(); ///< started or ended
     void searchProgress(const jobs::Progress& progress);
@@ -179,17 +183,17 @@ Q_SIGNALS:
     void orderChanged();                      ///< the same servos, sorted anew
     void tableChanged(session::ServoRef ref); ///< numbers or their states
     /// About 30 times a second, in time order. Those that were not answered too.
-    void readings(const std::vector<session::Reading>& batch);
-    void marked(const record::Mark& mark);
+    void readingsReceived(const std::vector<session::Reading>& batch);
+    void markAdded(const record::Mark& mark);
 
     void taskChanged(); ///< busy() may have changed
     void taskProgress(const jobs::Progress& progress);
     void undoChanged();
-    void happened(const session::Event& event);
+    void eventOccurred(const session::Event& event);
     /// Also when empty; after a look that failed there is only the Event. `elsewhere`: open as
     /// well, but begun on other ports, and not looked at.
-    void openIntents(const std::vector<jobs::Recovered>& found,
-                     const std::vector<base::Intent>& elsewhere);
+    void openIntentsFound(const std::vector<jobs::RecoveryResult>& found,
+                          const std::vector<base::Intent>& elsewhere);
 
 private:
     struct Work;   ///< one task on its way
@@ -197,73 +201,73 @@ private:
 
     // link (desk.cpp)
     void setState(LinkState state);
-    void opened(base::Result<std::unique_ptr<Connection>> result);
-    void lookAtLink();
-    void goOn();
+    void portOpened(base::Result<std::unique_ptr<Connection>> result);
+    void checkLink();
+    void scheduleNext();
     void finishClosing();
-    void forgetServos();
+    void clearServos();
 
     // who answers (desk_presence.cpp)
-    struct Answers { ///< of one ID
+    struct ReplyCounters { ///< of one ID
         std::uint64_t ok = 0;
         std::uint64_t missed = 0; ///< when it last answered, or was last not counted
     };
-    void noteHeard();
-    void identifyHeard();
-    void identifyAgain(ServoRef ref);
-    void identifiedAgain(ServoRef ref, const base::Result<device::Servo>& now);
-    void replace(ServoRef ref, const jobs::Found& now);
-    void suspectExchange(const Work& ended);
+    void updatePresence();
+    void identifyReturned();
+    void reidentify(ServoRef ref);
+    void reidentified(ServoRef ref, const base::Result<device::Servo>& now);
+    void replace(ServoRef ref, const jobs::FoundServo& now);
+    void suspectReplacement(const Work& ended);
 
     // closing while servos move (desk_leave.cpp)
-    struct Leaving {
-        AtClose how = AtClose::Stop;
-        LockAtClose lock = LockAtClose::Close;
+    struct PendingClose {
+        MotionOnClose how = MotionOnClose::Stop;
+        LockOnClose lock = LockOnClose::Close;
         std::size_t open = 0; ///< tasks that have not ended
         std::vector<ServoRef> halted{};
         std::vector<ServoRef> moving{};
         std::vector<ServoRef> locked{};
         std::vector<ServoRef> unlocked{};
     };
-    std::vector<ServoRef> driven() const;
+    std::vector<ServoRef> servosMovedByProgram() const;
     std::vector<ServoRef> unlocked() const;
-    bool isWorkedOn(int id) const;
-    void noteDriven(const Work& ended);
-    void takeUnfinished(const std::vector<base::Intent>& open, UnfinishedWrites& found);
-    void makeSafe();
-    void haltDriven(const std::vector<ServoRef>& all);
+    bool hasTaskFor(int id) const;
+    void markMoved(const Work& ended);
+    void collectOpenWrites(const std::vector<base::Intent>& open, OpenWrites& found);
+    void prepareClose();
+    void haltMoved(const std::vector<ServoRef>& all);
     void halted(ServoRef ref, bool moved, const std::optional<base::Error>& error);
     void closeLocks(const std::vector<ServoRef>& all);
-    void madeSafe();
-    void leave();
+    void closeStepEnded();
+    void finishPendingClose();
     void closeNow();
-    void tell(Event event);
+    void emitEvent(Event event);
 
     // search (desk_search.cpp)
     void startSearch();
     void runSearch(Search& search);
-    ServoRef add(const jobs::Found& one);
-    void insert(ServoEntry added);
-    bool before(ServoRef a, ServoRef b) const;
+    ServoRef add(const jobs::FoundServo& one);
+    void insertServo(ServoEntry added);
+    bool sortsBefore(ServoRef a, ServoRef b) const;
     void remove(ServoRef ref);
-    void found(const jobs::Found& one);
-    void met(ServoEntry& known, const jobs::Found& one);
+    void servoFound(const jobs::FoundServo& one);
+    void updateFound(ServoEntry& known, const jobs::FoundServo& one);
     void searchEnded(const base::Result<jobs::ScanReport>& result, const QString& otherPrograms);
     void removeSilent(const jobs::ScanReport& report);
     std::vector<jobs::ExpectedServo> expectedServos() const;
-    std::vector<int> missingOf(const jobs::ScanReport& report) const;
+    std::vector<int> missingServos(const jobs::ScanReport& report) const;
 
     // tasks (desk_tasks.cpp, desk_read.cpp)
     void enqueue(std::shared_ptr<Work> work);
-    bool mayRun(const Work& work) const;
+    bool canRun(const Work& work) const;
     void startNext();
     std::optional<base::Error> copyServos(Work& work) const;
     base::Result<void> prepare(const device::Context& context, Work& work);
     void runWork(Work& work);
     void tryWork(Work& work);
     void workEnded(const std::shared_ptr<Work>& work);
-    void dropQueue(base::ErrorCode why, bool finishWrites = false);
-    void endUnrun(Work& work, base::Error why);
+    void clearQueue(base::ErrorCode why, bool finishWrites = false);
+    void cancelWork(Work& work, base::Error why);
     ServoEntry* entry(ServoRef ref);
     void merge(ServoEntry& into, const device::Servo& from, base::Duration since);
     void sortOrder();
@@ -273,64 +277,64 @@ private:
     // writes (desk_writes.cpp)
     enum class WriteKind : std::uint8_t { New, Undo, Redo };
     /// `expected`: of a way back, what its registers must still hold.
-    void enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind,
+    void enqueueWrite(ServoRef ref, const WriteRequest& request, WriteKind kind,
                       const std::vector<device::WriteItem>& expected = {});
-    void awaitWrites(ServoEntry& known, const WriteOrder& order);
-    void writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind,
+    void markWritesPending(ServoEntry& known, const WriteRequest& request);
+    void writeEnded(const Work& ended, const WriteRequest& request, WriteKind kind,
                     const std::optional<device::WriteReport>& report);
-    void markWrites(const ServoEntry& about, const Work& ended, const WriteOrder& order,
+    void markWrites(const ServoEntry& about, const Work& ended, const WriteRequest& request,
                     const std::optional<device::WriteReport>& report);
-    void remember(const Work& ended, const WriteOrder& order, WriteKind kind,
-                  const std::optional<device::WriteReport>& report);
+    void recordUndo(const Work& ended, const WriteRequest& request, WriteKind kind,
+                    const std::optional<device::WriteReport>& report);
 
     // snapshots (desk_restore.cpp)
     struct PendingApply;
     base::Result<void> runApply(const std::shared_ptr<PendingApply>& apply, TaskContext& task);
-    void takeApplied(PendingApply& apply, const jobs::Applied& one);
+    void takeApplied(PendingApply& apply, const jobs::ApplyResult& one);
     void tableSaved(int id, const QString& path);
 
     // interrupted writes (desk_intents.cpp)
-    void recoverIntents(jobs::RecoverAction action, const QString& uuid, bool anyPort);
-    ServoRef rowOf(const jobs::OpenIntent& found) const;
-    void removeLeft(const base::ServoIdentity& left, ServoRef now);
-    void followRecovered(const jobs::Recovered& one);
-    void coverRecovered(const jobs::Recovered& one);
+    void recoverIntents(jobs::RecoveryAction action, const QString& uuid, bool anyPort);
+    ServoRef findEntry(const jobs::OpenIntent& found) const;
+    void removeFormerEntry(const base::ServoIdentity& left, ServoRef now);
+    void updateRecovered(const jobs::RecoveryResult& one);
+    void mergeRecoveredUndo(const jobs::RecoveryResult& one);
 
     // feed (desk_feed.cpp)
-    bool mayFeed() const;
-    std::vector<const ServoEntry*> feedable() const;
-    void updateFeed();
-    void collectFeed();
+    bool canPoll() const;
+    std::vector<const ServoEntry*> pollableServos() const;
+    void updatePolling();
+    void collectReadings();
     void markAlarms(ServoEntry& entry);
     void mark(record::MarkKind kind, const ServoEntry* about, const QString& text);
 
     // emergency stop (desk_stop.cpp)
-    struct PendingCheck;
-    void checkStop();
-    void checkStop(ServoRef ref, const std::shared_ptr<PendingCheck>& check);
-    void takeVerdict(ServoRef ref, PendingCheck& check, const jobs::StopVerdict& verdict,
-                     const std::optional<base::Error>& error);
+    struct StopVerification;
+    void verifyStop();
+    void verifyStop(ServoRef ref, const std::shared_ptr<StopVerification>& check);
+    void addVerdict(ServoRef ref, StopVerification& check, const jobs::StopCheckResult& verdict,
+                    const std::optional<base::Error>& error);
     void reportUnconfirmed();
     /// Names the servos that are held.
-    std::optional<base::Error> refusalByStop(const Work& work) const;
-    void maybeReleased(const Work& ended);
+    std::optional<base::Error> stopRefusal(const Work& work) const;
+    void releaseAfterStop(const Work& ended);
     void storeHere(ServoRef ref);
 
     Session& m_session;
-    Inbox m_inbox;
+    MainThreadQueue m_mainQueue;
     LinkState m_state = LinkState::Off;
     PortRequest m_request;
     std::optional<PortRequest> m_nextRequest; ///< connect when the present one is closed
     bool m_opening = false; ///< the opening of a port has not ended, wanted or not
     bool m_closing = false;
-    std::optional<Leaving> m_leaving;        ///< the port closes when these have been stopped
-    bool m_stopNotSent = false;              ///< an emergency stop found no port
-    std::weak_ptr<PendingCheck> m_stopCheck; ///< of the latest emergency stop
-    QTimer m_stopUnconfirmed;                ///< when that has taken too long
-    QString m_portName;                      ///< as the journal has it; of the latest port
+    std::optional<PendingClose> m_pendingClose; ///< the port closes when these have been stopped
+    bool m_stopNotSent = false;                 ///< an emergency stop found no port
+    std::weak_ptr<StopVerification> m_stopVerification; ///< of the latest emergency stop
+    QTimer m_stopUnconfirmed;                           ///< when that has taken too long
+    QString m_portName; ///< as the journal has it; of the latest port
     std::unique_ptr<Connection> m_connection;
-    QTimer m_look;
-    std::map<int, Answers> m_answers; ///< by ID, when the bus was looked at last
+    QTimer m_linkTimer;
+    std::map<int, ReplyCounters> m_replyCounters; ///< by ID, when the bus was looked at last
 
     std::map<ServoRef, ServoEntry> m_servos;
     std::vector<ServoRef> m_order; ///< as shown: by ID, then protocol and rate
@@ -344,17 +348,17 @@ private:
     std::optional<int> m_expectedId;
     std::set<ServoRef> m_identifying; ///< on the search thread
     bool m_checkAfterSearch = false;  ///< of an emergency stop
-    bool m_intentsLooked = false;
+    bool m_intentsChecked = false;
 
     std::deque<std::shared_ptr<Work>> m_queue;
     std::shared_ptr<Work> m_running;
 
     std::vector<UndoStep> m_undo;
     std::vector<UndoStep> m_redo;
-    std::optional<UndoStep> m_returning; ///< the step an undo or redo is writing now
+    std::optional<UndoStep> m_pendingStep; ///< the step an undo or redo is writing now
 
-    Feeder m_feeder;
-    QTimer m_feedTimer;
+    PollingService m_polling;
+    QTimer m_pollTimer;
 
     // Last: their jobs use everything above, so they end first.
     std::unique_ptr<JobThread> m_openThread;

@@ -3,68 +3,68 @@
 #include "session/desk_work.h"
 
 namespace session {
-void Desk::wish(const QString& user, const FeedWish& wish)
+void Desk::subscribe(const QString& user, const Subscription& wish)
 {
-    m_feeder.wish(user, wish);
-    updateFeed();
+    m_polling.subscribe(user, wish);
+    updatePolling();
 }
 
 /// Polling goes on beside everything that leaves the bus at its rate.
-bool Desk::mayFeed() const
+bool Desk::canPoll() const
 {
-    const bool searchMoves = m_search && m_search->started && !m_search->staysHere;
-    const bool workMoves = m_running && m_running->movesRate;
+    const bool searchMoves = m_search && m_search->started && !m_search->keepsBaud;
+    const bool workMoves = m_running && m_running->changesRate;
     return m_state == LinkState::Open && !searchMoves && !workMoves;
 }
 
-std::vector<const ServoEntry*> Desk::feedable() const
+std::vector<const ServoEntry*> Desk::pollableServos() const
 {
     std::vector<const ServoEntry*> present;
-    if (!mayFeed())
+    if (!canPoll())
         return present;
     for (const ServoRef ref : m_order) {
         const ServoEntry& known = m_servos.at(ref);
-        if (known.servo.profile && (!hasBaud() || known.servo.baud == baud()))
+        if (known.servo.profile && (!canSetBaud() || known.servo.baud == baud()))
             present.push_back(&known);
     }
     return present;
 }
 
-void Desk::updateFeed()
+void Desk::updatePolling()
 {
     if (!m_connection) {
-        m_feeder.stop(nullptr);
-        m_feedTimer.stop();
+        m_polling.stop(nullptr);
+        m_pollTimer.stop();
         return;
     }
-    if (!m_feeder.outdated(feedable(), baud()))
+    if (!m_polling.isOutdated(pollableServos(), baud()))
         return;
-    collectFeed(); // who hears of it may wish for something else
+    collectReadings(); // who hears of it may wish for something else
     if (!m_connection)
         return;
-    m_feeder.start(m_connection->bus(), feedable());
-    if (!m_feeder.running())
-        m_feedTimer.stop();
-    else if (!m_feedTimer.isActive())
-        m_feedTimer.start();
+    m_polling.startPolls(m_connection->bus(), pollableServos());
+    if (!m_polling.isRunning())
+        m_pollTimer.stop();
+    else if (!m_pollTimer.isActive())
+        m_pollTimer.start();
 }
 
-void Desk::collectFeed()
+void Desk::collectReadings()
 {
-    if (!m_feeder.running() || !m_connection)
+    if (!m_polling.isRunning() || !m_connection)
         return;
-    const FeedBatch batch =
-        m_feeder.take(m_connection->bus(), [this](ServoRef ref) { return entry(ref); });
+    const ReadingBatch batch =
+        m_polling.takeBatch(m_connection->bus(), [this](ServoRef ref) { return entry(ref); });
     if (!batch.readings.empty())
-        Q_EMIT readings(batch.readings);
+        Q_EMIT readingsReceived(batch.readings);
     for (const record::Mark& one : batch.marks)
-        Q_EMIT marked(one);
-    for (const ServoRef ref : batch.read)
+        Q_EMIT markAdded(one);
+    for (const ServoRef ref : batch.updated)
         Q_EMIT tableChanged(ref);
-    for (const ServoRef ref : batch.news)
+    for (const ServoRef ref : batch.changed)
         Q_EMIT servoChanged(ref);
-    if (!batch.news.empty())
-        identifyHeard();
+    if (!batch.changed.empty())
+        identifyReturned();
 }
 
 Communication Desk::communication(ServoRef ref) const
@@ -74,16 +74,16 @@ Communication Desk::communication(ServoRef ref) const
     if (known == nullptr)
         return state;
     state.answering = !known->silent;
-    state.rate = rate(ref);
+    state.rate = pollRate(ref);
     const base::Duration heard =
         std::max(known->lastSeen, state.rate.lastAt.value_or(base::Duration{}));
     state.age = now() - heard;
     if (known->silent)
-        state.silentSince = known->link.silentSince().value_or(heard);
+        state.silentSince = known->linkMonitor.silentSince().value_or(heard);
     const bus::Statistics all = statistics();
     if (const auto own = all.byId.find(known->servo.id); own != all.byId.end()) {
-        state.timeOuts = own->second.timeOuts;
-        state.badChecks = own->second.badChecks;
+        state.timeouts = own->second.timeouts;
+        state.badChecksums = own->second.badChecksums;
     }
     return state;
 }
@@ -100,17 +100,17 @@ void Desk::acknowledgeAlarms(ServoRef ref)
 void Desk::markAlarms(ServoEntry& entry)
 {
     for (const record::Mark& one : latchAlarms(entry, now()))
-        Q_EMIT marked(one);
+        Q_EMIT markAdded(one);
 }
 
 void Desk::mark(record::MarkKind kind, const ServoEntry* about, const QString& text)
 {
-    Q_EMIT marked({now(), kind, about != nullptr ? about->servo.id : -1, text});
+    Q_EMIT markAdded({now(), kind, about != nullptr ? about->servo.id : -1, text});
 }
 
-void Desk::noteMove(ServoRef ref, const QString& text, bool dragged)
+void Desk::markMove(ServoRef ref, const QString& text, bool dragged)
 {
     mark(record::MarkKind::Move, servo(ref), text);
-    tell({.kind = Event::Kind::Moved, .servo = ref, .path = dragged ? QString() : text});
+    emitEvent({.kind = Event::Kind::GoalSent, .servo = ref, .path = dragged ? QString() : text});
 }
 } // namespace session

@@ -8,31 +8,32 @@
 namespace session {
 namespace {
 /// What a look has brought.
-struct Look {
-    std::vector<jobs::Recovered> found{};
+struct IntentReport {
+    std::vector<jobs::RecoveryResult> found{};
     std::vector<base::Intent> elsewhere{};
 };
 
 /// Where the journal has no open intent to look at no servo is asked.
-base::Result<Look> lookOrSettle(const device::Context& context, jobs::RecoverAction action,
-                                const jobs::RecoverOptions& options)
+base::Result<IntentReport> detectOrRecover(const device::Context& context,
+                                           jobs::RecoveryAction action,
+                                           const jobs::RecoveryOptions& options)
 {
     const auto open = context.journal.open();
     if (!open)
         return tl::unexpected(open.error());
-    Look look;
+    IntentReport intentReport;
     const QString here = context.bus.portName();
-    look.elsewhere = jobs::begunElsewhere(*open, here, options.ports);
+    intentReport.elsewhere = jobs::startedOnOtherPorts(*open, here, options.ports);
     const bool own = std::any_of(open->begin(), open->end(), [&](const base::Intent& intent) {
         return intent.servo.port == here;
     });
-    if (own || jobs::begunElsewhere(*open, here).size() > look.elsewhere.size()) {
+    if (own || jobs::startedOnOtherPorts(*open, here).size() > intentReport.elsewhere.size()) {
         auto recovered = jobs::recover(context, action, options);
         if (!recovered)
             return tl::unexpected(recovered.error());
-        look.found = std::move(*recovered);
+        intentReport.found = std::move(*recovered);
     }
-    return look;
+    return intentReport;
 }
 
 /// A table that was saved before an intent was settled.
@@ -42,7 +43,7 @@ struct SavedTable {
     QString path;
 };
 
-jobs::BeforeWrite saveInto(std::vector<SavedTable>& saved)
+jobs::BeforeWrite saveTablesInto(std::vector<SavedTable>& saved)
 {
     return [&saved](const device::Context& context, device::Servo& servo) -> base::Result<void> {
         const auto path = saveSafetySnapshot(context, servo);
@@ -70,89 +71,89 @@ std::optional<int> rateAfter(const catalog::Profile& profile, const device::Writ
 }
 
 /// Journals of earlier versions name no map.
-bool isOfKind(const device::Servo& servo, const base::ServoIdentity& who)
+bool isOfKind(const device::Servo& servo, const base::ServoIdentity& identity)
 {
     if (!servo.profile)
         return false;
     base::ServoIdentity known = servo.identity();
-    known.map = who.map.isEmpty() ? QString() : known.map;
-    return known.sameKind(who);
+    known.map = identity.map.isEmpty() ? QString() : known.map;
+    return known.isSameKind(identity);
 }
 } // namespace
 
-void Desk::lookForIntents(bool anyPort)
+void Desk::findOpenIntents(bool anyPort)
 {
-    recoverIntents(jobs::RecoverAction::Look, {}, anyPort);
+    recoverIntents(jobs::RecoveryAction::Preview, {}, anyPort);
 }
 
-void Desk::settleIntent(const QString& uuid, jobs::RecoverAction action)
+void Desk::recoverIntent(const QString& uuid, jobs::RecoveryAction action)
 {
     recoverIntents(action, uuid, true); // this one was chosen, wherever it was begun
 }
 
-void Desk::recoverIntents(jobs::RecoverAction action, const QString& uuid, bool anyPort)
+void Desk::recoverIntents(jobs::RecoveryAction action, const QString& uuid, bool anyPort)
 {
-    const auto look = std::make_shared<Look>();
+    const auto intentReport = std::make_shared<IntentReport>();
     const auto saved = std::make_shared<std::vector<SavedTable>>();
     const auto work = std::make_shared<Work>();
     work->task.name = QStringLiteral("recover");
-    work->task.quiet = action == jobs::RecoverAction::Look;
-    const auto ports = anyPort ? jobs::IntentPorts::Gone : jobs::IntentPorts::This;
-    work->task.work = [action, uuid, ports, look, saved](TaskContext& task) {
-        return lookOrSettle(task.device, action, {ports, uuid, saveInto(*saved)})
-            .map([&look](Look&& made) { *look = std::move(made); });
+    work->task.quiet = action == jobs::RecoveryAction::Preview;
+    const auto ports = anyPort ? jobs::IntentPorts::IncludingMissing : jobs::IntentPorts::This;
+    work->task.work = [action, uuid, ports, intentReport, saved](TaskContext& task) {
+        return detectOrRecover(task.device, action, {ports, uuid, saveTablesInto(*saved)})
+            .map([&intentReport](IntentReport&& made) { *intentReport = std::move(made); });
     };
-    work->merged = [this, look, saved, settles = action != jobs::RecoverAction::Look,
-                    task = work->task.name](Work& ended) {
+    work->onMerged = [this, intentReport, saved, resolves = action != jobs::RecoveryAction::Preview,
+                      task = work->task.name](Work& ended) {
         for (const SavedTable& table : *saved) {
-            const ServoRef ref = find(table.protocol, table.id);
+            const ServoRef ref = findServo(table.protocol, table.id);
             if (ServoEntry* known = entry(ref))
                 known->snapshotPath = table.path;
-            tell({.kind = Event::Kind::TableSaved, .servo = ref, .path = table.path});
+            emitEvent({.kind = Event::Kind::TableSaved, .servo = ref, .path = table.path});
         }
         if (ended.error)
-            tell({.kind = Event::Kind::Failed,
-                  .task = settles ? task : QString(),
-                  .error = ended.error});
-        for (const base::Error& journal : record::takeUnreadableJournals())
-            tell({.kind = Event::Kind::Failed, .error = journal});
+            emitEvent({.kind = Event::Kind::Failed,
+                       .task = resolves ? task : QString(),
+                       .error = ended.error});
+        for (const base::Error& journal : record::importUnreadableJournals())
+            emitEvent({.kind = Event::Kind::Failed, .error = journal});
         if (ended.error) { // what is open is not known: not the same as nothing
-            m_intentsLooked = m_intentsLooked && settles;
+            m_intentsChecked = m_intentsChecked && resolves;
             return;
         }
-        for (const jobs::Recovered& one : look->found) {
-            if (settles && one.error)
+        for (const jobs::RecoveryResult& one : intentReport->found) {
+            if (resolves && one.error)
                 ended.error = one.error; // what was asked for has not been done
-            coverRecovered(one);
-            followRecovered(one);
+            mergeRecoveredUndo(one);
+            updateRecovered(one);
         }
-        Q_EMIT openIntents(look->found, look->elsewhere);
+        Q_EMIT openIntentsFound(intentReport->found, intentReport->elsewhere);
     };
     enqueue(work);
 }
 
 /// In the list: the servo that a look has found. Its row still stands where the interrupted change
 /// of ID or rate began, unless a search has met the servo where it is now.
-ServoRef Desk::rowOf(const jobs::OpenIntent& found) const
+ServoRef Desk::findEntry(const jobs::OpenIntent& found) const
 {
-    const base::ServoIdentity& who = found.intent.servo;
+    const base::ServoIdentity& identity = found.intent.servo;
     const auto at = [&](int id, int baud) {
         const auto row = std::find_if(m_order.begin(), m_order.end(), [&](ServoRef ref) {
             const device::Servo& known = m_servos.at(ref).servo;
-            return known.id == id && known.baud == baud && isOfKind(known, who);
+            return known.id == id && known.baud == baud && isOfKind(known, identity);
         });
         return row != m_order.end() ? *row : 0;
     };
     const ServoRef now = at(found.foundId, found.foundBaud);
-    return now != 0 ? now : at(who.id, hasBaud() ? who.baud : found.foundBaud);
+    return now != 0 ? now : at(identity.id, canSetBaud() ? identity.baud : found.foundBaud);
 }
 
 /// Settling an ID or a rate leads the servo away from where the list has it, or the interrupted
 /// change had done so already. One servo has one row: where it was, it has been asked in vain.
-void Desk::followRecovered(const jobs::Recovered& one)
+void Desk::updateRecovered(const jobs::RecoveryResult& one)
 {
-    const base::ServoIdentity& who = one.before.intent.servo;
-    const ServoRef ref = rowOf(one.before);
+    const base::ServoIdentity& identity = one.before.intent.servo;
+    const ServoRef ref = findEntry(one.before);
     ServoEntry* known = entry(ref);
     if (!one.done || known == nullptr)
         return;
@@ -162,22 +163,22 @@ void Desk::followRecovered(const jobs::Recovered& one)
     if (one.report && moved.profile)
         moved.baud = rateAfter(*moved.profile, *one.report).value_or(moved.baud);
     // It was identified, written to and read back where it is.
-    known->silent = known->garbled = known->heardAgain = false;
+    known->silent = known->garbled = known->answeredAgain = false;
     known->lastSeen = now();
     merge(*known, moved, now());
-    removeLeft(who, ref);
+    removeFormerEntry(identity, ref);
     changed(*known);
     readTable(ref);
     loadHistory(ref);
 }
 
 /// The row at the place a servo has left, if the list has another one of it.
-void Desk::removeLeft(const base::ServoIdentity& left, ServoRef now)
+void Desk::removeFormerEntry(const base::ServoIdentity& left, ServoRef now)
 {
     const auto row = std::find_if(m_order.begin(), m_order.end(), [&](ServoRef ref) {
         const ServoEntry& known = m_servos.at(ref);
         const bool there =
-            known.servo.id == left.id && (!hasBaud() || known.servo.baud == left.baud);
+            known.servo.id == left.id && (!canSetBaud() || known.servo.baud == left.baud);
         return ref != now && there && known.silent && isOfKind(known.servo, left);
     });
     if (row != m_order.end())
@@ -187,12 +188,12 @@ void Desk::removeLeft(const base::ServoIdentity& left, ServoRef now)
 /// What the interrupted write had changed in this session could be undone by itself, and would
 /// leave a mixture behind. Once it is finished Undo takes back all of it; once it is undone
 /// nothing.
-void Desk::coverRecovered(const jobs::Recovered& one)
+void Desk::mergeRecoveredUndo(const jobs::RecoveryResult& one)
 {
     const base::Intent& intent = one.before.intent;
     const bool snapshot =
         intent.kind == base::IntentKind::Restore && jobs::restoresSnapshot(intent);
-    const ServoRef ref = rowOf(one.before);
+    const ServoRef ref = findEntry(one.before);
     const ServoEntry* known = servo(ref);
     if (!one.done || known == nullptr || !known->servo.profile ||
         !(snapshot || intent.kind == base::IntentKind::Write))
@@ -200,11 +201,11 @@ void Desk::coverRecovered(const jobs::Recovered& one)
     UndoStep whole{ref, {}, {}, intent.temporary};
     for (const base::JournalItem& item : intent.items) {
         const catalog::Register* reg = known->servo.profile->find(item.key);
-        const bool settled = reg != nullptr && jobs::isSettledBy(one, known->servo, *reg);
+        const bool settled = reg != nullptr && jobs::isRecoveredBy(one, known->servo, *reg);
         if (!settled || item.oldRaw == item.newRaw)
             continue;
-        whole.before.push_back({item.key, item.oldRaw});
-        whole.after.push_back({item.key, item.newRaw});
+        whole.oldItems.push_back({item.key, item.oldRaw});
+        whole.newItems.push_back({item.key, item.newRaw});
     }
     const auto isIn = [](const std::vector<device::WriteItem>& all, const device::WriteItem& item) {
         return std::any_of(all.begin(), all.end(), [&](const device::WriteItem& each) {
@@ -216,10 +217,10 @@ void Desk::coverRecovered(const jobs::Recovered& one)
             return std::all_of(items.begin(), items.end(),
                                [&](const device::WriteItem& item) { return isIn(by, item); });
         };
-        return step.servo == ref && covered(step.before, whole.before) &&
-               covered(step.after, whole.after);
+        return step.servo == ref && covered(step.oldItems, whole.oldItems) &&
+               covered(step.newItems, whole.newItems);
     });
-    if (one.action == jobs::RecoverAction::Finish && !whole.before.empty()) {
+    if (one.action == jobs::RecoveryAction::Finish && !whole.oldItems.empty()) {
         m_undo.push_back(whole);
         m_redo.clear();
     }
@@ -227,7 +228,7 @@ void Desk::coverRecovered(const jobs::Recovered& one)
 }
 
 /// Behind whatever is running, which may be what began it.
-void Desk::forgetIntent(const QString& uuid)
+void Desk::discardIntent(const QString& uuid)
 {
     const auto work = std::make_shared<Work>();
     work->task.name = QStringLiteral("recover");
@@ -241,11 +242,11 @@ void Desk::forgetIntent(const QString& uuid)
         });
         return own != open->end() ? jobs::forget(task.device.journal, *own) : base::Result<void>();
     };
-    work->merged = [this](Work& ended) {
+    work->onMerged = [this](Work& ended) {
         if (ended.error)
-            tell({.kind = Event::Kind::Failed, .error = ended.error});
+            emitEvent({.kind = Event::Kind::Failed, .error = ended.error});
         else
-            lookForIntents();
+            findOpenIntents();
     };
     enqueue(work);
 }

@@ -14,13 +14,13 @@ namespace session {
 using jobs::Motion;
 
 namespace {
-MovingServo asMoving(ServoRef ref, Motion motion)
+MovingServo toMovingServo(ServoRef ref, Motion motion)
 {
     return {ref, motion == Motion::Endless};
 }
 
 /// A servo that is stopped before the port closes, on the job thread.
-struct Halting {
+struct HaltState {
     bool moved = false;
     catalog::ProfilePtr profile; ///< of the command
     device::HaltCommand command;
@@ -50,13 +50,13 @@ struct Halting {
 };
 
 /// For a question that must not wait.
-constexpr auto journalAnswers = std::chrono::seconds(3);
+constexpr auto journalTimeout = std::chrono::seconds(3);
 /// Its flag may not be up yet when the goal has just been sent.
-constexpr base::Duration flagRises = std::chrono::milliseconds(200);
+constexpr base::Duration movingFlagDelay = std::chrono::milliseconds(200);
 /// An LX servo, which has no flag, takes so long at most.
-constexpr base::Duration longestMove = std::chrono::seconds(30);
+constexpr base::Duration maxMoveDuration = std::chrono::seconds(30);
 
-bool mayMove(const ServoEntry& known, base::Duration now)
+bool canBeMoving(const ServoEntry& known, base::Duration now)
 {
     const device::Servo& servo = known.servo;
     if (!servo.profile)
@@ -67,18 +67,18 @@ bool mayMove(const ServoEntry& known, base::Duration now)
         return at && *at >= instant;
     };
     if (servo.raw(catalog::Role::TorqueSwitch) == 0 &&
-        readSince(catalog::Role::TorqueSwitch, known.drivenAt))
+        readSince(catalog::Role::TorqueSwitch, known.movedAt))
         return false;
     if (jobs::lastKnownMotion(servo) != Motion::Rest || jobs::isJammed(servo, true))
         return true;
     if (servo.profile->byRole(catalog::Role::Moving) == nullptr)
-        return now - known.drivenAt < longestMove;
-    return !readSince(catalog::Role::Moving, known.drivenAt + flagRises);
+        return now - known.movedAt < maxMoveDuration;
+    return !readSince(catalog::Role::Moving, known.movedAt + movingFlagDelay);
 }
 
 /// By another program, or by this one before it was started anew. What ends by itself counts only
 /// while it is seen.
-bool seenMoving(const ServoEntry& known, base::Duration now)
+bool isSeenMoving(const ServoEntry& known, base::Duration now)
 {
     const device::Servo& servo = known.servo;
     if (!servo.profile)
@@ -93,7 +93,7 @@ bool seenMoving(const ServoEntry& known, base::Duration now)
     };
     // Of a servo that is not chosen only the feedback is read.
     if (!isCurrent(catalog::Role::TorqueSwitch) && isCurrent(catalog::Role::Moving) &&
-        jobs::turns(servo))
+        jobs::isTurning(servo))
         return true;
     return isCurrent(catalog::Role::PresentPosition) &&
            (motion != Motion::Rest || jobs::isJammed(servo, false));
@@ -102,43 +102,43 @@ bool seenMoving(const ServoEntry& known, base::Duration now)
 
 /// Servos that this program has moved or energised, and not halted since; a lasting test ends its
 /// own ones.
-std::vector<ServoRef> Desk::driven() const
+std::vector<ServoRef> Desk::servosMovedByProgram() const
 {
     std::vector<ServoRef> refs;
-    const std::vector<ServoRef> tested = testing() ? m_running->refs() : std::vector<ServoRef>{};
+    const std::vector<ServoRef> tested = isTesting() ? m_running->refs() : std::vector<ServoRef>{};
     for (const ServoRef ref : m_order) {
         const bool ended = std::find(tested.begin(), tested.end(), ref) != tested.end();
-        if (m_servos.at(ref).driven && !ended)
+        if (m_servos.at(ref).movedByProgram && !ended)
             refs.push_back(ref);
     }
     return refs;
 }
 
-bool Desk::driving() const
+bool Desk::isMotionPossible() const
 {
     const auto moves = [](const std::shared_ptr<Work>& work) {
         return work && work->task.effect == Effect::Moves;
     };
-    if (testing() || moves(m_running) || std::any_of(m_queue.begin(), m_queue.end(), moves))
+    if (isTesting() || moves(m_running) || std::any_of(m_queue.begin(), m_queue.end(), moves))
         return true;
     return std::any_of(m_servos.begin(), m_servos.end(), [this](const auto& item) {
         const ServoEntry& known = item.second;
-        return known.driven ? mayMove(known, now()) : seenMoving(known, now());
+        return known.movedByProgram ? canBeMoving(known, now()) : isSeenMoving(known, now());
     });
 }
 
 /// What was halted holds where it is, also where its goal register still has the old goal (LX).
 /// Halts before the port closes come in two halves and are followed by leave().
-void Desk::noteDriven(const Work& ended)
+void Desk::markMoved(const Work& ended)
 {
     const bool halted =
-        ended.task.name == QLatin1StringView("halt") && !ended.finishes && !ended.error;
+        ended.task.name == QLatin1StringView("halt") && !ended.completesBeforeClose && !ended.error;
     if (ended.task.effect == Effect::None && !halted)
         return;
     for (const ServoRef ref : ended.refs()) {
         if (ServoEntry* known = entry(ref)) {
-            known->driven = !halted;
-            known->drivenAt = now();
+            known->movedByProgram = !halted;
+            known->movedAt = now();
         }
     }
 }
@@ -148,16 +148,16 @@ std::vector<ServoRef> Desk::unlocked() const
     std::vector<ServoRef> refs;
     for (const ServoRef ref : m_order) {
         const ServoEntry& known = m_servos.at(ref);
-        if (known.lockOpenedByUs && known.lockOpen().value_or(true))
+        if (known.lockOpenedByUs && known.isLockOpen().value_or(true))
             refs.push_back(ref);
     }
     return refs;
 }
 
-bool Desk::isWorkedOn(int id) const
+bool Desk::hasTaskFor(int id) const
 {
     const auto concerns = [this, id](const std::shared_ptr<Work>& work) {
-        if (!work || (work->task.quiet && !work->task.lasting))
+        if (!work || (work->task.quiet && !work->task.isLongRunning))
             return false;
         if (work->ref == 0) // whoever is on the bus
             return true;
@@ -171,31 +171,31 @@ bool Desk::isWorkedOn(int id) const
 }
 
 /// The journal may have to wait for a slow disk, or for a port that is being closed.
-void Desk::findUnfinished()
+void Desk::findOpenWrites()
 {
-    const auto found = std::make_shared<std::optional<UnfinishedWrites>>(UnfinishedWrites{});
-    const auto tell = [this, found] {
+    const auto found = std::make_shared<std::optional<OpenWrites>>(OpenWrites{});
+    const auto emitEvent = [this, found] {
         if (const auto once = std::exchange(*found, std::nullopt))
-            Q_EMIT unfinishedFound(*once);
+            Q_EMIT openWritesFound(*once);
     };
     if (m_opening || m_portName.isEmpty()) {
-        m_inbox.post(tell);
+        m_mainQueue.post(emitEvent);
         return;
     }
-    QTimer::singleShot(journalAnswers, this, tell);
-    m_openThread->start([this, found, tell] {
+    QTimer::singleShot(journalTimeout, this, emitEvent);
+    m_openThread->start([this, found, emitEvent] {
         auto open = m_session.journal().open();
-        m_inbox.post([this, found, tell, open = std::move(open)] {
+        m_mainQueue.post([this, found, emitEvent, open = std::move(open)] {
             if (open && *found)
-                takeUnfinished(*open, **found);
-            tell();
+                collectOpenWrites(*open, **found);
+            emitEvent();
         });
     });
 }
 
 namespace {
 /// What the list says of the lock is older than the write.
-bool lockReadBefore(const ServoEntry& known, const QDateTime& write, base::Duration now)
+bool wasLockReadBefore(const ServoEntry& known, const QDateTime& write, base::Duration now)
 {
     const catalog::Register* lock = known.servo.profile->byRole(catalog::Role::Lock);
     const auto at = lock != nullptr ? known.servo.image.readAt(lock->offset) : std::nullopt;
@@ -217,47 +217,47 @@ QString possibleIds(const base::Intent& intent)
 
 /// A write that is going on is ended before the port closes, and what a test has set goes back;
 /// what a commissioning line has left in a servo that went away stays open.
-void Desk::takeUnfinished(const std::vector<base::Intent>& open, UnfinishedWrites& found)
+void Desk::collectOpenWrites(const std::vector<base::Intent>& open, OpenWrites& found)
 {
-    const bool lasting = m_running && m_running->task.lasting;
+    const bool lasting = m_running && m_running->task.isLongRunning;
     for (const base::Intent& intent : open) {
-        const base::ServoIdentity& who = intent.servo;
-        const bool ended = lasting ? intent.temporary : isWorkedOn(who.id);
-        if (who.port != m_portName || intent.underWayElsewhere || ended)
+        const base::ServoIdentity& identity = intent.servo;
+        const bool ended = lasting ? intent.temporary : hasTaskFor(identity.id);
+        if (identity.port != m_portName || intent.isActiveElsewhere || ended)
             continue;
-        if (std::find(found.ids.begin(), found.ids.end(), who.id) == found.ids.end())
-            found.ids.push_back(who.id);
+        if (std::find(found.ids.begin(), found.ids.end(), identity.id) == found.ids.end())
+            found.ids.push_back(identity.id);
         if (!intent.lockOpened)
             continue;
-        ServoEntry* known = entry(find(who.protocol, who.id));
-        const bool listed =
-            known != nullptr && known->servo.profile && known->servo.identity().sameKind(who);
+        ServoEntry* known = entry(findServo(identity.protocol, identity.id));
+        const bool listed = known != nullptr && known->servo.profile &&
+                            known->servo.identity().isSameKind(identity);
         if (listed)
             known->lockOpenedByUs = true;
         const QString ids = possibleIds(intent);
-        const bool said = listed && (known->lockOpen().value_or(true) ||
-                                     !lockReadBefore(*known, intent.at, now()));
-        if (!said && !found.openElsewhere.contains(ids))
-            found.openElsewhere << ids;
+        const bool listedAsOpen = listed && (known->isLockOpen().value_or(true) ||
+                                             !wasLockReadBefore(*known, intent.at, now()));
+        if (!listedAsOpen && !found.unlockedElsewhere.contains(ids))
+            found.unlockedElsewhere << ids;
     }
     found.unlocked = unlocked();
 }
 
 /// One that cannot be read now is judged by what it said last.
-void Desk::findMotion()
+void Desk::detectMotion()
 {
     const auto found = std::make_shared<std::vector<MovingServo>>();
-    const auto tell = [this, found] { Q_EMIT motionFound(*found); };
+    const auto emitEvent = [this, found] { Q_EMIT motionDetected(*found); };
     const std::vector<ServoRef> asked =
-        m_state == LinkState::Open ? driven() : std::vector<ServoRef>{};
-    const bool readable = !testing() && !m_search;
+        m_state == LinkState::Open ? servosMovedByProgram() : std::vector<ServoRef>{};
+    const bool readable = !isTesting() && !m_search;
     for (const ServoRef ref : asked) {
         const Motion known = jobs::lastKnownMotion(m_servos.at(ref).servo);
         if (!readable && known != Motion::Rest)
-            found->push_back(asMoving(ref, known));
+            found->push_back(toMovingServo(ref, known));
     }
     if (asked.empty() || !readable) {
-        m_inbox.post(tell);
+        m_mainQueue.post(emitEvent);
         return;
     }
     const auto open = std::make_shared<std::size_t>(asked.size());
@@ -275,58 +275,60 @@ void Desk::findMotion()
             *motion = *read;
             return {};
         };
-        work->merged = [this, ref, motion, open, found, tell](Work&) {
+        work->onMerged = [this, ref, motion, open, found, emitEvent](Work&) {
             const ServoEntry* known = servo(ref);
             const Motion last =
                 known != nullptr ? jobs::lastKnownMotion(known->servo) : Motion::Rest;
             if (const Motion now = motion->value_or(last); now != Motion::Rest)
-                found->push_back(asMoving(ref, now));
+                found->push_back(toMovingServo(ref, now));
             if (--*open == 0)
-                tell();
+                emitEvent();
         };
         enqueue(work);
     }
 }
 
-void Desk::makeSafe()
+void Desk::prepareClose()
 {
     const bool open = m_state == LinkState::Open;
-    const auto halted =
-        open && m_leaving->how != AtClose::LeaveMoving ? driven() : std::vector<ServoRef>{};
-    const auto locked =
-        open && m_leaving->lock != LockAtClose::LeaveOpen ? unlocked() : std::vector<ServoRef>{};
+    const auto halted = open && m_pendingClose->how != MotionOnClose::LeaveMoving
+                            ? servosMovedByProgram()
+                            : std::vector<ServoRef>{};
+    const auto locked = open && m_pendingClose->lock != LockOnClose::LeaveOpen
+                            ? unlocked()
+                            : std::vector<ServoRef>{};
     if (halted.empty() && locked.empty()) {
         closeNow();
         return;
     }
-    dropQueue(base::ErrorCode::Stopped, true);
+    clearQueue(base::ErrorCode::Stopped, true);
     stopSearch();
     stopTest(); // hours may be left of it
-    m_leaving->open = halted.size() + locked.size();
-    haltDriven(halted);
+    m_pendingClose->open = halted.size() + locked.size();
+    haltMoved(halted);
     closeLocks(locked);
     Q_EMIT taskChanged();
-    goOn();
+    scheduleNext();
 }
 
 /// Reads anew, since what moved a moment ago may rest and the other way round. All are commanded
 /// before the first one is watched.
-void Desk::haltDriven(const std::vector<ServoRef>& all)
+void Desk::haltMoved(const std::vector<ServoRef>& all)
 {
     const auto queue = [this](ServoRef ref, auto&& work, auto&& merged) {
         const auto halting = std::make_shared<Work>();
         halting->ref = ref;
-        halting->finishes = true;
+        halting->completesBeforeClose = true;
         halting->task.name = QStringLiteral("halt");
         halting->task.quiet = true;
-        halting->epoch = m_connection->bus().emergencies();
+        halting->epoch = m_connection->bus().emergencyCount();
         halting->task.work = work;
-        halting->merged = merged;
+        halting->onMerged = merged;
         m_queue.push_back(halting);
     };
-    std::map<ServoRef, std::shared_ptr<Halting>> begun;
+    std::map<ServoRef, std::shared_ptr<HaltState>> begun;
     for (const ServoRef ref : all) {
-        const auto halting = begun.emplace(ref, std::make_shared<Halting>()).first->second;
+        const auto halting = begun.emplace(ref, std::make_shared<HaltState>()).first->second;
         const auto command = [halting](TaskContext& task) -> base::Result<void> {
             halting->begin(task);
             return {};
@@ -343,13 +345,13 @@ void Desk::haltDriven(const std::vector<ServoRef>& all)
 
 void Desk::halted(ServoRef ref, bool moved, const std::optional<base::Error>& error)
 {
-    if (!m_leaving)
+    if (!m_pendingClose)
         return;
     // An emergency stop in between has taken its torque off.
     const bool stopped = error && error->code == base::ErrorCode::Preempted;
     if (moved && !stopped)
-        (error ? m_leaving->moving : m_leaving->halted).push_back(ref);
-    madeSafe();
+        (error ? m_pendingClose->moving : m_pendingClose->halted).push_back(ref);
+    closeStepEnded();
 }
 
 /// One that another servo may have taken the place of is left alone.
@@ -358,10 +360,10 @@ void Desk::closeLocks(const std::vector<ServoRef>& all)
     for (const ServoRef ref : all) {
         const auto work = std::make_shared<Work>();
         work->ref = ref;
-        work->finishes = true;
+        work->completesBeforeClose = true;
         work->task.name = QStringLiteral("lock");
         work->task.quiet = true;
-        work->epoch = m_connection->bus().emergencies();
+        work->epoch = m_connection->bus().emergencyCount();
         work->task.work = [](TaskContext& task) -> base::Result<void> {
             const auto may = device::beginWriting(task.device, task.servo, QStringLiteral("lock"));
             if (!may)
@@ -370,36 +372,39 @@ void Desk::closeLocks(const std::vector<ServoRef>& all)
                 return {};
             return base::fail(base::ErrorCode::LockOpen, QStringLiteral("lock"), {}, task.servo.id);
         };
-        work->merged = [this, ref](Work& ended) {
-            if (!m_leaving)
+        work->onMerged = [this, ref](Work& ended) {
+            if (!m_pendingClose)
                 return;
-            (ended.error ? m_leaving->unlocked : m_leaving->locked).push_back(ref);
-            madeSafe();
+            (ended.error ? m_pendingClose->unlocked : m_pendingClose->locked).push_back(ref);
+            closeStepEnded();
         };
         m_queue.push_back(work);
     }
 }
 
-void Desk::madeSafe()
+void Desk::closeStepEnded()
 {
-    if (--m_leaving->open == 0)
-        m_inbox.post([this] { leave(); }); // not from within the end of its own work
+    if (--m_pendingClose->open == 0)
+        m_mainQueue.post(
+            [this] { finishPendingClose(); }); // not from within the end of its own work
 }
 
 /// After what moved has been stopped and what was unlocked has been locked, as far as possible.
-void Desk::leave()
+void Desk::finishPendingClose()
 {
-    if (!m_leaving)
+    if (!m_pendingClose)
         return;
-    const bool moves = m_leaving->how == AtClose::StopOrStay && !m_leaving->moving.empty();
+    const bool moves =
+        m_pendingClose->how == MotionOnClose::StopOrKeepOpen && !m_pendingClose->moving.empty();
     const bool unlocked =
-        m_leaving->lock == LockAtClose::CloseOrStay && !m_leaving->unlocked.empty();
+        m_pendingClose->lock == LockOnClose::CloseOrKeepOpen && !m_pendingClose->unlocked.empty();
     if ((moves || unlocked) && m_state == LinkState::Open) {
-        const Leaving left = *std::exchange(m_leaving, std::nullopt);
+        const PendingClose left = *std::exchange(m_pendingClose, std::nullopt);
         m_closing = false;
         m_nextRequest.reset();
-        tell({.kind = Event::Kind::NotLeft, .moving = left.moving, .unlocked = left.unlocked});
-        Q_EMIT stayedOpen();
+        emitEvent(
+            {.kind = Event::Kind::CloseCanceled, .moving = left.moving, .unlocked = left.unlocked});
+        Q_EMIT portKeptOpen();
         return;
     }
     closeNow();

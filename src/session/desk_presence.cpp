@@ -8,10 +8,10 @@
 namespace session {
 namespace {
 /// So many requests in a row without an answer are no lost reply.
-constexpr std::uint64_t missedUntilSilent = 3;
+constexpr std::uint64_t maxMissedReplies = 3;
 
 /// Says nothing about who is there: the next attempt may.
-bool passes(base::ErrorCode code)
+bool isTransient(base::ErrorCode code)
 {
     return code == base::ErrorCode::Held || code == base::ErrorCode::Preempted ||
            code == base::ErrorCode::Stopped;
@@ -23,28 +23,28 @@ QString modelOf(const device::Servo& servo)
 }
 } // namespace
 
-bool sameKind(const device::Servo& a, const device::Servo& b)
+bool isSameKind(const device::Servo& a, const device::Servo& b)
 {
     return !a.profile || !b.profile || a.profile->identity == b.profile->identity;
 }
 
 /// What a job reads comes into the list when it has ended; that its servos answer, or do not, is
 /// seen here. What is asked elsewhere, or while a search asks everybody, says nothing of them.
-void Desk::noteHeard()
+void Desk::updatePresence()
 {
-    const bool counted = mayFeed() && !m_search;
+    const bool counted = canPoll() && !m_search;
     for (const auto& [id, counters] : m_connection->bus().statistics().byId) {
-        const auto [place, fresh] = m_answers.try_emplace(id);
-        Answers& before = place->second;
+        const auto [place, fresh] = m_replyCounters.try_emplace(id);
+        ReplyCounters& before = place->second;
         const bool heard = std::exchange(before.ok, counters.ok) != counters.ok;
         if (heard || fresh || !counted)
-            before.missed = counters.timeOuts;
-        const bool missed = counters.timeOuts - before.missed >= missedUntilSilent;
+            before.missed = counters.timeouts;
+        const bool missed = counters.timeouts - before.missed >= maxMissedReplies;
         if (!heard && !missed)
             continue;
         const auto answers = [this, id = id](const auto& item) {
             const device::Servo& servo = item.second.servo;
-            return servo.id == id && (!hasBaud() || servo.baud == baud());
+            return servo.id == id && (!canSetBaud() || servo.baud == baud());
         };
         const auto first = std::find_if(m_servos.begin(), m_servos.end(), answers);
         const bool alone = first != m_servos.end() && std::find_if(std::next(first), m_servos.end(),
@@ -54,7 +54,7 @@ void Desk::noteHeard()
         ServoEntry& known = first->second;
         if (heard) {
             known.lastSeen = now();
-            known.heardAgain = known.silent;
+            known.answeredAgain = known.silent;
         } else if (!std::exchange(known.silent, true)) {
             Q_EMIT servoChanged(first->first);
         }
@@ -62,53 +62,53 @@ void Desk::noteHeard()
 }
 
 /// A servo that answers after a silence is identified before it counts as the same.
-void Desk::identifyHeard()
+void Desk::identifyReturned()
 {
     std::vector<ServoRef> heard;
     for (const auto& [ref, known] : m_servos) {
-        if (known.silent && known.heardAgain)
+        if (known.silent && known.answeredAgain)
             heard.push_back(ref);
     }
     for (const ServoRef ref : heard)
-        identifyAgain(ref);
+        reidentify(ref);
 }
 
-void Desk::identifyAgain(ServoRef ref)
+void Desk::reidentify(ServoRef ref)
 {
     const ServoEntry* known = servo(ref);
-    const bool here = known != nullptr && (!hasBaud() || known->servo.baud == baud());
-    if (!here || !mayFeed() || m_search || !m_identifying.insert(ref).second)
+    const bool here = known != nullptr && (!canSetBaud() || known->servo.baud == baud());
+    if (!here || !canPoll() || m_search || !m_identifying.insert(ref).second)
         return;
     m_searchThread->start([this, ref, id = known->servo.id, protocol = known->servo.protocol] {
-        base::Stop stop;
+        base::StopToken stop;
         device::Notices notices;
         const auto now = device::identify(m_connection->context(stop, notices), id, protocol);
-        m_inbox.post([this, ref, now] { identifiedAgain(ref, now); });
+        m_mainQueue.post([this, ref, now] { reidentified(ref, now); });
     });
 }
 
-void Desk::identifiedAgain(ServoRef ref, const base::Result<device::Servo>& now)
+void Desk::reidentified(ServoRef ref, const base::Result<device::Servo>& now)
 {
     m_identifying.erase(ref);
     ServoEntry* known = entry(ref);
     if (known != nullptr && !now) {
-        known->heardAgain = passes(now.error().code);
+        known->answeredAgain = isTransient(now.error().code);
     } else if (known != nullptr && now->id == known->servo.id && now->baud == known->servo.baud) {
-        if (!sameKind(known->servo, *now)) {
+        if (!isSameKind(known->servo, *now)) {
             replace(ref, {*now});
         } else if (known->silent) {
-            known->silent = known->garbled = known->heardAgain = false;
+            known->silent = known->garbled = known->answeredAgain = false;
             known->snapshotPath.clear(); // another one of its kind may have been put in its place
             known->lastSeen = this->now();
             changed(*known);
         }
     }
-    goOn();
+    scheduleNext();
 }
 
 /// Its journal stays with the servo that was here. While a task is at work with it the list keeps
 /// it, as silent.
-void Desk::replace(ServoRef ref, const jobs::Found& now)
+void Desk::replace(ServoRef ref, const jobs::FoundServo& now)
 {
     ServoEntry& known = m_servos.at(ref);
     const bool working = m_running && [&] {
@@ -116,28 +116,28 @@ void Desk::replace(ServoRef ref, const jobs::Found& now)
         return std::find(refs.begin(), refs.end(), ref) != refs.end();
     }();
     if (working) {
-        known.silent = known.heardAgain = true;
+        known.silent = known.answeredAgain = true;
         return;
     }
     const QString before = modelOf(known.servo);
     const device::Servo& servo = now.servo;
     m_connection->bus().verifiedIds().remove(servo.protocol, servo.id, servo.baud);
-    m_connection->know(servo);
+    m_connection->addStopTarget(servo);
     remove(ref);
     const ServoRef added = add(now);
-    tell({.kind = Event::Kind::Exchanged, .servo = added, .task = before});
+    emitEvent({.kind = Event::Kind::Replaced, .servo = added, .task = before});
 }
 
 /// A write was refused because another servo answers.
-void Desk::suspectExchange(const Work& ended)
+void Desk::suspectReplacement(const Work& ended)
 {
-    if (!ended.error || ended.error->code != base::ErrorCode::IdentityDiffers)
+    if (!ended.error || ended.error->code != base::ErrorCode::IdentityMismatch)
         return;
     for (const ServoRef ref : ended.refs()) {
         ServoEntry* known = entry(ref);
         if (known == nullptr || (ended.error->id >= 0 && known->servo.id != ended.error->id))
             continue;
-        known->silent = known->heardAgain = true; // identifyHeard() follows
+        known->silent = known->answeredAgain = true; // identifyReturned() follows
     }
 }
 } // namespace session

@@ -6,9 +6,9 @@ namespace session {
 void Desk::readTable(ServoRef ref)
 {
     ServoEntry* known = entry(ref);
-    if (known == nullptr || known->reading)
+    if (known == nullptr || known->isReadingTable)
         return;
-    known->reading = true;
+    known->isReadingTable = true;
     Q_EMIT servoChanged(ref);
     const auto work = std::make_shared<Work>();
     work->ref = ref;
@@ -26,7 +26,7 @@ void Desk::readTable(ServoRef ref)
             task.servo = std::move(*now);
         return device::readAll(task.device, task.servo);
     };
-    work->merged = [this](Work& ended) { tableRead(ended); };
+    work->onMerged = [this](Work& ended) { tableRead(ended); };
     enqueue(work);
 }
 
@@ -35,11 +35,11 @@ void Desk::tableRead(const Work& ended)
     ServoEntry* known = entry(ended.ref);
     if (known == nullptr)
         return;
-    known->reading = false;
+    known->isReadingTable = false;
     known->readError = ended.error;
     known->unreadable.clear();
     if (!ended.error)
-        known->tableRead = true;
+        known->hasFullTable = true;
     if (known->servo.profile && ended.error) {
         for (const catalog::Register& reg : known->servo.profile->registers) {
             const auto at = known->servo.image.readAt(reg.offset);
@@ -48,6 +48,6 @@ void Desk::tableRead(const Work& ended)
         }
     }
     if (ended.error)
-        tell({.kind = Event::Kind::Failed, .servo = ended.ref, .error = ended.error});
+        emitEvent({.kind = Event::Kind::Failed, .servo = ended.ref, .error = ended.error});
 }
 } // namespace session

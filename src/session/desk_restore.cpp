@@ -10,7 +10,7 @@ namespace {
 std::vector<device::WriteItem> itemsOf(const jobs::RestorePlan& plan)
 {
     std::vector<device::WriteItem> items;
-    for (const jobs::RestoreWrite& write : jobs::writesOf(plan))
+    for (const jobs::RestoreWrite& write : jobs::plannedWrites(plan))
         items.push_back({write.key, write.to});
     return items;
 }
@@ -28,30 +28,30 @@ device::WriteReport reportOf(const jobs::RestoreOutcome& outcome)
     return report;
 }
 
-bool changesPlace(const jobs::RestorePlan& plan)
+bool changesAddress(const jobs::RestorePlan& plan)
 {
-    const auto writes = jobs::writesOf(plan);
+    const auto writes = jobs::plannedWrites(plan);
     return std::any_of(writes.begin(), writes.end(), [](const jobs::RestoreWrite& write) {
         return write.stage == jobs::RestoreStage::Id || write.stage == jobs::RestoreStage::Baud;
     });
 }
 } // namespace
 
-void Desk::restore(ServoRef ref, const RestoreOrder& order)
+void Desk::restore(ServoRef ref, const RestoreRequest& request)
 {
     ServoEntry* known = entry(ref);
-    const WriteOrder writes{itemsOf(order.plan), false, order.dangerous};
+    const WriteRequest writes{itemsOf(request.plan), false, request.dangerous};
     if (known != nullptr)
-        awaitWrites(*known, writes);
+        markWritesPending(*known, writes);
     const auto outcome = std::make_shared<std::optional<jobs::RestoreOutcome>>();
     const auto work = std::make_shared<Work>();
     work->ref = ref;
     work->task.name = QStringLiteral("restore");
     work->task.savesTable = !writes.items.empty();
     work->task.quiet = true;
-    work->movesRate = changesPlace(order.plan);
-    work->finishes = true;
-    work->task.work = [plan = order.plan, dangerous = order.dangerous, how = order.onFailure,
+    work->changesRate = changesAddress(request.plan);
+    work->completesBeforeClose = true;
+    work->task.work = [plan = request.plan, dangerous = request.dangerous, how = request.onFailure,
                        outcome](TaskContext& task) -> base::Result<void> {
         auto restored =
             jobs::restore(task.device, task.servo, plan, {dangerous, how, {}}, task.progress);
@@ -60,7 +60,8 @@ void Desk::restore(ServoRef ref, const RestoreOrder& order)
         *outcome = std::move(*restored);
         return {};
     };
-    work->merged = [this, writes, outcome, guard = order.guard, done = order.done](Work& ended) {
+    work->onMerged = [this, writes, outcome, guard = request.guard,
+                      done = request.done](Work& ended) {
         std::optional<device::WriteReport> report;
         if (*outcome)
             report = reportOf(**outcome);
@@ -74,16 +75,16 @@ void Desk::restore(ServoRef ref, const RestoreOrder& order)
 
 /// Filled on the job's thread, looked at on the main thread as it grows and when it has ended.
 struct Desk::PendingApply {
-    ApplyOrder order;
-    std::set<int> saved;                ///< IDs whose table this session has saved
-    std::map<int, QString> savedPaths;  ///< now
-    std::vector<jobs::Applied> applied; ///< main thread
+    ApplyRequest request;
+    std::set<int> saved;                    ///< IDs whose table this session has saved
+    std::map<int, QString> savedPaths;      ///< now
+    std::vector<jobs::ApplyResult> applied; ///< main thread
 };
 
 /// On the job's thread.
 base::Result<void> Desk::runApply(const std::shared_ptr<PendingApply>& apply, TaskContext& task)
 {
-    jobs::ApplyOptions options = apply->order.options;
+    jobs::ApplyOptions options = apply->request.options;
     options.restore.beforeWrite = [apply](const device::Context& context,
                                           device::Servo& servo) -> base::Result<void> {
         if (apply->saved.count(servo.id) > 0)
@@ -92,38 +93,38 @@ base::Result<void> Desk::runApply(const std::shared_ptr<PendingApply>& apply, Ta
             apply->savedPaths[servo.id] = path;
         });
     };
-    const auto onServo = [this, apply](const jobs::Applied& one) {
-        m_inbox.post([this, apply, one] { takeApplied(*apply, one); });
+    const auto onServo = [this, apply](const jobs::ApplyResult& one) {
+        m_mainQueue.post([this, apply, one] { takeApplied(*apply, one); });
     };
-    const ApplyOrder& order = apply->order;
-    if (order.bundle) // each servo is told by onServo
-        (void)jobs::restoreBundle(task.device, *order.bundle, options, task.progress, onServo);
+    const ApplyRequest& request = apply->request;
+    if (request.bundle) // each servo is told by onServo
+        (void)jobs::restoreBundle(task.device, *request.bundle, options, task.progress, onServo);
     else
-        (void)jobs::applyToServos(task.device, order.ids, order.snapshot, options, task.progress,
-                                  onServo);
+        (void)jobs::applyToServos(task.device, request.ids, request.snapshot, options,
+                                  task.progress, onServo);
     return {};
 }
 
-void Desk::apply(ApplyOrder order)
+void Desk::apply(ApplyRequest request)
 {
     const auto apply = std::make_shared<PendingApply>();
     for (const auto& [ref, one] : m_servos) {
         if (!one.snapshotPath.isEmpty() && one.servo.baud == baud())
             apply->saved.insert(one.servo.id);
     }
-    apply->order = std::move(order);
+    apply->request = std::move(request);
     const auto work = std::make_shared<Work>();
     work->task.name = QStringLiteral("restore");
     work->task.quiet = true;
-    work->finishes = true;
+    work->completesBeforeClose = true;
     work->task.work = [this, apply](TaskContext& task) { return runApply(apply, task); };
-    work->merged = [this, apply](Work& ended) {
+    work->onMerged = [this, apply](Work& ended) {
         for (const auto& [id, path] : apply->savedPaths)
             tableSaved(id, path);
         if (ended.error)
-            tell({.kind = Event::Kind::Failed, .error = ended.error});
-        if (apply->order.done && apply->order.guard)
-            apply->order.done({ended.error, std::move(apply->applied)});
+            emitEvent({.kind = Event::Kind::Failed, .error = ended.error});
+        if (apply->request.done && apply->request.guard)
+            apply->request.done({ended.error, std::move(apply->applied)});
     };
     enqueue(work);
 }
@@ -134,28 +135,28 @@ void Desk::tableSaved(int id, const QString& path)
         if (one.servo.id != id || one.servo.baud != baud())
             continue;
         one.snapshotPath = path;
-        tell({.kind = Event::Kind::TableSaved, .servo = ref, .path = path});
+        emitEvent({.kind = Event::Kind::TableSaved, .servo = ref, .path = path});
     }
 }
 
 /// One servo is done: what was read and written of it goes into the list.
-void Desk::takeApplied(PendingApply& apply, const jobs::Applied& one)
+void Desk::takeApplied(PendingApply& apply, const jobs::ApplyResult& one)
 {
     apply.applied.push_back(one);
-    if (apply.order.onServo && apply.order.guard)
-        apply.order.onServo(one);
-    if (!one.servo || apply.order.options.dryRun)
+    if (apply.request.onServo && apply.request.guard)
+        apply.request.onServo(one);
+    if (!one.servo || apply.request.options.dryRun)
         return;
-    const ServoRef ref = find(one.servo->protocol, one.id);
+    const ServoRef ref = findServo(one.servo->protocol, one.id);
     ServoEntry* known = entry(ref);
     if (known == nullptr || known->servo.baud != one.servo->baud)
         return;
     merge(*known, *one.servo, now());
     if (one.outcome && !one.outcome->rows.empty()) {
-        const WriteOrder writes{itemsOf(one.plan), false, true};
+        const WriteRequest writes{itemsOf(one.plan), false, true};
         Work ended;
         ended.ref = ref;
-        awaitWrites(*known, writes);
+        markWritesPending(*known, writes);
         writeEnded(ended, writes, WriteKind::New, reportOf(*one.outcome));
     }
 }

@@ -27,10 +27,10 @@ void Desk::search(const jobs::ScanSpec& spec)
 {
     if (m_state != LinkState::Open)
         return;
-    if (testing()) {
-        tell({.kind = Event::Kind::Failed,
-              .error = base::Error{base::ErrorCode::Held, QStringLiteral("scan"),
-                                   QStringLiteral("test")}});
+    if (isTesting()) {
+        emitEvent({.kind = Event::Kind::Failed,
+                   .error = base::Error{base::ErrorCode::Held, QStringLiteral("scan"),
+                                        QStringLiteral("test")}});
         return;
     }
     stopSearch();
@@ -46,7 +46,7 @@ void Desk::search(const jobs::ScanSpec& spec)
         m_search->spec.protocols = {*m_request.protocol};
     m_lastSpec = m_search->spec;
     Q_EMIT searchChanged();
-    goOn();
+    scheduleNext();
 }
 
 void Desk::stopSearch()
@@ -68,9 +68,9 @@ base::Duration Desk::searchEstimate(const jobs::ScanSpec& spec) const
     jobs::ScanSpec asked = spec;
     if (asked.protocols.empty() && m_request.protocol)
         asked.protocols = {*m_request.protocol};
-    base::Stop stop;
+    base::StopToken stop;
     device::Notices notices;
-    return jobs::scanEstimate(m_connection->context(stop, notices), asked);
+    return jobs::estimateScanTime(m_connection->context(stop, notices), asked);
 }
 
 void Desk::startSearch()
@@ -79,8 +79,8 @@ void Desk::startSearch()
         return;
     m_search->started = true;
     m_search->startedAt = now();
-    m_search->staysHere = jobs::ratesToSearch(m_search->spec, baud()) == std::vector{baud()};
-    updateFeed();
+    m_search->keepsBaud = jobs::ratesToScan(m_search->spec, baud()) == std::vector{baud()};
+    updatePolling();
     // Job and search end before they are destroyed: goOn() waits for searchEnded().
     m_searchThread->start([this, search = m_search.get()] { runSearch(*search); });
 }
@@ -92,48 +92,50 @@ void Desk::runSearch(Search& search)
     auto result = jobs::scan(
         context, search.spec,
         [this](const jobs::Progress& progress) {
-            m_inbox.post([this, progress] { Q_EMIT searchProgress(progress); });
+            m_mainQueue.post([this, progress] { Q_EMIT searchProgress(progress); });
         },
-        [this](const jobs::Found& one) { m_inbox.post([this, one] { found(one); }); });
-    const QString others = m_connection->simulated()
+        [this](const jobs::FoundServo& one) {
+            m_mainQueue.post([this, one] { servoFound(one); });
+        });
+    const QString others = m_connection->isSimulated()
                                ? QString()
                                : transport::portHolders(transport::canonicalPath(search.port));
-    m_inbox.post([this, others, result = std::move(result)] { searchEnded(result, others); });
+    m_mainQueue.post([this, others, result = std::move(result)] { searchEnded(result, others); });
 }
 
-void Desk::found(const jobs::Found& one)
+void Desk::servoFound(const jobs::FoundServo& one)
 {
     if (m_connection && one.servo.profile)
-        m_connection->know(one.servo);
+        m_connection->addStopTarget(one.servo);
     for (auto& [ref, known] : m_servos) {
         if (!sameServo(known.servo, one.servo))
             continue;
-        if (!sameKind(known.servo, one.servo)) {
+        if (!isSameKind(known.servo, one.servo)) {
             replace(ref, one);
             return;
         }
-        known.twinsSuspected = one.twinsSuspected;
-        known.heardLate = one.heardLate;
+        known.duplicateSuspected = one.duplicateSuspected;
+        known.lateReplySeen = one.lateReplySeen;
         known.lastSeen = now();
-        known.silent = known.heardAgain = false;
-        met(known, one);
+        known.silent = known.answeredAgain = false;
+        updateFound(known, one);
         changed(known);
         return;
     }
     add(one);
 }
 
-ServoRef Desk::add(const jobs::Found& one)
+ServoRef Desk::add(const jobs::FoundServo& one)
 {
     ServoEntry added;
     added.ref = ++m_lastRef;
     added.servo = one.servo;
     added.firstImage = one.servo.image;
-    added.twinsSuspected = one.twinsSuspected;
-    added.heardLate = one.heardLate;
+    added.duplicateSuspected = one.duplicateSuspected;
+    added.lateReplySeen = one.lateReplySeen;
     added.lastSeen = now();
     const ServoRef ref = added.ref;
-    insert(std::move(added));
+    insertServo(std::move(added));
     if (ServoEntry* known = entry(ref))
         markAlarms(*known);
     return ref;
@@ -141,12 +143,12 @@ ServoRef Desk::add(const jobs::Found& one)
 
 /// Another of its kind may have been put in its place, and nothing in it tells: what was read and
 /// saved before this search began is no longer taken for this servo's.
-void Desk::met(ServoEntry& known, const jobs::Found& one)
+void Desk::updateFound(ServoEntry& known, const jobs::FoundServo& one)
 {
     if (!one.servo.profile || !m_search)
         return;
-    if (m_search->met.insert(known.ref).second) {
-        known.tableRead = false;
+    if (m_search->knownFound.insert(known.ref).second) {
+        known.hasFullTable = false;
         known.snapshotPath.clear();
     }
     device::Servo heard = one.servo;
@@ -155,18 +157,18 @@ void Desk::met(ServoEntry& known, const jobs::Found& one)
     merge(known, heard, m_search->startedAt);
 }
 
-void Desk::insert(ServoEntry added)
+void Desk::insertServo(ServoEntry added)
 {
     const ServoRef ref = added.ref;
     m_servos.emplace(ref, std::move(added));
-    const auto place = std::upper_bound(m_order.begin(), m_order.end(), ref,
-                                        [this](ServoRef a, ServoRef b) { return before(a, b); });
-    m_order.insert(place, ref);
+    const auto it = std::upper_bound(m_order.begin(), m_order.end(), ref,
+                                     [this](ServoRef a, ServoRef b) { return sortsBefore(a, b); });
+    m_order.insert(it, ref);
     Q_EMIT servoAdded(ref);
 }
 
 /// The order of the list.
-bool Desk::before(ServoRef a, ServoRef b) const
+bool Desk::sortsBefore(ServoRef a, ServoRef b) const
 {
     const auto key = [this](ServoRef ref) {
         const device::Servo& servo = m_servos.at(ref).servo;
@@ -182,8 +184,8 @@ void Desk::remove(ServoRef ref)
     m_undo.erase(std::remove_if(m_undo.begin(), m_undo.end(), gone), m_undo.end());
     m_redo.erase(std::remove_if(m_redo.begin(), m_redo.end(), gone), m_redo.end());
     m_servos.erase(ref);
-    m_feeder.forget(ref);
-    updateFeed();
+    m_polling.removeServo(ref);
+    updatePolling();
     Q_EMIT servoRemoved(ref);
     Q_EMIT undoChanged();
 }
@@ -193,30 +195,30 @@ void Desk::searchEnded(const base::Result<jobs::ScanReport>& result, const QStri
     m_otherPrograms = otherPrograms;
     const device::Notices notices = m_search->notices;
     if (m_connection)
-        noteHeard(); // what the search has asked in vain does not count
+        updatePresence(); // what the search has asked in vain does not count
     m_search.reset();
     if (std::exchange(m_checkAfterSearch, false))
-        checkStop();
+        verifyStop();
     Event event{.kind = Event::Kind::SearchEnded, .notices = notices};
     if (result) {
         m_lastSearch = *result;
-        event.missing = missingOf(*result);
+        event.missing = missingServos(*result);
         removeSilent(*result);
     } else {
         event.error = result.error();
     }
     Q_EMIT searchChanged();
-    tell(event);
+    emitEvent(event);
     if (m_nextSearch) {
         const jobs::ScanSpec next = *m_nextSearch;
         m_nextSearch.reset();
         search(next);
     }
-    if (result && !m_intentsLooked && m_state == LinkState::Open) {
-        m_intentsLooked = true;
-        lookForIntents();
+    if (result && !m_intentsChecked && m_state == LinkState::Open) {
+        m_intentsChecked = true;
+        findOpenIntents();
     }
-    goOn();
+    scheduleNext();
 }
 
 std::vector<jobs::ExpectedServo> Desk::expectedServos() const
@@ -234,7 +236,7 @@ std::vector<jobs::ExpectedServo> Desk::expectedServos() const
 }
 
 /// Under no rate, that is: one that was found at another one is there.
-std::vector<int> Desk::missingOf(const jobs::ScanReport& report) const
+std::vector<int> Desk::missingServos(const jobs::ScanReport& report) const
 {
     if (report.stopped)
         return {};
@@ -246,8 +248,8 @@ std::vector<int> Desk::missingOf(const jobs::ScanReport& report) const
         const bool asked = language && one.id >= m_lastSpec.firstId &&
                            one.id <= m_lastSpec.lastId &&
                            std::count(report.rates.begin(), report.rates.end(), one.baud) > 0;
-        const bool found =
-            std::any_of(report.found.begin(), report.found.end(), [&](const jobs::Found& other) {
+        const bool found = std::any_of(
+            report.found.begin(), report.found.end(), [&](const jobs::FoundServo& other) {
                 return other.servo.id == one.id &&
                        (!one.protocol || other.servo.protocol == *one.protocol);
             });
@@ -264,9 +266,10 @@ void Desk::removeSilent(const jobs::ScanReport& report)
         return;
     std::vector<ServoRef> silent;
     for (const auto& [ref, known] : m_servos) {
-        const bool heard = std::any_of(
-            report.found.begin(), report.found.end(),
-            [&servo = known.servo](const jobs::Found& one) { return sameServo(one.servo, servo); });
+        const bool heard = std::any_of(report.found.begin(), report.found.end(),
+                                       [&servo = known.servo](const jobs::FoundServo& one) {
+                                           return sameServo(one.servo, servo);
+                                       });
         if (!heard && !known.writing() && inScope(m_lastSpec, report.rates, known.servo))
             silent.push_back(ref);
     }

@@ -13,14 +13,14 @@ void Desk::emergencyStop()
         if (m_running)
             m_running->stop.request();
         m_stopNotSent = true;
-        tell({.kind = Event::Kind::StopNotSent});
+        emitEvent({.kind = Event::Kind::StopNotSent});
         return;
     }
     m_stopNotSent = false;
     m_connection->bus().emergency();
     if (m_running)
         m_running->stop.request(); // it may be between two requests, where nothing is preempted
-    dropQueue(base::ErrorCode::Preempted);
+    clearQueue(base::ErrorCode::Preempted);
     for (auto& [ref, known] : m_servos) {
         known.stopped = true;
         known.stoppedAt = now();
@@ -28,10 +28,10 @@ void Desk::emergencyStop()
     mark(record::MarkKind::Stop, nullptr, QStringLiteral("torque off"));
     // A search at other rates puts the rate back when it has ended; who is asked must be known
     // then.
-    m_checkAfterSearch = m_search && m_search->started && !m_search->staysHere;
+    m_checkAfterSearch = m_search && m_search->started && !m_search->keepsBaud;
     if (!m_checkAfterSearch)
-        checkStop();
-    tell({.kind = Event::Kind::Stopped, .owed = m_connection->bus().away()});
+        verifyStop();
+    emitEvent({.kind = Event::Kind::Stopped, .isPending = m_connection->bus().isReconnecting()});
     const std::vector<ServoRef> all = m_order; // who hears of it may change the list
     for (const ServoRef ref : all)
         Q_EMIT servoChanged(ref);
@@ -39,83 +39,83 @@ void Desk::emergencyStop()
 
 /// Tasks like others, so that they come after what is running has closed its locks; one for each
 /// servo, so that one that is gone keeps nobody else from being looked at.
-void Desk::checkStop()
+void Desk::verifyStop()
 {
-    const auto check = std::make_shared<PendingCheck>();
+    const auto check = std::make_shared<StopVerification>();
     std::vector<ServoRef> asked;
     for (const ServoRef ref : m_order) {
-        const bool here = !hasBaud() || m_servos.at(ref).servo.baud == baud();
-        (here ? asked : check->told.elsewhere).push_back(ref);
+        const bool here = !canSetBaud() || m_servos.at(ref).servo.baud == baud();
+        (here ? asked : check->result.otherBaud).push_back(ref);
     }
     if (m_state != LinkState::Open)
         return;
-    check->open = asked.size();
+    check->openCount = asked.size();
     check->unread = asked;
-    m_stopCheck = check;
+    m_stopVerification = check;
     if (!asked.empty())
         m_stopUnconfirmed.start();
-    if (asked.empty() && !check->told.elsewhere.empty())
-        tell({.kind = Event::Kind::StopChecked, .stop = check->told});
+    if (asked.empty() && !check->result.otherBaud.empty())
+        emitEvent({.kind = Event::Kind::StopVerified, .stop = check->result});
     for (const ServoRef ref : asked)
-        checkStop(ref, check);
+        verifyStop(ref, check);
 }
 
-void Desk::checkStop(ServoRef ref, const std::shared_ptr<PendingCheck>& check)
+void Desk::verifyStop(ServoRef ref, const std::shared_ptr<StopVerification>& check)
 {
     const auto work = std::make_shared<Work>();
     work->ref = ref;
     work->readOnly = true; // what it writes can wait for no search
     work->task.name = QStringLiteral("stop-check");
     work->task.quiet = true;
-    const auto verdict = std::make_shared<jobs::StopVerdict>();
+    const auto verdict = std::make_shared<jobs::StopCheckResult>();
     work->task.work = [verdict](TaskContext& task) -> base::Result<void> {
-        const auto result = jobs::checkStopped(task.device, {&task.servo});
+        const auto result = jobs::verifyEmergencyStop(task.device, {&task.servo});
         if (!result)
             return tl::unexpected(result.error());
         *verdict = result->front();
         return {};
     };
-    work->merged = [this, ref, check, verdict](Work& ended) {
-        takeVerdict(ref, *check, *verdict, ended.error);
+    work->onMerged = [this, ref, check, verdict](Work& ended) {
+        addVerdict(ref, *check, *verdict, ended.error);
     };
     enqueue(work);
 }
 
-void Desk::takeVerdict(ServoRef ref, PendingCheck& check, const jobs::StopVerdict& verdict,
-                       const std::optional<base::Error>& error)
+void Desk::addVerdict(ServoRef ref, StopVerification& check, const jobs::StopCheckResult& verdict,
+                      const std::optional<base::Error>& error)
 {
-    using Torque = jobs::StopVerdict::Torque;
+    using Torque = jobs::StopCheckResult::Torque;
     // Another stop has come, which has a check of its own.
-    check.overtaken = check.overtaken || (error && error->code == base::ErrorCode::Preempted);
-    auto& place = verdict.torque == Torque::On    ? check.told.stillOn
-                  : verdict.torque == Torque::Off ? check.told.off
-                                                  : check.told.silent;
+    check.superseded = check.superseded || (error && error->code == base::ErrorCode::Preempted);
+    auto& place = verdict.torque == Torque::On    ? check.result.stillOn
+                  : verdict.torque == Torque::Off ? check.result.off
+                                                  : check.result.silent;
     place.push_back(ref);
     std::erase(check.unread, ref);
-    if (verdict.mayHold)
-        check.told.stillHeld.push_back(ref);
+    if (verdict.mayHavePendingGoal)
+        check.result.stillHeld.push_back(ref);
     ServoEntry* known = entry(ref);
     if (known != nullptr && verdict.torque == Torque::Unknown && !error)
         known->silent = true;
-    if (--check.open == 0 && !check.overtaken)
-        tell({.kind = Event::Kind::StopChecked, .error = error, .stop = check.told});
+    if (--check.openCount == 0 && !check.superseded)
+        emitEvent({.kind = Event::Kind::StopVerified, .error = error, .stop = check.result});
 }
 
 void Desk::reportUnconfirmed()
 {
-    const auto check = m_stopCheck.lock();
-    if (!check || check->overtaken || check->unread.empty() || m_state != LinkState::Open)
+    const auto check = m_stopVerification.lock();
+    if (!check || check->superseded || check->unread.empty() || m_state != LinkState::Open)
         return;
-    if (m_connection->bus().away()) // has been said: it is still owed
+    if (m_connection->bus().isReconnecting()) // has been said: it is still owed
         return;
-    StopCheck told;
-    told.silent = check->told.silent;
-    told.silent.insert(told.silent.end(), check->unread.begin(), check->unread.end());
-    tell({.kind = Event::Kind::StopUnconfirmed, .stop = told});
+    StopResult result;
+    result.silent = check->result.silent;
+    result.silent.insert(result.silent.end(), check->unread.begin(), check->unread.end());
+    emitEvent({.kind = Event::Kind::StopUnconfirmed, .stop = result});
 }
 
 /// After a stop only torque may be switched on.
-std::optional<base::Error> Desk::refusalByStop(const Work& work) const
+std::optional<base::Error> Desk::stopRefusal(const Work& work) const
 {
     if (work.task.effect != Effect::Moves)
         return std::nullopt;
@@ -145,16 +145,16 @@ void Desk::storeHere(ServoRef ref)
     task.name = QStringLiteral("stop-check");
     task.quiet = true;
     task.work = [](TaskContext& context) {
-        return device::disarm(context.device, context.servo).map([](bool) {});
+        return device::cancelHeldGoal(context.device, context.servo).map([](bool) {});
     };
     perform(ref, std::move(task));
 }
 
 /// The user has switched torque on, and the servo has shown it, after the latest stop.
-void Desk::maybeReleased(const Work& ended)
+void Desk::releaseAfterStop(const Work& ended)
 {
-    if (ended.task.effect != Effect::Energises || !m_connection ||
-        ended.epoch != m_connection->bus().emergencies())
+    if (ended.task.effect != Effect::EnablesTorque || !m_connection ||
+        ended.epoch != m_connection->bus().emergencyCount())
         return;
     const auto look = [&](const Work::Part& part) {
         const catalog::Register* torque =

@@ -8,23 +8,23 @@
 namespace session {
 /// False when something else answers there now than what is in the list. One that could not be
 /// identified this time or last is taken for the same.
-bool sameKind(const device::Servo& a, const device::Servo& b);
+bool isSameKind(const device::Servo& a, const device::Servo& b);
 
 /// One emergency stop being checked, servo by servo.
-struct Desk::PendingCheck {
-    StopCheck told;
+struct Desk::StopVerification {
+    StopResult result;
     std::vector<ServoRef> unread; ///< no verdict yet
-    std::size_t open = 0;
-    bool overtaken = false; ///< by another stop
+    std::size_t openCount = 0;
+    bool superseded = false; ///< by another stop
 };
 
 struct Desk::Work {
     ServoRef ref = 0; ///< 0: concerns the whole bus
     Task task;
     bool readOnly = false;             ///< may run beside a search at the same rate
-    bool movesRate = false;            ///< to another rate or ID: nobody is polled meanwhile
-    bool finishes = false;             ///< a write: begun or not, it is done before the port closes
-    std::function<void(Work&)> merged; ///< main thread, after the servo has been merged
+    bool changesRate = false;          ///< to another rate or ID: nobody is polled meanwhile
+    bool completesBeforeClose = false; ///< a write: begun or not, it is done before the port closes
+    std::function<void(Work&)> onMerged; ///< main thread, after the servo has been merged
 
     /// A servo it concerns: copied when the work starts, merged when it has ended.
     struct Part {
@@ -38,7 +38,7 @@ struct Desk::Work {
     /// All that is copied: none, when it concerns the whole bus.
     std::vector<ServoRef> refs() const;
     void partEnded(Desk& desk, const Part& part) const; ///< main thread
-    base::Stop stop;
+    base::StopToken stop;
     base::Duration startedAt{};
     std::uint64_t epoch = 0; ///< emergency stops before it was asked for
 
@@ -51,9 +51,9 @@ struct Desk::Search {
     QString port{};
     bool started = false;
     base::Duration startedAt{};
-    std::set<ServoRef> met{}; ///< known before and found again
-    bool staysHere = false;   ///< at the port's rate: other work can go on beside it
-    base::Stop stop;
+    std::set<ServoRef> knownFound{}; ///< known before and found again
+    bool keepsBaud = false;          ///< at the port's rate: other work can go on beside it
+    base::StopToken stop;
     device::Notices notices;
 };
 } // namespace session

@@ -17,9 +17,9 @@ WriteOutcome outcomeOf(const base::Error& error)
     switch (error.code) {
     case ErrorCode::LinkLost:
     case ErrorCode::Held:
-    case ErrorCode::IdentityDiffers:
-    case ErrorCode::SeveralServos:
-    case ErrorCode::FamilyUnclear:
+    case ErrorCode::IdentityMismatch:
+    case ErrorCode::DuplicateId:
+    case ErrorCode::FamilyConflict:
     case ErrorCode::UnknownModel:
         return WriteOutcome::NotSent;
     default:
@@ -27,12 +27,12 @@ WriteOutcome outcomeOf(const base::Error& error)
     }
     if (isChangedSince(error))
         return WriteOutcome::NotSent;
-    const bool silent = error.code == ErrorCode::NoAnswer || error.code == ErrorCode::Garbled ||
+    const bool silent = error.code == ErrorCode::NoReply || error.code == ErrorCode::Garbled ||
                         error.code == ErrorCode::LineBusy;
-    return silent ? WriteOutcome::NoAnswer : WriteOutcome::Refused;
+    return silent ? WriteOutcome::NoReply : WriteOutcome::Refused;
 }
 
-bool moves(const ServoEntry* entry, const QString& key)
+bool isMotionRegister(const ServoEntry* entry, const QString& key)
 {
     const catalog::Register* reg =
         entry != nullptr && entry->servo.profile ? entry->servo.profile->find(key) : nullptr;
@@ -46,16 +46,16 @@ const catalog::Register* registerOf(const ServoEntry& entry, const QString& key)
 
 /// What this order does to a shaft. Switching torque on is the way out of a stop, so a goal in the
 /// same order does not come with it.
-Effect effectOf(const ServoEntry& entry, const WriteOrder& order)
+Effect effectOf(const ServoEntry& entry, const WriteRequest& request)
 {
     Effect effect = Effect::None;
-    for (const device::WriteItem& item : order.items) {
+    for (const device::WriteItem& item : request.items) {
         const catalog::Register* reg = registerOf(entry, item.key);
         if (reg == nullptr)
             continue;
         if (reg->role == catalog::Role::TorqueSwitch) {
             if (item.raw != 0)
-                effect = Effect::Energises;
+                effect = Effect::EnablesTorque;
         } else if (reg->motion) {
             return Effect::Moves;
         }
@@ -64,21 +64,23 @@ Effect effectOf(const ServoEntry& entry, const WriteOrder& order)
 }
 
 /// Makes the present place the middle.
-bool centres(const ServoEntry& entry, const device::WriteResult& result)
+bool setsCenter(const ServoEntry& entry, const device::WriteResult& result)
 {
-    constexpr std::int64_t mostSwitch = 2; // damping
+    constexpr std::int64_t maxTorqueSwitch = 2; // damping
     const catalog::Register* reg = registerOf(entry, result.key);
-    return reg != nullptr && reg->role == catalog::Role::TorqueSwitch && result.newRaw > mostSwitch;
+    return reg != nullptr && reg->role == catalog::Role::TorqueSwitch &&
+           result.newRaw > maxTorqueSwitch;
 }
 
 /// Whoever was polled meanwhile would be asked where it is no more.
-bool changesPlace(const ServoEntry& entry, const WriteOrder& order)
+bool changesAddress(const ServoEntry& entry, const WriteRequest& request)
 {
-    return std::any_of(order.items.begin(), order.items.end(), [&](const device::WriteItem& item) {
-        const catalog::Register* reg = registerOf(entry, item.key);
-        return reg != nullptr &&
-               (reg->role == catalog::Role::BaudRate || reg->role == catalog::Role::Id);
-    });
+    return std::any_of(
+        request.items.begin(), request.items.end(), [&](const device::WriteItem& item) {
+            const catalog::Register* reg = registerOf(entry, item.key);
+            return reg != nullptr &&
+                   (reg->role == catalog::Role::BaudRate || reg->role == catalog::Role::Id);
+        });
 }
 
 /// "position_p 32 → 40", with the word for it if it did not become so.
@@ -91,66 +93,66 @@ QString markText(const device::WriteResult& result)
     return text;
 }
 
-bool took(const device::WriteResult& result)
+bool wasApplied(const device::WriteResult& result)
 {
     return result.outcome == WriteOutcome::Kept || result.outcome == WriteOutcome::Temporary;
 }
 } // namespace
 
-void Desk::write(ServoRef ref, const WriteOrder& order)
+void Desk::write(ServoRef ref, const WriteRequest& request)
 {
-    enqueueWrite(ref, order, WriteKind::New);
+    enqueueWrite(ref, request, WriteKind::New);
 }
 
-void Desk::awaitWrites(ServoEntry& known, const WriteOrder& order)
+void Desk::markWritesPending(ServoEntry& known, const WriteRequest& request)
 {
-    for (const device::WriteItem& item : order.items) {
-        RowWrite& row = known.writes[item.key];
+    for (const device::WriteItem& item : request.items) {
+        RegisterWriteState& row = known.writes[item.key];
         ++row.pending;
-        row.wanted = item.raw;
+        row.requested = item.raw;
     }
     Q_EMIT tableChanged(known.ref);
 }
 
-void Desk::enqueueWrite(ServoRef ref, const WriteOrder& order, WriteKind kind,
+void Desk::enqueueWrite(ServoRef ref, const WriteRequest& request, WriteKind kind,
                         const std::vector<device::WriteItem>& expected)
 {
     ServoEntry* known = entry(ref);
-    if (known == nullptr || order.items.empty())
+    if (known == nullptr || request.items.empty())
         return;
-    awaitWrites(*known, order);
+    markWritesPending(*known, request);
     const auto report = std::make_shared<std::optional<device::WriteReport>>();
     const auto work = std::make_shared<Work>();
     work->ref = ref;
     work->task.name = QStringLiteral("write");
     work->task.savesTable = true;
     work->task.quiet = true;
-    work->task.effect = effectOf(*known, order);
-    work->movesRate = changesPlace(*known, order);
-    work->finishes = true;
-    work->task.work = [order, kind, expected, report](TaskContext& task) -> base::Result<void> {
-        if (const auto same = requireUnchanged(task.device, task.servo, expected, order.items);
+    work->task.effect = effectOf(*known, request);
+    work->changesRate = changesAddress(*known, request);
+    work->completesBeforeClose = true;
+    work->task.work = [request, kind, expected, report](TaskContext& task) -> base::Result<void> {
+        if (const auto same = requireUnchanged(task.device, task.servo, expected, request.items);
             !same)
             return same;
         device::WriteOptions options;
-        options.temporary = order.temporary;
-        options.dangerous = order.dangerous;
-        options.asBefore = kind != WriteKind::New;
+        options.temporary = request.temporary;
+        options.dangerous = request.dangerous;
+        options.allowPreviousValues = kind != WriteKind::New;
         options.kind = kind == WriteKind::Undo ? base::IntentKind::Undo : base::IntentKind::Write;
-        return writeInOrder(task.device, task.servo, order.items, options, *report);
+        return writeInOrder(task.device, task.servo, request.items, options, *report);
     };
-    work->merged = [this, order, kind, report](Work& ended) {
-        writeEnded(ended, order, kind, *report);
+    work->onMerged = [this, request, kind, report](Work& ended) {
+        writeEnded(ended, request, kind, *report);
     };
     enqueue(work);
 }
 
-void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind,
+void Desk::writeEnded(const Work& ended, const WriteRequest& request, WriteKind kind,
                       const std::optional<device::WriteReport>& report)
 {
     if (ServoEntry* known = entry(ended.ref)) {
-        for (const device::WriteItem& item : order.items) {
-            RowWrite& row = known->writes[item.key];
+        for (const device::WriteItem& item : request.items) {
+            RegisterWriteState& row = known->writes[item.key];
             row.pending = std::max(row.pending - 1, 0);
             row.at = now();
             row.outcome.reset();
@@ -162,30 +164,30 @@ void Desk::writeEnded(const Work& ended, const WriteOrder& order, WriteKind kind
         }
         if (report) {
             for (const device::WriteResult& result : report->writes) {
-                RowWrite& row = known->writes[result.key];
+                RegisterWriteState& row = known->writes[result.key];
                 // Not begun because nobody answered is no refusal of the servo's.
                 const bool begun = result.outcome != WriteOutcome::Refused || !result.error;
                 row.outcome = begun ? result.outcome : outcomeOf(*result.error);
                 row.error = result.error;
                 row.at = now();
-                if (centres(*known, result))
+                if (setsCenter(*known, result))
                     known->turns.reset();
             }
         }
-        markWrites(*known, ended, order, report);
+        markWrites(*known, ended, request, report);
         Q_EMIT tableChanged(ended.ref);
     }
-    remember(ended, order, kind, report);
-    tell({.kind = Event::Kind::Written,
-          .servo = ended.ref,
-          .error = ended.error,
-          .report = report,
-          .notices = ended.notices,
-          .undone = kind == WriteKind::Undo,
-          .redone = kind == WriteKind::Redo});
+    recordUndo(ended, request, kind, report);
+    emitEvent({.kind = Event::Kind::Written,
+               .servo = ended.ref,
+               .error = ended.error,
+               .report = report,
+               .notices = ended.notices,
+               .isUndo = kind == WriteKind::Undo,
+               .isRedo = kind == WriteKind::Redo});
 }
 
-void Desk::markWrites(const ServoEntry& about, const Work& ended, const WriteOrder& order,
+void Desk::markWrites(const ServoEntry& about, const Work& ended, const WriteRequest& request,
                       const std::optional<device::WriteReport>& report)
 {
     using record::MarkKind;
@@ -193,7 +195,7 @@ void Desk::markWrites(const ServoEntry& about, const Work& ended, const WriteOrd
         for (const device::WriteResult& result : report->writes)
             mark(MarkKind::Write, &about, markText(result));
     } else if (ended.error) {
-        for (const device::WriteItem& item : order.items) {
+        for (const device::WriteItem& item : request.items) {
             mark(MarkKind::Write, &about,
                  QStringLiteral("%1 → %2, %3")
                      .arg(item.key)
@@ -203,69 +205,71 @@ void Desk::markWrites(const ServoEntry& about, const Work& ended, const WriteOrd
     }
 }
 
-/// What really changed can be taken back. What moves or energises is left out: undoing a setting
+/// What really changed can be taken back. What moves or energizes is left out: undoing a setting
 /// must not turn a shaft. A way back that failed stays where it was, unless the value is no longer
 /// the one that was written: then there is none.
-void Desk::remember(const Work& ended, const WriteOrder& order, WriteKind kind,
-                    const std::optional<device::WriteReport>& report)
+void Desk::recordUndo(const Work& ended, const WriteRequest& request, WriteKind kind,
+                      const std::optional<device::WriteReport>& report)
 {
     const ServoRef ref = ended.ref;
     if (kind != WriteKind::New) {
-        const bool done = report && std::all_of(report->writes.begin(), report->writes.end(), took);
+        const bool done =
+            report && std::all_of(report->writes.begin(), report->writes.end(), wasApplied);
         const bool toUndo = (kind == WriteKind::Undo) != done;
-        const auto step = std::exchange(m_returning, std::nullopt);
+        const auto step = std::exchange(m_pendingStep, std::nullopt);
         const bool gone = ended.error && isChangedSince(*ended.error);
         if (step && !gone && servo(ref) != nullptr)
             (toUndo ? m_undo : m_redo).push_back(*step);
         Q_EMIT undoChanged();
         return;
     }
-    UndoStep step{ref, {}, {}, order.temporary};
+    UndoStep step{ref, {}, {}, request.temporary};
     for (const device::WriteResult& result :
          report ? report->writes : std::vector<device::WriteResult>{}) {
-        if (!took(result) || !result.oldRaw || *result.oldRaw == result.newRaw ||
-            moves(servo(ref), result.key))
+        if (!wasApplied(result) || !result.oldRaw || *result.oldRaw == result.newRaw ||
+            isMotionRegister(servo(ref), result.key))
             continue;
-        step.before.push_back({result.key, *result.oldRaw});
-        step.after.push_back({result.key, result.newRaw});
+        step.oldItems.push_back({result.key, *result.oldRaw});
+        step.newItems.push_back({result.key, result.newRaw});
     }
-    if (step.before.empty() || servo(ref) == nullptr)
+    if (step.oldItems.empty() || servo(ref) == nullptr)
         return;
     m_undo.push_back(step);
     m_redo.clear();
     Q_EMIT undoChanged();
 }
 
-const UndoStep* Desk::nextUndo() const
+const UndoStep* Desk::undoStep() const
 {
-    return m_undo.empty() || m_returning ? nullptr : &m_undo.back();
+    return m_undo.empty() || m_pendingStep ? nullptr : &m_undo.back();
 }
 
-const UndoStep* Desk::nextRedo() const
+const UndoStep* Desk::redoStep() const
 {
-    return m_redo.empty() || m_returning ? nullptr : &m_redo.back();
+    return m_redo.empty() || m_pendingStep ? nullptr : &m_redo.back();
 }
 
 void Desk::undo()
 {
-    if (nextUndo() == nullptr)
+    if (undoStep() == nullptr)
         return;
-    m_returning = m_undo.back();
+    m_pendingStep = m_undo.back();
     m_undo.pop_back();
     // Consent was given for the way there, so it holds for the way back.
-    enqueueWrite(m_returning->servo, {m_returning->before, m_returning->temporary, true},
-                 WriteKind::Undo, m_returning->after);
+    enqueueWrite(m_pendingStep->servo, {m_pendingStep->oldItems, m_pendingStep->temporary, true},
+                 WriteKind::Undo, m_pendingStep->newItems);
     Q_EMIT undoChanged();
 }
 
 void Desk::redo(bool dangerous)
 {
-    if (nextRedo() == nullptr)
+    if (redoStep() == nullptr)
         return;
-    m_returning = m_redo.back();
+    m_pendingStep = m_redo.back();
     m_redo.pop_back();
-    enqueueWrite(m_returning->servo, {m_returning->after, m_returning->temporary, dangerous},
-                 WriteKind::Redo, m_returning->before);
+    enqueueWrite(m_pendingStep->servo,
+                 {m_pendingStep->newItems, m_pendingStep->temporary, dangerous}, WriteKind::Redo,
+                 m_pendingStep->oldItems);
     Q_EMIT undoChanged();
 }
 
@@ -285,13 +289,13 @@ void Desk::loadHistory(ServoRef ref)
     const ServoEntry* known = servo(ref);
     if (known == nullptr || !known->servo.profile)
         return;
-    const base::ServoIdentity who = known->servo.identity();
-    m_openThread->start([this, ref, who] {
-        constexpr int most = 1000;
-        auto own = servoHistory(m_session.journal(), who, most);
+    const base::ServoIdentity identity = known->servo.identity();
+    m_openThread->start([this, ref, identity] {
+        constexpr int maxEntries = 1000;
+        auto own = servoHistory(m_session.journal(), identity, maxEntries);
         if (!own)
             return;
-        m_inbox.post([this, ref, own = std::move(*own)]() mutable {
+        m_mainQueue.post([this, ref, own = std::move(*own)]() mutable {
             ServoEntry* entry = this->entry(ref);
             const bool unlocked =
                 std::any_of(own.begin(), own.end(), [](const base::JournalEntry& one) {

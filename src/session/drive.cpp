@@ -7,11 +7,11 @@
 
 namespace session {
 using base::ErrorCode;
-using device::MoveHow;
+using device::MoveMethod;
 
 namespace {
 /// So often at least a drag looks whether another program has changed the settings.
-constexpr base::Duration dragTrust = std::chrono::milliseconds(900);
+constexpr base::Duration maxDragSettingsAge = std::chrono::milliseconds(900);
 
 /// The user has stopped it, and knows. Asking for more after a stop is answered ("torque-first").
 bool wasStopped(const base::Error& error)
@@ -21,7 +21,7 @@ bool wasStopped(const base::Error& error)
 }
 
 /// As the marks in charts and recordings have it: "2048 (180.0°)".
-QString goalWords(const device::Servo& servo, const device::MovePlan& plan)
+QString goalText(const device::Servo& servo, const device::MovePlan& plan)
 {
     const catalog::Register* reg = servo.profile ? servo.profile->byRole(plan.goalRole) : nullptr;
     const QString raw = QString::number(plan.goalRaw);
@@ -33,20 +33,20 @@ QString goalWords(const device::Servo& servo, const device::MovePlan& plan)
 } // namespace
 
 /// One wish on its way to the wire.
-struct Drive::Sending {
-    MoveWish wish;
+struct MotionController::PendingMove {
+    MoveRequest request;
     std::vector<ServoRef> servos;
     std::shared_ptr<std::vector<device::MovePlan>> plans; ///< filled on the job thread
     bool marked = true;                                   ///< of a drag only the first
 };
 
-Drive::Drive(Desk& desk, QObject* parent)
+MotionController::MotionController(Desk& desk, QObject* parent)
     : QObject(parent)
     , m_desk(desk)
 {
-    connect(&desk, &Desk::happened, this, &Drive::deskHappened);
-    connect(&desk, &Desk::servoRemoved, this, &Drive::forgetGone);
-    connect(&desk, &Desk::servosCleared, this, &Drive::forgetGone);
+    connect(&desk, &Desk::eventOccurred, this, &MotionController::handleDeskEvent);
+    connect(&desk, &Desk::servoRemoved, this, &MotionController::removeMissing);
+    connect(&desk, &Desk::servosCleared, this, &MotionController::removeMissing);
     connect(&desk, &Desk::linkChanged, this, [this] {
         if (m_desk.state() == LinkState::Open)
             return;
@@ -54,14 +54,14 @@ Drive::Drive(Desk& desk, QObject* parent)
         m_next.reset();
         m_lastStep.reset();
         m_held.clear();
-        m_stepSums.clear();
+        m_totalSteps.clear();
         Q_EMIT changed();
     });
 }
 
-void Drive::deskHappened(const Event& event)
+void MotionController::handleDeskEvent(const Event& event)
 {
-    if (event.kind == Event::Kind::StopChecked) { // these have forgotten what they held
+    if (event.kind == Event::Kind::StopVerified) { // these have forgotten what they held
         for (const ServoRef ref : event.stop.off) {
             const auto& still = event.stop.stillHeld;
             if (std::find(still.begin(), still.end(), ref) == still.end())
@@ -77,7 +77,7 @@ void Drive::deskHappened(const Event& event)
     Q_EMIT changed();
 }
 
-bool Drive::stopped() const
+bool MotionController::isStopped() const
 {
     return std::any_of(m_servos.begin(), m_servos.end(), [this](ServoRef ref) {
         const ServoEntry* known = m_desk.servo(ref);
@@ -85,18 +85,18 @@ bool Drive::stopped() const
     });
 }
 
-void Drive::forgetGone()
+void MotionController::removeMissing()
 {
     const auto gone = [this](const auto& item) { return m_desk.servo(item.first) == nullptr; };
     std::erase_if(m_held, gone);
-    std::erase_if(m_stepSums, gone);
+    std::erase_if(m_totalSteps, gone);
     std::erase_if(m_servos, [this](ServoRef ref) { return m_desk.servo(ref) == nullptr; });
     if (m_servos.empty())
         m_next.reset();
     Q_EMIT changed();
 }
 
-void Drive::setServos(const std::vector<ServoRef>& servos)
+void MotionController::setServos(const std::vector<ServoRef>& servos)
 {
     if (servos == m_servos)
         return;
@@ -107,97 +107,98 @@ void Drive::setServos(const std::vector<ServoRef>& servos)
     Q_EMIT changed();
 }
 
-std::int64_t Drive::stepSum(ServoRef ref) const
+std::int64_t MotionController::totalSteps(ServoRef ref) const
 {
-    const auto sum = m_stepSums.find(ref);
-    return sum != m_stepSums.end() ? sum->second : 0;
+    const auto sum = m_totalSteps.find(ref);
+    return sum != m_totalSteps.end() ? sum->second : 0;
 }
 
-bool Drive::move(const MoveWish& wish)
+bool MotionController::move(const MoveRequest& request)
 {
     if (m_servos.empty())
         return false;
-    if (!wish.dragged)
+    if (!request.dragged)
         endDrag();
     if (m_dragFailed)
         return false;
     if (m_sending)
-        m_next = wish;
+        m_next = request;
     else
-        send(wish);
+        send(request);
     return true;
 }
 
-void Drive::endDrag()
+void MotionController::endDrag()
 {
     m_dragging = false;
     m_dragFailed = false;
     m_dragNotices.clear();
 }
 
-void Drive::again()
+void MotionController::repeatStep()
 {
     if (m_lastStep)
         move(*m_lastStep);
 }
 
-void Drive::send(const MoveWish& wish)
+void MotionController::send(const MoveRequest& request)
 {
-    const bool inDrag = wish.dragged && std::exchange(m_dragging, wish.dragged);
-    MoveJob job{wish, inDrag ? dragTrust : base::Duration::zero(), {}};
+    const bool inDrag = request.dragged && std::exchange(m_dragging, request.dragged);
+    MoveJob job{request, inDrag ? maxDragSettingsAge : base::Duration::zero(), {}};
     for (const ServoRef ref : m_servos) {
         const ServoEntry* known = m_desk.servo(ref);
         const catalog::Mode* mode =
             known != nullptr && known->servo.profile ? known->servo.mode() : nullptr;
-        job.expected.push_back({mode != nullptr ? mode->key : QString(), stepSum(ref)});
+        job.expected.push_back({mode != nullptr ? mode->key : QString(), totalSteps(ref)});
     }
-    Sending sending{wish, m_servos, std::make_shared<std::vector<device::MovePlan>>(), !inDrag};
+    PendingMove sending{request, m_servos, std::make_shared<std::vector<device::MovePlan>>(),
+                        !inDrag};
     Task task;
     task.name = QStringLiteral("move");
     task.quiet = true;
     task.effect = Effect::Moves;
     task.work = [job = std::move(job), plans = sending.plans](TaskContext& context) {
-        return sendWish(context, job, *plans);
+        return sendMove(context, job, *plans);
     };
     m_sending = true;
     perform(m_servos, std::move(task),
-            [this, sending](const TaskEnd& end) { moveEnded(sending, end); });
+            [this, sending](const TaskCompletion& end) { moveEnded(sending, end); });
 }
 
-void Drive::moveEnded(const Sending& sending, const TaskEnd& end)
+void MotionController::moveEnded(const PendingMove& sending, const TaskCompletion& end)
 {
     m_sending = false;
     noteHeld(sending.servos, *sending.plans); // one that failed half-way may stand in some of them
     if (end.error) {
         m_next.reset();
         m_dragFailed = m_dragging;
-        tell(end);
+        reportCompletion(end);
         return;
     }
     for (std::size_t i = 0; i < sending.plans->size(); ++i) {
         const device::MovePlan& plan = (*sending.plans)[i];
         const ServoRef ref = sending.servos[i];
-        if (sending.wish.how != MoveHow::Async && plan.relative)
-            m_stepSums[ref] += plan.goalRaw;
+        if (sending.request.how != MoveMethod::Async && plan.relative)
+            m_totalSteps[ref] += plan.goalRaw;
         if (plan.relative && sending.servos == m_servos)
-            m_lastStep = sending.wish;
-        if (sending.wish.how != MoveHow::Async && sending.marked)
-            noteMove(ref, plan, sending.wish.dragged);
+            m_lastStep = sending.request;
+        if (sending.request.how != MoveMethod::Async && sending.marked)
+            markMove(ref, plan, sending.request.dragged);
     }
-    tell(end);
-    Q_EMIT sent(sending.wish);
+    reportCompletion(end);
+    Q_EMIT moveSent(sending.request);
     sendNext();
 }
 
-void Drive::noteMove(ServoRef ref, const device::MovePlan& plan, bool dragged)
+void MotionController::markMove(ServoRef ref, const device::MovePlan& plan, bool dragged)
 {
     if (const ServoEntry* known = m_desk.servo(ref))
-        m_desk.noteMove(ref, goalWords(known->servo, plan), dragged);
+        m_desk.markMove(ref, goalText(known->servo, plan), dragged);
 }
 
 /// Execute offers what may wait in its servo, and nothing else.
-void Drive::noteHeld(const std::vector<ServoRef>& servos,
-                     const std::vector<device::MovePlan>& plans)
+void MotionController::noteHeld(const std::vector<ServoRef>& servos,
+                                const std::vector<device::MovePlan>& plans)
 {
     for (std::size_t i = 0; i < plans.size() && m_desk.state() == LinkState::Open; ++i) {
         if (plans[i].held.value_or(false))
@@ -207,15 +208,15 @@ void Drive::noteHeld(const std::vector<ServoRef>& servos,
     }
 }
 
-void Drive::sendNext()
+void MotionController::sendNext()
 {
     if (m_sending || !m_next || m_servos.empty())
         return;
-    const MoveWish wish = *std::exchange(m_next, std::nullopt);
-    send(wish);
+    const MoveRequest request = *std::exchange(m_next, std::nullopt);
+    send(request);
 }
 
-void Drive::execute()
+void MotionController::startHeldMoves()
 {
     std::vector<ServoRef> servos;
     auto plans = std::make_shared<std::vector<device::MovePlan>>();
@@ -230,7 +231,7 @@ void Drive::execute()
     task.quiet = true;
     task.effect = Effect::Moves;
     task.work = [plans](TaskContext& context) { return startHeldGoals(context, *plans); };
-    perform(servos, std::move(task), [this, servos, plans](const TaskEnd& end) {
+    perform(servos, std::move(task), [this, servos, plans](const TaskCompletion& end) {
         for (std::size_t i = 0; i < servos.size(); ++i) {
             if ((*plans)[i].held == false)
                 m_held.erase(servos[i]);
@@ -238,38 +239,40 @@ void Drive::execute()
         if (!end.error) {
             for (std::size_t i = 0; i < servos.size(); ++i) {
                 if ((*plans)[i].relative)
-                    m_stepSums[servos[i]] += (*plans)[i].goalRaw;
-                noteMove(servos[i], (*plans)[i]);
+                    m_totalSteps[servos[i]] += (*plans)[i].goalRaw;
+                markMove(servos[i], (*plans)[i]);
             }
         }
-        tell(end);
+        reportCompletion(end);
         if (!end.error)
-            Q_EMIT started();
+            Q_EMIT heldMovesStarted();
     });
 }
 
-void Drive::setTorque(device::Torque torque)
+void MotionController::setTorque(device::Torque torque)
 {
     m_next.reset();
     Task task;
     task.name = QStringLiteral("torque");
     if (torque != device::Torque::Off)
-        task.effect = Effect::Energises;
-    task.work = [torque](TaskContext& context) { return torqueOfAll(context, torque); };
-    perform(m_servos, std::move(task), [this](const TaskEnd& end) { tell(end); });
+        task.effect = Effect::EnablesTorque;
+    task.work = [torque](TaskContext& context) { return setTorqueAll(context, torque); };
+    perform(m_servos, std::move(task),
+            [this](const TaskCompletion& end) { reportCompletion(end); });
 }
 
-void Drive::halt()
+void MotionController::halt()
 {
     m_next.reset();
     Task task;
     task.name = QStringLiteral("halt");
     task.quiet = true;
     task.work = [](TaskContext& context) { return haltAll(context); };
-    perform(m_servos, std::move(task), [this](const TaskEnd& end) { tell(end); });
+    perform(m_servos, std::move(task),
+            [this](const TaskCompletion& end) { reportCompletion(end); });
 }
 
-void Drive::switchMode(const QString& mode)
+void MotionController::switchMode(const QString& mode)
 {
     m_next.reset();
     m_lastStep.reset();
@@ -281,21 +284,23 @@ void Drive::switchMode(const QString& mode)
     Task task;
     task.name = QStringLiteral("mode");
     task.savesTable = true;
-    task.work = [job = std::move(job)](TaskContext& context) { return switchAll(context, job); };
-    perform(m_servos, std::move(task), [this, servos = m_servos](const TaskEnd& end) {
+    task.work = [job = std::move(job)](TaskContext& context) {
+        return switchModeAll(context, job);
+    };
+    perform(m_servos, std::move(task), [this, servos = m_servos](const TaskCompletion& end) {
         for (const ServoRef ref : servos) {
             if (!end.error) {
                 m_held.erase(ref);
-                m_stepSums.erase(ref);
+                m_totalSteps.erase(ref);
             }
         }
-        tell(end);
+        reportCompletion(end);
         if (!end.error)
             Q_EMIT modeSwitched();
     });
 }
 
-void Drive::planMode(const QString& mode)
+void MotionController::previewMode(const QString& mode)
 {
     if (m_servos.empty())
         return;
@@ -310,15 +315,15 @@ void Drive::planMode(const QString& mode)
         *plan = std::move(*planned);
         return {};
     };
-    perform({m_servos.front()}, std::move(task), [this, plan](const TaskEnd& end) {
-        tell(end);
+    perform({m_servos.front()}, std::move(task), [this, plan](const TaskCompletion& end) {
+        reportCompletion(end);
         if (!end.error)
-            Q_EMIT modePlanned(*plan);
+            Q_EMIT modePreviewed(*plan);
     });
 }
 
 /// By the desk's own safe write: recorded, shown in the table, and taken back by undo.
-void Drive::setTorqueLimit(std::int64_t raw)
+void MotionController::setTorqueLimit(std::int64_t raw)
 {
     for (const ServoRef ref : m_servos) {
         const ServoEntry* known = m_desk.servo(ref);
@@ -327,21 +332,21 @@ void Drive::setTorqueLimit(std::int64_t raw)
         const device::TorqueLimit limit = device::torqueLimit(*known->servo.profile);
         if (limit.reg == nullptr)
             continue;
-        WriteOrder order;
-        order.items.push_back({limit.reg->key, raw});
-        order.temporary = limit.temporary;
-        m_desk.write(ref, order);
+        WriteRequest moveOrder;
+        moveOrder.items.push_back({limit.reg->key, raw});
+        moveOrder.temporary = limit.temporary;
+        m_desk.write(ref, moveOrder);
     }
 }
 
-void Drive::perform(const std::vector<ServoRef>& servos, Task task,
-                    std::function<void(const TaskEnd&)> done)
+void MotionController::perform(const std::vector<ServoRef>& servos, Task task,
+                               std::function<void(const TaskCompletion&)> done)
 {
     if (servos.empty())
         return;
-    task.others.assign(servos.begin() + 1, servos.end());
+    task.otherServos.assign(servos.begin() + 1, servos.end());
     task.guard = this;
-    task.done = [this, done = std::move(done)](const TaskEnd& end) {
+    task.done = [this, done = std::move(done)](const TaskCompletion& end) {
         --m_running;
         done(end);
         Q_EMIT changed();
@@ -352,19 +357,19 @@ void Drive::perform(const std::vector<ServoRef>& servos, Task task,
 }
 
 /// In a drag the same notice is told once.
-void Drive::tell(const TaskEnd& end)
+void MotionController::reportCompletion(const TaskCompletion& end)
 {
-    device::Notices news;
+    device::Notices newNotices;
     for (const device::Notice& notice : end.notices) {
-        const bool told = m_dragging && std::find(m_dragNotices.begin(), m_dragNotices.end(),
-                                                  notice) != m_dragNotices.end();
-        if (!told)
-            news.push_back(notice);
+        const bool reported = m_dragging && std::find(m_dragNotices.begin(), m_dragNotices.end(),
+                                                      notice) != m_dragNotices.end();
+        if (!reported)
+            newNotices.push_back(notice);
     }
     if (m_dragging)
-        m_dragNotices.insert(m_dragNotices.end(), news.begin(), news.end());
-    if (!news.empty())
-        Q_EMIT noted(news);
+        m_dragNotices.insert(m_dragNotices.end(), newNotices.begin(), newNotices.end());
+    if (!newNotices.empty())
+        Q_EMIT noticesReported(newNotices);
     if (end.error && !wasStopped(*end.error))
         Q_EMIT failed(*end.error);
 }

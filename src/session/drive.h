@@ -12,25 +12,25 @@
 #include "session/desk.h"
 
 namespace session {
-/// As device::MoveOrder, for each of the chosen servos; a field a servo's family or mode has not
+/// As device::MoveCommand, for each of the chosen servos; a field a servo's family or mode has not
 /// is not given. Text as typed: "2048", "90deg", "30rpm", "20%".
-struct MoveWish {
+struct MoveRequest {
     QString goal;
     std::optional<QString> speed{};
     std::optional<QString> acceleration{};
     std::optional<QString> time{};    ///< ms
     std::optional<QString> current{}; ///< HLS: the current limit of a move
-    device::MoveHow how = device::MoveHow::Write;
+    device::MoveMethod how = device::MoveMethod::Write;
     /// One of many while a control is dragged. The settings are read with the first and then once
     /// a second; after a failure the rest of the drag is not sent. See endDrag().
     bool dragged = false;
 };
 
-class Drive final : public QObject {
+class MotionController final : public QObject {
     Q_OBJECT
 
 public:
-    explicit Drive(Desk& desk, QObject* parent = nullptr);
+    explicit MotionController(Desk& desk, QObject* parent = nullptr);
 
     /// The first is the one whose limits and mode the page shows. Forgets a goal that waits here.
     void setServos(const std::vector<ServoRef>& servos);
@@ -39,57 +39,58 @@ public:
     /// Several servos go by sync write or by held writes; by plain writes one after the other.
     /// Async only leaves the goals in the servos: execute() starts them. False: the rest of a drag
     /// that has failed, and not taken.
-    bool move(const MoveWish& wish);
+    bool move(const MoveRequest& request);
     void endDrag();
     /// Step mode: the last step once more.
-    void again();
-    bool canRepeat() const { return m_lastStep.has_value(); }
+    void repeatStep();
+    bool canRepeatStep() const { return m_lastStep.has_value(); }
     /// Starts all goals of ours that wait in servos, chosen now or not.
-    void execute();
-    int held() const { return static_cast<int>(m_held.size()); }
+    void startHeldMoves();
+    int heldCount() const { return static_cast<int>(m_held.size()); }
     /// Steps of relative moves since the port was opened or step mode was entered here.
-    std::int64_t stepSum(ServoRef ref) const;
+    std::int64_t totalSteps(ServoRef ref) const;
 
     void setTorque(device::Torque torque);
     void halt(); ///< ends the motion, torque stays on
     void switchMode(const QString& mode);
-    /// What switchMode would do to the first servo, worked out from reads only; modePlanned
+    /// What switchMode would do to the first servo, worked out from reads only; modePreviewed
     /// follows, or failed.
-    void planMode(const QString& mode);
+    void previewMode(const QString& mode);
     /// The RAM register, or where there is none the EPROM row until power-off (SCS).
     void setTorqueLimit(std::int64_t raw);
 
     /// One of the chosen servos was stopped in an emergency, and torque not switched on since.
-    bool stopped() const;
-    bool busy() const { return m_running > 0; } ///< something is on its way
+    bool isStopped() const;
+    bool isBusy() const { return m_running > 0; } ///< something is on its way
 
 Q_SIGNALS:
-    void changed();                           ///< servos, held(), busy(), stepSum()
-    void sent(const session::MoveWish& wish); ///< its goals have arrived, or wait in the servos
-    void started();                           ///< held goals
-    void modePlanned(const device::ModePlan& plan);
+    void changed(); ///< servos, held(), busy(), totalSteps()
+    void moveSent(
+        const session::MoveRequest& request); ///< its goals have arrived, or wait in the servos
+    void heldMovesStarted();                  ///< held goals
+    void modePreviewed(const device::ModePlan& plan);
     void modeSwitched();
     void failed(const base::Error& error);
-    void noted(const device::Notices& notices);
+    void noticesReported(const device::Notices& notices);
 
 private:
-    struct Sending;
+    struct PendingMove;
 
-    void deskHappened(const Event& event);
-    void forgetGone();
-    void send(const MoveWish& wish);
-    void noteMove(ServoRef ref, const device::MovePlan& plan, bool dragged = false);
+    void handleDeskEvent(const Event& event);
+    void removeMissing();
+    void send(const MoveRequest& request);
+    void markMove(ServoRef ref, const device::MovePlan& plan, bool dragged = false);
     void noteHeld(const std::vector<ServoRef>& servos, const std::vector<device::MovePlan>& plans);
     void sendNext();
-    void moveEnded(const Sending& sending, const TaskEnd& end);
+    void moveEnded(const PendingMove& sending, const TaskCompletion& end);
     void perform(const std::vector<ServoRef>& servos, Task task,
-                 std::function<void(const TaskEnd&)> done);
-    void tell(const TaskEnd& end);
+                 std::function<void(const TaskCompletion&)> done);
+    void reportCompletion(const TaskCompletion& end);
 
     Desk& m_desk;
     std::vector<ServoRef> m_servos;
-    std::optional<MoveWish> m_next;
-    std::optional<MoveWish> m_lastStep;
+    std::optional<MoveRequest> m_next;
+    std::optional<MoveRequest> m_lastStep;
     bool m_sending = false; ///< a goal is on its way
     int m_running = 0;
 
@@ -98,6 +99,6 @@ private:
     device::Notices m_dragNotices; ///< told in this drag
 
     std::map<ServoRef, device::MovePlan> m_held; ///< their servo pointers are null
-    std::map<ServoRef, std::int64_t> m_stepSums;
+    std::map<ServoRef, std::int64_t> m_totalSteps;
 };
 } // namespace session

@@ -10,7 +10,7 @@ namespace {
 std::vector<device::Servo*> allOf(TaskContext& context)
 {
     std::vector<device::Servo*> servos{&context.servo};
-    servos.insert(servos.end(), context.others.begin(), context.others.end());
+    servos.insert(servos.end(), context.otherServos.begin(), context.otherServos.end());
     return servos;
 }
 
@@ -22,7 +22,7 @@ void pointTo(std::vector<MovePlan>& plans, const std::vector<device::Servo*>& se
 }
 
 /// A goal in degrees means the same with one turn or several.
-bool alike(std::optional<GoalKind> a, std::optional<GoalKind> b)
+bool isSameGoalKind(std::optional<GoalKind> a, std::optional<GoalKind> b)
 {
     const auto plain = [](std::optional<GoalKind> kind) {
         return kind == GoalKind::Turns ? GoalKind::Position : kind;
@@ -34,8 +34,9 @@ base::Result<void> checkBudget(const MovePlan& plan, const MoveJob::Expected& ex
 {
     if (!plan.relative)
         return {};
-    const std::int64_t left = device::stepsLeft(expected.stepSum, plan.goalRaw > 0);
-    if (std::abs(plan.goalRaw) <= left)
+    const std::int64_t remainingSteps =
+        device::remainingSteps(expected.totalSteps, plan.goalRaw > 0);
+    if (std::abs(plan.goalRaw) <= remainingSteps)
         return {};
     return base::fail(ErrorCode::Refused, QStringLiteral("move"), QStringLiteral("too-many-turns"),
                       plan.servo->id);
@@ -50,20 +51,20 @@ base::Result<MovePlan> planFor(const device::Context& context, device::Servo& se
         if (const auto known = device::readSettings(context, servo); !known)
             return tl::unexpected(known.error());
     }
-    const MoveWish& wish = job.wish;
+    const MoveRequest& request = job.request;
     const device::MoveFieldSet fields = device::moveFields(servo);
-    device::MoveOrder order{&servo, wish.goal};
-    order.settingsMayBe = job.settingsMayBe;
-    order.mode = expected.mode;
+    device::MoveCommand moveOrder{&servo, request.goal};
+    moveOrder.maxSettingsAge = job.maxSettingsAge;
+    moveOrder.mode = expected.mode;
     if (fields.speed)
-        order.speed = wish.speed;
+        moveOrder.speed = request.speed;
     if (fields.acceleration)
-        order.acceleration = wish.acceleration;
-    if (fields.time && !order.speed)
-        order.time = wish.time;
+        moveOrder.acceleration = request.acceleration;
+    if (fields.time && !moveOrder.speed)
+        moveOrder.time = request.time;
     if (fields.current)
-        order.current = wish.current;
-    auto plan = device::planMove(context, order);
+        moveOrder.current = request.current;
+    auto plan = device::planMove(context, moveOrder);
     if (!plan)
         return plan;
     if (const auto fits = checkBudget(*plan, expected); !fits)
@@ -92,7 +93,7 @@ base::Result<void> forAll(TaskContext& context, Deed&& deed)
 
 base::Result<void> verdict(const device::WriteReport& report)
 {
-    if (report.allGood())
+    if (report.isSuccessful())
         return {};
     for (const device::WriteResult& write : report.writes) {
         if (write.error)
@@ -105,22 +106,22 @@ base::Result<void> verdict(const device::WriteReport& report)
 }
 } // namespace
 
-base::Result<void> sendWish(TaskContext& context, const MoveJob& job, std::vector<MovePlan>& plans)
+base::Result<void> sendMove(TaskContext& context, const MoveJob& job, std::vector<MovePlan>& plans)
 {
     const auto servos = allOf(context);
     for (std::size_t i = 0; i < servos.size(); ++i) {
         auto plan = planFor(context.device, *servos[i], job, job.expected[i]);
         if (!plan)
             return tl::unexpected(plan.error());
-        if (!alike(device::goalKind(*servos[i]), device::goalKind(*servos.front()))) {
+        if (!isSameGoalKind(device::goalKind(*servos[i]), device::goalKind(*servos.front()))) {
             return base::fail(ErrorCode::NotSupported, QStringLiteral("move"),
                               QStringLiteral("other-mode"), servos[i]->id);
         }
         plans.push_back(std::move(*plan));
     }
-    const auto sent = job.wish.how == device::MoveHow::Async
-                          ? device::holdMoves(context.device, plans)
-                          : device::sendMoves(context.device, plans, job.wish.how);
+    const auto sent = job.request.how == device::MoveMethod::Async
+                          ? device::sendAsyncMoves(context.device, plans)
+                          : device::sendMoves(context.device, plans, job.request.how);
     pointTo(plans, {});
     return sent;
 }
@@ -128,12 +129,12 @@ base::Result<void> sendWish(TaskContext& context, const MoveJob& job, std::vecto
 base::Result<void> startHeldGoals(TaskContext& context, std::vector<MovePlan>& plans)
 {
     pointTo(plans, allOf(context));
-    const auto started = device::startHeld(context.device, plans);
+    const auto started = device::startAsyncMoves(context.device, plans);
     pointTo(plans, {});
     return started;
 }
 
-base::Result<void> torqueOfAll(TaskContext& context, device::Torque torque)
+base::Result<void> setTorqueAll(TaskContext& context, device::Torque torque)
 {
     return forAll(context, [&](device::Servo& servo, std::size_t) {
         return device::setTorque(context.device, servo, torque);
@@ -150,7 +151,7 @@ base::Result<void> haltAll(TaskContext& context)
     return all;
 }
 
-base::Result<void> switchAll(TaskContext& context, const ModeJob& job)
+base::Result<void> switchModeAll(TaskContext& context, const ModeJob& job)
 {
     return forAll(context, [&](device::Servo& servo, std::size_t index) -> base::Result<void> {
         // A goal that waits there would be started in a mode it was not meant for.
@@ -160,7 +161,7 @@ base::Result<void> switchAll(TaskContext& context, const ModeJob& job)
                 return off;
             std::vector<MovePlan> held{*job.held[index]};
             pointTo(held, {&servo});
-            if (const auto forgotten = device::forgetHeld(context.device, held); !forgotten)
+            if (const auto forgotten = device::cancelAsyncMoves(context.device, held); !forgotten)
                 return forgotten;
         }
         const auto report = device::switchMode(context.device, servo, job.mode);

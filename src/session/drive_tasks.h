@@ -10,25 +10,25 @@ namespace session {
 struct MoveJob {
     struct Expected {
         QString mode; ///< empty: not known
-        std::int64_t stepSum = 0;
+        std::int64_t totalSteps = 0;
     };
-    MoveWish wish;
-    base::Duration settingsMayBe{};
+    MoveRequest request;
+    base::Duration maxSettingsAge{};
     std::vector<Expected> expected;
 };
 
 /// Plans all, then sends. `plans` is what went out, without servo pointers.
-base::Result<void> sendWish(TaskContext& context, const MoveJob& job,
+base::Result<void> sendMove(TaskContext& context, const MoveJob& job,
                             std::vector<device::MovePlan>& plans);
 base::Result<void> startHeldGoals(TaskContext& context, std::vector<device::MovePlan>& plans);
 
 /// These go on with the others when one fails, and return the first error.
-base::Result<void> torqueOfAll(TaskContext& context, device::Torque torque);
+base::Result<void> setTorqueAll(TaskContext& context, device::Torque torque);
 base::Result<void> haltAll(TaskContext& context);
 
 struct ModeJob {
     QString mode;
     std::vector<std::optional<device::MovePlan>> held; ///< goals of ours that wait in the servos
 };
-base::Result<void> switchAll(TaskContext& context, const ModeJob& job);
+base::Result<void> switchModeAll(TaskContext& context, const ModeJob& job);
 } // namespace session

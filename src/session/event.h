@@ -18,15 +18,15 @@ enum class LinkState : std::uint8_t {
 };
 
 /// What reading the torque switches back after an emergency stop has shown.
-struct StopCheck {
+struct StopResult {
     std::vector<ServoRef> off;
     std::vector<ServoRef> stillOn;   ///< after having been told several times
     std::vector<ServoRef> silent;    ///< did not answer
     std::vector<ServoRef> stillHeld; ///< off, but a goal may wait in it for an ACTION
-    std::vector<ServoRef> elsewhere; ///< at another rate: the stop has not reached them
-    bool good() const
+    std::vector<ServoRef> otherBaud; ///< at another rate: the stop has not reached them
+    bool isConfirmed() const
     {
-        return stillOn.empty() && silent.empty() && stillHeld.empty() && elsewhere.empty();
+        return stillOn.empty() && silent.empty() && stillHeld.empty() && otherBaud.empty();
     }
 };
 
@@ -36,19 +36,20 @@ struct Event {
         Connected,
         Disconnected,
         LinkLost,
-        SearchEnded, ///< missing
-        Exchanged,   ///< `servo` answers where another one was, named by task
-        TableSaved,  ///< path: before the first write of the session
-        Written,     ///< report; or error: nothing was written
-        Task,        ///< task names it; error if it failed
-        Moved,       ///< a goal was sent; path says which, empty: it follows a control
-        Began,       ///< a lasting task, named by task
-        Ended,       ///< a lasting task; error if it did not succeed
-        Stopped,     ///< emergency stop sent, or owed
-        StopNotSent, ///< there was no port to send it on
-        NotLeft,     ///< the port stays open: `moving` could not be stopped, `unlocked` not locked
+        SearchEnded,     ///< missing
+        Replaced,        ///< `servo` answers where another one was, named by task
+        TableSaved,      ///< path: before the first write of the session
+        Written,         ///< report; or error: nothing was written
+        Task,            ///< task names it; error if it failed
+        GoalSent,        ///< a goal was sent; path says which, empty: it follows a control
+        Started,         ///< a lasting task, named by task
+        Finished,        ///< a lasting task; error if it did not succeed
+        Stopped,         ///< emergency stop sent, or owed
+        StopNotSent,     ///< there was no port to send it on
+        CloseCanceled,   ///< the port stays open: `moving` could not be stopped, `unlocked` not
+                         ///< locked
         StopUnconfirmed, ///< `stop.silent`: torque off was sent, and has not been read back yet
-        StopChecked,     ///< `stop` says whether torque is off everywhere
+        StopVerified,    ///< `stop` says whether torque is off everywhere
         Failed,          ///< anything else that went wrong
     };
     Kind kind = Kind::Failed;
@@ -60,15 +61,15 @@ struct Event {
     std::optional<base::Error> error{};
     std::optional<device::WriteReport> report{};
     device::Notices notices{};
-    bool undone = false; ///< the write was an undo
-    bool redone = false; ///< it was a redo
+    bool isUndo = false; ///< the write was an undo
+    bool isRedo = false; ///< it was a redo
     /// Expected by a search that has asked there, and silent: IDs.
     std::vector<int> missing{};
-    StopCheck stop{};
-    bool owed = false;    ///< the stop is sent first when the link is back
-    bool earlier = false; ///< a stop that was not sent, said again once a port is open
-    /// Of Disconnected and NotLeft: servos that were stopped before the port closed, and those that
-    /// still turned then.
+    StopResult stop{};
+    bool isPending = false;  ///< the stop is sent first when the link is back
+    bool isRepeated = false; ///< a stop that was not sent, said again once a port is open
+    /// Of Disconnected and CloseCanceled: servos that were stopped before the port closed, and
+    /// those that still turned then.
     std::vector<ServoRef> halted{};
     std::vector<ServoRef> moving{};
     /// Likewise: EPROM locks of this program that were closed, and those that stayed open.

@@ -10,7 +10,7 @@
 #include <QStringList>
 
 namespace session {
-struct FeedPart {
+struct SubscriptionItem {
     ServoRef servo = 0;
     QStringList keys; ///< registers it has not, or cannot measure, are left out
     /// Read about twice a second, by reads of their own beside the fast ones: torque switch, mode,
@@ -18,8 +18,8 @@ struct FeedPart {
     QStringList slowKeys{};
 };
 
-struct FeedWish {
-    std::vector<FeedPart> parts;
+struct Subscription {
+    std::vector<SubscriptionItem> parts;
     base::Duration period{}; ///< 0: as fast as the wire allows; the shortest of all wishes counts
 };
 
@@ -35,13 +35,13 @@ struct Reading {
     catalog::ProfilePtr profile;
     base::Duration at{}; ///< desk clock, when the last byte had arrived
     bool answered = false;
-    base::ErrorCode error = base::ErrorCode::NoAnswer; ///< meaningful when not answered
-    std::uint8_t status = 0;                           ///< as device::Servo::status
+    base::ErrorCode error = base::ErrorCode::NoReply; ///< meaningful when not answered
+    std::uint8_t status = 0;                          ///< as device::Servo::status
     std::vector<ReadValue> values;
 };
 
 /// Of the last second.
-struct FeedRate {
+struct PollRate {
     double hz = 0; ///< answered readings
     std::uint64_t missed = 0;
     std::optional<base::Duration> lastAt; ///< of the latest answered one, ever
@@ -52,8 +52,8 @@ struct Communication {
     bool answering = false;
     std::optional<base::Duration> silentSince{}; ///< desk clock
     base::Duration age{};                        ///< of what was heard latest
-    FeedRate rate{};
-    std::uint64_t timeOuts = 0;  ///< of this ID since the port was opened
-    std::uint64_t badChecks = 0; ///< likewise
+    PollRate rate{};
+    std::uint64_t timeouts = 0;     ///< of this ID since the port was opened
+    std::uint64_t badChecksums = 0; ///< likewise
 };
 } // namespace session

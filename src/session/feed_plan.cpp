@@ -16,10 +16,10 @@ using Keys = std::set<QString>;
 namespace {
 /// A read costs about as much as so many bytes: request, header, the servo's delay.
 constexpr int readCost = 24;
-constexpr base::Duration slowPace = std::chrono::milliseconds(500);
+constexpr base::Duration slowPeriod = std::chrono::milliseconds(500);
 
 /// What is asked of one servo, by key, so that servos of a family can be compared.
-struct Need {
+struct ReadRequirements {
     const ServoEntry* entry = nullptr;
     int family = 0;
     Keys fast;
@@ -29,72 +29,72 @@ struct Need {
     const catalog::Profile& profile() const { return *entry->servo.profile; }
 };
 
-void take(const device::Servo& servo, const QStringList& wanted, Keys& into)
+void addKeys(const device::Servo& servo, const QStringList& requestedKeys, Keys& into)
 {
-    for (const QString& key : wanted) {
+    for (const QString& key : requestedKeys) {
         const Register* reg = servo.profile->find(key);
         if (reg != nullptr && servo.measures(*reg))
             into.insert(key);
     }
 }
 
-void takeRole(const device::Servo& servo, Role role, Keys& into)
+void addRole(const device::Servo& servo, Role role, Keys& into)
 {
     if (const Register* reg = servo.profile->byRole(role))
         into.insert(reg->key);
 }
 
 /// Alarms are seen whatever is watched, also where replies do not carry them.
-void takeEvidence(Need& need)
+void addAlarmRegisters(ReadRequirements& requirements)
 {
-    const device::Servo& servo = need.servo();
+    const device::Servo& servo = requirements.servo();
     if (servo.repliesCarryStatus())
         return;
-    takeRole(servo, Role::Status, need.fast);
+    addRole(servo, Role::Status, requirements.fast);
     if (servo.profile->byRole(Role::Status) == nullptr) {
-        takeRole(servo, Role::PresentTemperature, need.fast);
-        takeRole(servo, Role::PresentVoltage, need.fast);
+        addRole(servo, Role::PresentTemperature, requirements.fast);
+        addRole(servo, Role::PresentVoltage, requirements.fast);
     }
 }
 
-std::vector<Need> needsOf(const std::vector<FeedWish>& wishes,
-                          const std::vector<const ServoEntry*>& present)
+std::vector<ReadRequirements> requirementsOf(const std::vector<Subscription>& subscriptions,
+                                             const std::vector<const ServoEntry*>& present)
 {
-    std::vector<Need> needs;
-    jobs::PollFamilies families;
+    std::vector<ReadRequirements> allRequirements;
+    jobs::SyncReadGroups families;
     for (const ServoEntry* entry : present) {
-        Need need;
-        need.entry = entry;
-        need.family = families.of(need.profile());
-        for (const FeedWish& wish : wishes) {
-            for (const FeedPart& part : wish.parts) {
+        ReadRequirements requirements;
+        requirements.entry = entry;
+        requirements.family = families.of(requirements.profile());
+        for (const Subscription& subscription : subscriptions) {
+            for (const SubscriptionItem& part : subscription.parts) {
                 if (part.servo != entry->ref)
                     continue;
-                take(need.servo(), part.keys, need.fast);
-                take(need.servo(), part.slowKeys, need.slow);
+                addKeys(requirements.servo(), part.keys, requirements.fast);
+                addKeys(requirements.servo(), part.slowKeys, requirements.slow);
             }
         }
-        if (need.fast.empty() && need.slow.empty())
+        if (requirements.fast.empty() && requirements.slow.empty())
             continue;
-        takeEvidence(need);
-        needs.push_back(std::move(need));
+        addAlarmRegisters(requirements);
+        allRequirements.push_back(std::move(requirements));
     }
-    return needs;
+    return allRequirements;
 }
 
-std::vector<const Register*> registersOf(const Need& need, const Keys& keys)
+std::vector<const Register*> registersOf(const ReadRequirements& requirements, const Keys& keys)
 {
     std::vector<const Register*> registers;
     for (const QString& key : keys) {
-        if (const Register* reg = need.profile().find(key))
+        if (const Register* reg = requirements.profile().find(key))
             registers.push_back(reg);
     }
     return registers;
 }
 
-Spans spansOf(const Need& need, const Keys& keys, base::Duration period)
+Spans spansOf(const ReadRequirements& requirements, const Keys& keys, base::Duration period)
 {
-    return jobs::pollSpans(need.profile(), registersOf(need, keys), period);
+    return jobs::pollSpans(requirements.profile(), registersOf(requirements, keys), period);
 }
 
 int cost(const Spans& spans)
@@ -112,11 +112,11 @@ bool covers(const Spans& spans, const Register& reg)
     });
 }
 
-Keys uncovered(const Need& need, const Keys& keys, const Spans& by)
+Keys uncovered(const ReadRequirements& requirements, const Keys& keys, const Spans& by)
 {
     Keys left;
     for (const QString& key : keys) {
-        const Register* reg = need.profile().find(key);
+        const Register* reg = requirements.profile().find(key);
         if (reg != nullptr && !covers(by, *reg))
             left.insert(key);
     }
@@ -125,109 +125,119 @@ Keys uncovered(const Need& need, const Keys& keys, const Spans& by)
 
 /// Servos of a family are read by one packet where they are read alike. Where that costs none of
 /// them much, all read what any of them needs; else what all need, and each its rest beside it.
-void alike(std::vector<Need*>& family, base::Duration period)
+void alignFamily(std::vector<ReadRequirements*>& family, base::Duration period)
 {
     Keys all;
     Keys slow;
     Keys shared = family.front()->fast;
-    for (const Need* need : family) {
-        all.insert(need->fast.begin(), need->fast.end());
-        slow.insert(need->slow.begin(), need->slow.end());
-        std::erase_if(shared, [&](const QString& key) { return need->fast.count(key) == 0; });
+    for (const ReadRequirements* requirements : family) {
+        all.insert(requirements->fast.begin(), requirements->fast.end());
+        slow.insert(requirements->slow.begin(), requirements->slow.end());
+        std::erase_if(shared,
+                      [&](const QString& key) { return requirements->fast.count(key) == 0; });
     }
-    const bool cheap = std::all_of(family.begin(), family.end(), [&](const Need* need) {
-        return cost(spansOf(*need, all, period)) <=
-               cost(spansOf(*need, need->fast, period)) + readCost;
-    });
-    for (Need* need : family) {
-        need->slow = slow;
+    const bool cheap =
+        std::all_of(family.begin(), family.end(), [&](const ReadRequirements* requirements) {
+            return cost(spansOf(*requirements, all, period)) <=
+                   cost(spansOf(*requirements, requirements->fast, period)) + readCost;
+        });
+    for (ReadRequirements* requirements : family) {
+        requirements->slow = slow;
         if (cheap) {
-            need->fast = all;
+            requirements->fast = all;
         } else if (!shared.empty()) {
-            need->beside = uncovered(*need, need->fast, spansOf(*need, shared, period));
-            need->fast = shared;
+            requirements->beside = uncovered(*requirements, requirements->fast,
+                                             spansOf(*requirements, shared, period));
+            requirements->fast = shared;
         }
     }
 }
 
-void makeAlike(std::vector<Need>& needs, base::Duration period)
+void alignFamilies(std::vector<ReadRequirements>& allRequirements, base::Duration period)
 {
-    std::map<int, std::vector<Need*>> families;
-    for (Need& need : needs) {
-        if (need.profile().syncRead)
-            families[need.family].push_back(&need);
+    std::map<int, std::vector<ReadRequirements*>> families;
+    for (ReadRequirements& requirements : allRequirements) {
+        if (requirements.profile().syncRead)
+            families[requirements.family].push_back(&requirements);
     }
     for (auto& [number, family] : families) {
         if (family.size() > 1)
-            alike(family, period);
+            alignFamily(family, period);
     }
 }
 
 /// What a round takes on the wire, roughly.
-base::Duration roundTime(const std::vector<Need>& needs, int baud)
+base::Duration roundTime(const std::vector<ReadRequirements>& allRequirements, int baud)
 {
     std::int64_t bytes = 0;
-    for (const Need& need : needs)
-        bytes += cost(spansOf(need, need.fast, {}));
+    for (const ReadRequirements& requirements : allRequirements)
+        bytes += cost(spansOf(requirements, requirements.fast, {}));
     constexpr std::int64_t bitsPerByte = 10;
-    constexpr std::int64_t usual = 1'000'000;
-    return base::Duration(bytes * bitsPerByte * usual / (baud > 0 ? baud : usual));
+    constexpr std::int64_t defaultBaud = 1'000'000;
+    return base::Duration(bytes * bitsPerByte * defaultBaud / (baud > 0 ? baud : defaultBaud));
 }
 
-Spans slowSpans(const Need& need, const Spans& fast, base::Duration round)
+Spans slowSpans(const ReadRequirements& requirements, const Spans& fast, base::Duration round)
 {
-    Spans slow =
-        device::planSpans(need.profile(), registersOf(need, uncovered(need, need.slow, fast)));
+    Spans slow = device::planSpans(
+        requirements.profile(),
+        registersOf(requirements, uncovered(requirements, requirements.slow, fast)));
     for (bus::PollSpan& span : slow)
-        span.every = jobs::everyNth(round, slowPace, 1);
+        span.every = jobs::everyNth(round, slowPeriod, 1);
     return slow;
 }
 
-bus::PollServo asked(const Need& need, Spans& spans)
+bus::PollServo pollServoOf(const ReadRequirements& requirements, Spans& spans)
 {
-    const catalog::Profile& profile = need.profile();
+    const catalog::Profile& profile = requirements.profile();
     spans = bus::mergeSpans(std::move(spans), profile.readGap, profile.maxRead);
-    return {need.servo().id,       spans,           profile.syncRead, need.family,
-            need.servo().protocol, profile.readGap, profile.maxRead};
+    return {requirements.servo().id,       spans,           profile.syncRead, requirements.family,
+            requirements.servo().protocol, profile.readGap, profile.maxRead};
 }
 
-base::Duration shortest(const std::vector<FeedWish>& wishes)
+base::Duration shortest(const std::vector<Subscription>& subscriptions)
 {
-    const auto first =
-        std::min_element(wishes.begin(), wishes.end(),
-                         [](const FeedWish& a, const FeedWish& b) { return a.period < b.period; });
-    return first == wishes.end() ? base::Duration{} : first->period;
+    const auto first = std::min_element(
+        subscriptions.begin(), subscriptions.end(),
+        [](const Subscription& a, const Subscription& b) { return a.period < b.period; });
+    return first == subscriptions.end() ? base::Duration{} : first->period;
 }
 } // namespace
 
-FeedPlan planFeed(const std::vector<FeedWish>& wishes,
-                  const std::vector<const ServoEntry*>& present, int baud)
+SubscriptionPlan planSubscriptions(const std::vector<Subscription>& subscriptions,
+                                   const std::vector<const ServoEntry*>& present, int baud)
 {
-    FeedPlan plan;
-    plan.common.period = plan.beside.period = shortest(wishes);
-    std::vector<Need> needs = needsOf(wishes, present);
-    makeAlike(needs, plan.common.period);
+    SubscriptionPlan plan;
+    plan.primary.period = plan.secondary.period = shortest(subscriptions);
+    std::vector<ReadRequirements> allRequirements = requirementsOf(subscriptions, present);
+    alignFamilies(allRequirements, plan.primary.period);
     // Rounds in which nothing is due take no time: somebody has to set the pace.
     const bool onlySlow =
-        std::all_of(needs.begin(), needs.end(), [](const Need& need) { return need.fast.empty(); });
+        std::all_of(allRequirements.begin(), allRequirements.end(),
+                    [](const ReadRequirements& requirements) { return requirements.fast.empty(); });
     if (onlySlow)
-        plan.common.period = std::max(plan.common.period, slowPace);
+        plan.primary.period = std::max(plan.primary.period, slowPeriod);
     const base::Duration round =
-        std::max({plan.common.period, roundTime(needs, baud), base::Duration(1)});
-    for (const Need& need : needs) {
-        FeedTarget target{need.entry->ref,      need.servo().id, need.servo().profile, {}, {}, {},
-                          need.servo().protocol};
-        target.common = spansOf(need, need.fast, plan.common.period);
-        const Spans slow = slowSpans(need, target.common, round);
-        target.common.insert(target.common.end(), slow.begin(), slow.end());
-        plan.common.servos.push_back(asked(need, target.common));
-        target.beside = spansOf(need, need.beside, plan.common.period);
-        if (!target.beside.empty())
-            plan.beside.servos.push_back(asked(need, target.beside));
-        Keys read = need.fast;
-        read.insert(need.slow.begin(), need.slow.end());
-        read.insert(need.beside.begin(), need.beside.end());
-        target.registers = registersOf(need, read);
+        std::max({plan.primary.period, roundTime(allRequirements, baud), base::Duration(1)});
+    for (const ReadRequirements& requirements : allRequirements) {
+        PollTarget target{requirements.entry->ref,
+                          requirements.servo().id,
+                          requirements.servo().profile,
+                          {},
+                          {},
+                          {},
+                          requirements.servo().protocol};
+        target.primary = spansOf(requirements, requirements.fast, plan.primary.period);
+        const Spans slow = slowSpans(requirements, target.primary, round);
+        target.primary.insert(target.primary.end(), slow.begin(), slow.end());
+        plan.primary.servos.push_back(pollServoOf(requirements, target.primary));
+        target.secondary = spansOf(requirements, requirements.beside, plan.primary.period);
+        if (!target.secondary.empty())
+            plan.secondary.servos.push_back(pollServoOf(requirements, target.secondary));
+        Keys read = requirements.fast;
+        read.insert(requirements.slow.begin(), requirements.slow.end());
+        read.insert(requirements.beside.begin(), requirements.beside.end());
+        target.registers = registersOf(requirements, read);
         plan.targets.push_back(std::move(target));
     }
     return plan;

@@ -8,25 +8,25 @@
 
 namespace session {
 /// What is read of one servo.
-struct FeedTarget {
+struct PollTarget {
     ServoRef ref = 0;
     int id = -1;
     catalog::ProfilePtr profile;
     std::vector<const catalog::Register*> registers; ///< what readings are made of
-    std::vector<bus::PollSpan> common;               ///< as the bus reads them
-    std::vector<bus::PollSpan> beside;
+    std::vector<bus::PollSpan> primary;              ///< as the bus reads them
+    std::vector<bus::PollSpan> secondary;
     base::Protocol protocol = base::Protocol::Feetech;
 };
 
-struct FeedPlan {
-    std::vector<FeedTarget> targets;
-    bus::PollPlan common;
+struct SubscriptionPlan {
+    std::vector<PollTarget> targets;
+    bus::PollPlan primary;
     /// What one servo of a family needs and the others do not: read beside, so that it does not
     /// break up or swell their packet. May be empty.
-    bus::PollPlan beside;
+    bus::PollPlan secondary;
 };
 
 /// `present`: the servos that may be asked now. `baud` 0: unknown.
-FeedPlan planFeed(const std::vector<FeedWish>& wishes,
-                  const std::vector<const ServoEntry*>& present, int baud);
+SubscriptionPlan planSubscriptions(const std::vector<Subscription>& subscriptions,
+                                   const std::vector<const ServoEntry*>& present, int baud);
 } // namespace session

@@ -7,114 +7,117 @@ namespace session {
 using base::Duration;
 
 namespace {
-constexpr Duration rateSpan = std::chrono::seconds(1);
+constexpr Duration rateWindow = std::chrono::seconds(1);
 
-void forgetOld(std::deque<Duration>& instants, Duration before)
+void removeOlder(std::deque<Duration>& instants, Duration before)
 {
     while (!instants.empty() && instants.front() <= before)
         instants.pop_front();
 }
 } // namespace
 
-void Feeder::wish(const QString& user, const FeedWish& wish)
+void PollingService::subscribe(const QString& user, const Subscription& subscription)
 {
-    if (wish.parts.empty())
-        m_wishes.erase(user);
+    if (subscription.parts.empty())
+        m_subscriptions.erase(user);
     else
-        m_wishes[user] = wish;
-    m_wishesChanged = true;
+        m_subscriptions[user] = subscription;
+    m_subscriptionsChanged = true;
 }
 
-void Feeder::slowDown(Duration period)
+void PollingService::limitRate(Duration period)
 {
-    m_wishesChanged = m_wishesChanged || period != m_least;
-    m_least = period;
+    m_subscriptionsChanged = m_subscriptionsChanged || period != m_minPeriod;
+    m_minPeriod = period;
 }
 
-void Feeder::forget(ServoRef ref)
+void PollingService::removeServo(ServoRef ref)
 {
-    for (auto wish = m_wishes.begin(); wish != m_wishes.end();) {
-        std::erase_if(wish->second.parts,
-                      [ref](const FeedPart& part) { return part.servo == ref; });
-        wish = wish->second.parts.empty() ? m_wishes.erase(wish) : std::next(wish);
+    for (auto subscription = m_subscriptions.begin(); subscription != m_subscriptions.end();) {
+        std::erase_if(subscription->second.parts,
+                      [ref](const SubscriptionItem& part) { return part.servo == ref; });
+        subscription = subscription->second.parts.empty() ? m_subscriptions.erase(subscription)
+                                                          : std::next(subscription);
     }
-    m_past.erase(ref);
+    m_rateHistory.erase(ref);
 }
 
-void Feeder::forgetAll()
+void PollingService::removeAllServos()
 {
-    m_wishes.clear();
-    m_past.clear();
-    m_wishesChanged = true;
+    m_subscriptions.clear();
+    m_rateHistory.clear();
+    m_subscriptionsChanged = true;
 }
 
-bool Feeder::wished(ServoRef ref) const
+bool PollingService::isSubscribed(ServoRef ref) const
 {
-    for (const auto& [user, wish] : m_wishes) {
-        if (std::any_of(wish.parts.begin(), wish.parts.end(),
-                        [ref](const FeedPart& part) { return part.servo == ref; }))
+    for (const auto& [user, subscription] : m_subscriptions) {
+        if (std::any_of(subscription.parts.begin(), subscription.parts.end(),
+                        [ref](const SubscriptionItem& part) { return part.servo == ref; }))
             return true;
     }
     return false;
 }
 
-std::vector<Feeder::Asked> Feeder::askedOf(const std::vector<const ServoEntry*>& present) const
+std::vector<PollingService::PolledServo>
+PollingService::polledServosOf(const std::vector<const ServoEntry*>& present) const
 {
-    std::vector<Asked> asked;
+    std::vector<PolledServo> polled;
     for (const ServoEntry* entry : present) {
-        if (wished(entry->ref))
-            asked.push_back({entry->ref, entry->servo.id, entry->servo.profile.get()});
+        if (isSubscribed(entry->ref))
+            polled.push_back({entry->ref, entry->servo.id, entry->servo.profile.get()});
     }
-    return asked;
+    return polled;
 }
 
-bool Feeder::outdated(const std::vector<const ServoEntry*>& present, int baud) const
+bool PollingService::isOutdated(const std::vector<const ServoEntry*>& present, int baud) const
 {
-    if (m_wishes.empty() && m_asked.empty())
+    if (m_subscriptions.empty() && m_polledServos.empty())
         return false;
-    return m_wishesChanged || (baud != m_baud && !m_asked.empty()) || askedOf(present) != m_asked;
+    return m_subscriptionsChanged || (baud != m_baud && !m_polledServos.empty()) ||
+           polledServosOf(present) != m_polledServos;
 }
 
-void Feeder::start(bus::Bus& bus, const std::vector<const ServoEntry*>& present)
+void PollingService::startPolls(bus::Bus& bus, const std::vector<const ServoEntry*>& present)
 {
     endPolls(&bus);
     m_baud = bus.baud();
-    m_asked = askedOf(present);
-    m_wishesChanged = false;
-    std::vector<FeedWish> wishes;
-    for (const auto& [user, one] : m_wishes)
-        wishes.push_back(one);
-    FeedPlan plan = planFeed(wishes, present, m_baud);
-    plan.common.period = std::max(plan.common.period, m_least);
-    plan.beside.period = std::max(plan.beside.period, m_least);
-    for (auto& [ref, past] : m_past) {
+    m_polledServos = polledServosOf(present);
+    m_subscriptionsChanged = false;
+    std::vector<Subscription> subscriptions;
+    for (const auto& [user, one] : m_subscriptions)
+        subscriptions.push_back(one);
+    SubscriptionPlan plan = planSubscriptions(subscriptions, present, m_baud);
+    plan.primary.period = std::max(plan.primary.period, m_minPeriod);
+    plan.secondary.period = std::max(plan.secondary.period, m_minPeriod);
+    for (auto& [ref, rateHistory] : m_rateHistory) {
         if (std::none_of(plan.targets.begin(), plan.targets.end(),
-                         [r = ref](const FeedTarget& target) { return target.ref == r; }))
-            past.end();
+                         [r = ref](const PollTarget& target) { return target.ref == r; }))
+            rateHistory.end();
     }
-    for (FeedTarget& target : plan.targets) {
-        Past& past = m_past[target.ref];
-        if (past.answered.empty() && past.missed.empty())
-            past.since = bus.clock().now();
+    for (PollTarget& target : plan.targets) {
+        RateHistory& rateHistory = m_rateHistory[target.ref];
+        if (rateHistory.answered.empty() && rateHistory.missed.empty())
+            rateHistory.since = bus.clock().now();
         Source& source = m_sources[{target.protocol, target.id}];
         for (const catalog::Register* reg : target.registers)
             source.fields.push_back({reg, {}});
         source.target = std::move(target);
     }
-    if (!plan.common.servos.empty())
-        m_polls[0] = bus.startPoll(plan.common);
-    if (!plan.beside.servos.empty())
-        m_polls[1] = bus.startPoll(plan.beside);
+    if (!plan.primary.servos.empty())
+        m_polls[0] = bus.startPoll(plan.primary);
+    if (!plan.secondary.servos.empty())
+        m_polls[1] = bus.startPoll(plan.secondary);
 }
 
-void Feeder::stop(bus::Bus* bus)
+void PollingService::stop(bus::Bus* bus)
 {
     endPolls(bus);
-    for (auto& [ref, past] : m_past)
-        past.end();
+    for (auto& [ref, rateHistory] : m_rateHistory)
+        rateHistory.end();
 }
 
-void Feeder::endPolls(bus::Bus* bus)
+void PollingService::endPolls(bus::Bus* bus)
 {
     for (bus::PollId& poll : m_polls) {
         if (poll != 0 && bus != nullptr)
@@ -122,37 +125,38 @@ void Feeder::endPolls(bus::Bus* bus)
         poll = 0;
     }
     m_sources.clear();
-    m_asked.clear();
+    m_polledServos.clear();
 }
 
-const std::vector<bus::PollSpan>& Feeder::spansOf(const Source& source, std::size_t poll)
+const std::vector<bus::PollSpan>& PollingService::spansOf(const Source& source, std::size_t poll)
 {
-    return poll == 0 ? source.target.common : source.target.beside;
+    return poll == 0 ? source.target.primary : source.target.secondary;
 }
 
-void Feeder::count(const Reading& reading)
+void PollingService::count(const Reading& reading)
 {
-    Past& past = m_past[reading.servo];
-    forgetOld(past.answered, reading.at - rateSpan);
-    forgetOld(past.missed, reading.at - rateSpan);
-    (reading.answered ? past.answered : past.missed).push_back(reading.at);
+    RateHistory& rateHistory = m_rateHistory[reading.servo];
+    removeOlder(rateHistory.answered, reading.at - rateWindow);
+    removeOlder(rateHistory.missed, reading.at - rateWindow);
+    (reading.answered ? rateHistory.answered : rateHistory.missed).push_back(reading.at);
     if (reading.answered)
-        past.lastAt = reading.at;
+        rateHistory.lastAt = reading.at;
 }
 
-FeedRate Feeder::rate(ServoRef ref) const
+PollRate PollingService::rate(ServoRef ref) const
 {
-    const auto found = m_past.find(ref);
-    if (found == m_past.end())
+    const auto found = m_rateHistory.find(ref);
+    if (found == m_rateHistory.end())
         return {};
-    const Past& past = found->second;
-    const Duration from = m_takenAt - rateSpan;
+    const RateHistory& rateHistory = found->second;
+    const Duration from = m_takenAt - rateWindow;
     const auto within = [&](const std::deque<Duration>& instants) {
         return std::uint64_t(instants.end() -
                              std::upper_bound(instants.begin(), instants.end(), from));
     };
-    const Duration span = std::clamp(m_takenAt - past.since, Duration(1), rateSpan);
+    const Duration span = std::clamp(m_takenAt - rateHistory.since, Duration(1), rateWindow);
     const double seconds = std::chrono::duration<double>(span).count();
-    return {double(within(past.answered)) / seconds, within(past.missed), past.lastAt};
+    return {double(within(rateHistory.answered)) / seconds, within(rateHistory.missed),
+            rateHistory.lastAt};
 }
 } // namespace session

@@ -14,49 +14,49 @@
 
 namespace session {
 /// What has come since the batch before, in time order.
-struct FeedBatch {
+struct ReadingBatch {
     std::vector<Reading> readings;
     std::vector<record::Mark> marks;
-    std::set<ServoRef> read; ///< their numbers are new
-    std::set<ServoRef> news; ///< alarms, silence
+    std::set<ServoRef> updated; ///< their numbers are new
+    std::set<ServoRef> changed; ///< alarms, silence
 };
 
-class Feeder {
+class PollingService {
 public:
-    void wish(const QString& user, const FeedWish& wish); ///< no parts: ends it
-    void slowDown(base::Duration period); ///< no more often than this; 0: as was wished
-    void forget(ServoRef ref);
-    void forgetAll();
-    bool running() const { return m_polls[0] != 0; }
+    void subscribe(const QString& user, const Subscription& subscription); ///< no parts: ends it
+    void limitRate(base::Duration period); ///< no more often than this; 0: as was wished
+    void removeServo(ServoRef ref);
+    void removeAllServos();
+    bool isRunning() const { return m_polls[0] != 0; }
 
     /// True when the polls must change: other wishes, other servos `present` (those that may be
     /// asked now), another ID, map or rate.
-    bool outdated(const std::vector<const ServoEntry*>& present, int baud) const;
+    bool isOutdated(const std::vector<const ServoEntry*>& present, int baud) const;
     /// Ends what ran; take() before.
-    void start(bus::Bus& bus, const std::vector<const ServoEntry*>& present);
+    void startPolls(bus::Bus& bus, const std::vector<const ServoEntry*>& present);
     void stop(bus::Bus* bus); ///< null: the port is gone, and its polls with it
 
-    using EntryOf = std::function<ServoEntry*(ServoRef)>;
-    FeedBatch take(bus::Bus& bus, const EntryOf& entryOf);
+    using EntryLookup = std::function<ServoEntry*(ServoRef)>;
+    ReadingBatch takeBatch(bus::Bus& bus, const EntryLookup& entryLookup);
 
-    FeedRate rate(ServoRef ref) const;
+    PollRate rate(ServoRef ref) const;
 
 private:
     struct Field {
         const catalog::Register* reg = nullptr;
-        catalog::Meaning meaning;
+        catalog::ValueFormat meaning;
     };
     struct Round { ///< of one of the two polls
-        jobs::RoundCut cut;
+        jobs::PollRoundTracker cut;
         Reading reading;
         std::map<std::size_t, bool> answered; ///< latest outcome by block, in this batch
     };
     struct Source {
-        FeedTarget target;
+        PollTarget target;
         std::vector<Field> fields;
         std::array<Round, 2> rounds;
     };
-    struct Past {
+    struct RateHistory {
         std::deque<base::Duration> answered; ///< of the last second
         std::deque<base::Duration> missed;
         std::optional<base::Duration> lastAt;
@@ -67,33 +67,33 @@ private:
             missed.clear();
         }
     };
-    struct Asked {
+    struct PolledServo {
         ServoRef ref = 0;
         int id = -1;
         const catalog::Profile* profile = nullptr;
-        bool operator==(const Asked&) const = default;
+        bool operator==(const PolledServo&) const = default;
     };
     void endPolls(bus::Bus* bus);
-    bool wished(ServoRef ref) const;
-    std::vector<Asked> askedOf(const std::vector<const ServoEntry*>& present) const;
+    bool isSubscribed(ServoRef ref) const;
+    std::vector<PolledServo> polledServosOf(const std::vector<const ServoEntry*>& present) const;
     static const std::vector<bus::PollSpan>& spansOf(const Source& source, std::size_t poll);
-    void freshen(Source& source, const ServoEntry& entry);
+    void updateMeanings(Source& source, const ServoEntry& entry);
     void takeSample(Source& source, std::size_t poll, ServoEntry& entry, const bus::Sample& sample);
     static void decode(const Source& source, Reading& into, const bus::Sample& sample);
-    void close(Source& source, std::size_t poll, ServoEntry& entry);
-    void look(ServoEntry& entry, const Reading& reading);
+    void finishRound(Source& source, std::size_t poll, ServoEntry& entry);
+    void updateState(ServoEntry& entry, const Reading& reading);
     void finishBatch(Source& source, ServoEntry& entry);
     void count(const Reading& reading);
 
-    std::map<QString, FeedWish> m_wishes;
-    bool m_wishesChanged = false;
-    base::Duration m_least{};
-    std::vector<Asked> m_asked;
+    std::map<QString, Subscription> m_subscriptions;
+    bool m_subscriptionsChanged = false;
+    base::Duration m_minPeriod{};
+    std::vector<PolledServo> m_polledServos;
     int m_baud = 0;
     std::array<bus::PollId, 2> m_polls{}; ///< common, beside
     std::map<std::pair<base::Protocol, int>, Source> m_sources;
-    FeedBatch m_batch; ///< being made
-    std::map<ServoRef, Past> m_past;
+    ReadingBatch m_batch; ///< being made
+    std::map<ServoRef, RateHistory> m_rateHistory;
     base::Duration m_takenAt{};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Feeder makes of the samples that have come.
+// What PollingService makes of the samples that have come.
 #include "device/alarms.h"
 #include "session/feeder.h"
 
@@ -12,7 +12,7 @@ using record::MarkKind;
 
 namespace {
 /// A round whose other blocks stay out for so long (the servo is held by a job) is given up.
-constexpr Duration longestRound = std::chrono::seconds(1);
+constexpr Duration maxRoundDuration = std::chrono::seconds(1);
 constexpr double degreesPerSecondPerRpm = 6;
 
 /// As the servo measures it.
@@ -30,46 +30,46 @@ std::optional<double> speedIn(const Reading& reading, const device::Servo& servo
 std::vector<record::Mark> latchAlarms(ServoEntry& entry, Duration at)
 {
     std::vector<record::Mark> marks;
-    for (const AlarmLatch::Change& change : entry.alarms.update(alarmsNow(entry.servo), at)) {
+    for (const AlarmLatch::Change& change : entry.alarms.update(activeAlarms(entry.servo), at)) {
         QString text = change.what.key;
         if (change.what.derived)
             text += QStringLiteral(" (derived)");
         marks.push_back(
-            {at, change.came ? MarkKind::Fault : MarkKind::FaultOver, entry.servo.id, text});
+            {at, change.raised ? MarkKind::Fault : MarkKind::FaultCleared, entry.servo.id, text});
     }
     return marks;
 }
 
 namespace {
 /// The polled table shows who answers.
-bool tellsAnother(const catalog::Profile& profile, const bus::Sample& sample)
+bool isDifferentModel(const catalog::Profile& profile, const bus::Sample& sample)
 {
     constexpr std::size_t head = 5; // firmware, byte order, model
     constexpr std::size_t modelMajor = 3;
-    const catalog::Identity& who = profile.identity;
+    const catalog::Identity& identity = profile.identity;
     if (sample.protocol != base::Protocol::Feetech || sample.address != 0 ||
         sample.data.size() < head)
         return false;
-    return sample.data[0] != who.firmwareMajor || sample.data[1] != who.firmwareMinor ||
-           sample.data[modelMajor] != who.modelMajor ||
-           sample.data[modelMajor + 1] != who.modelMinor;
+    return sample.data[0] != identity.firmwareMajor || sample.data[1] != identity.firmwareMinor ||
+           sample.data[modelMajor] != identity.modelMajor ||
+           sample.data[modelMajor + 1] != identity.modelMinor;
 }
 } // namespace
 
 /// What phase and mode make of the registers may have changed since the batch before.
-void Feeder::freshen(Source& source, const ServoEntry& entry)
+void PollingService::updateMeanings(Source& source, const ServoEntry& entry)
 {
     for (Field& field : source.fields)
         field.meaning = entry.servo.meaning(*field.reg);
 }
 
-FeedBatch Feeder::take(bus::Bus& bus, const EntryOf& entryOf)
+ReadingBatch PollingService::takeBatch(bus::Bus& bus, const EntryLookup& entryLookup)
 {
     m_batch = {};
     m_takenAt = bus.clock().now();
     // Whoever has been taken to another rate could not answer.
     const bool here = bus.baud() == m_baud;
-    std::map<Source*, ServoEntry*> met;
+    std::map<Source*, ServoEntry*> entries;
     for (std::size_t poll = 0; poll < m_polls.size(); ++poll) {
         if (m_polls[poll] == 0)
             continue;
@@ -78,25 +78,25 @@ FeedBatch Feeder::take(bus::Bus& bus, const EntryOf& entryOf)
             if (found == m_sources.end() || (!sample.answered && !here))
                 continue;
             Source& source = found->second;
-            const auto [place, first] = met.try_emplace(&source, nullptr);
+            const auto [it, first] = entries.try_emplace(&source, nullptr);
             if (first) {
-                ServoEntry* known = entryOf(source.target.ref);
+                ServoEntry* known = entryLookup(source.target.ref);
                 const bool same = known != nullptr && known->servo.id == sample.id &&
                                   known->servo.profile == source.target.profile;
-                place->second = same ? known : nullptr;
+                it->second = same ? known : nullptr;
                 if (same)
-                    freshen(source, *known);
+                    updateMeanings(source, *known);
             }
-            if (place->second != nullptr)
-                takeSample(source, poll, *place->second, sample);
+            if (it->second != nullptr)
+                takeSample(source, poll, *it->second, sample);
         }
     }
-    for (const auto& [source, entry] : met) {
+    for (const auto& [source, entry] : entries) {
         if (entry == nullptr)
             continue;
         finishBatch(*source, *entry);
         // Another servo may stand in its place when it is heard again.
-        if (m_batch.news.count(entry->ref) > 0)
+        if (m_batch.changed.count(entry->ref) > 0)
             bus.verifiedIds().remove(entry->servo.protocol, entry->servo.id, m_baud);
     }
     std::stable_sort(m_batch.readings.begin(), m_batch.readings.end(),
@@ -106,18 +106,18 @@ FeedBatch Feeder::take(bus::Bus& bus, const EntryOf& entryOf)
     return std::move(m_batch);
 }
 
-void Feeder::takeSample(Source& source, std::size_t poll, ServoEntry& entry,
-                        const bus::Sample& sample)
+void PollingService::takeSample(Source& source, std::size_t poll, ServoEntry& entry,
+                                const bus::Sample& sample)
 {
     Round& round = source.rounds[poll];
-    const std::size_t block = jobs::blockOf(sample, spansOf(source, poll));
-    if (round.cut.startsAnew(block) ||
-        (round.cut.open() && round.reading.at < sample.at - longestRound))
-        close(source, poll, entry);
+    const std::size_t block = jobs::blockIndex(sample, spansOf(source, poll));
+    if (round.cut.startsNewRound(block) ||
+        (round.cut.open() && round.reading.at < sample.at - maxRoundDuration))
+        finishRound(source, poll, entry);
     round.answered[block] = sample.answered;
     Reading& reading = round.reading;
     reading.at = sample.at;
-    if (sample.answered && tellsAnother(*source.target.profile, sample))
+    if (sample.answered && isDifferentModel(*source.target.profile, sample))
         entry.silent = true;
     if (sample.answered && entry.silent) {
         reading.answered = true; // by whom is not known yet
@@ -127,17 +127,17 @@ void Feeder::takeSample(Source& source, std::size_t poll, ServoEntry& entry,
         if (servo.repliesCarryStatus())
             reading.status = sample.status;
         else
-            device::takeStatus(servo, sample.address, static_cast<int>(sample.data.size()));
+            device::updateStatus(servo, sample.address, static_cast<int>(sample.data.size()));
         reading.answered = true;
         decode(source, reading, sample);
     } else {
         reading.error = sample.error;
     }
     if (round.cut.take(block, sample))
-        close(source, poll, entry);
+        finishRound(source, poll, entry);
 }
 
-void Feeder::decode(const Source& source, Reading& into, const bus::Sample& sample)
+void PollingService::decode(const Source& source, Reading& into, const bus::Sample& sample)
 {
     const base::ByteView data(sample.data);
     for (const Field& field : source.fields) {
@@ -152,10 +152,10 @@ void Feeder::decode(const Source& source, Reading& into, const bus::Sample& samp
     }
 }
 
-void Feeder::close(Source& source, std::size_t poll, ServoEntry& entry)
+void PollingService::finishRound(Source& source, std::size_t poll, ServoEntry& entry)
 {
     Round& round = source.rounds[poll];
-    round.cut.close();
+    round.cut.reset();
     Reading reading = std::exchange(round.reading, Reading{});
     reading.values.reserve(source.fields.size());
     round.reading.values.reserve(source.fields.size());
@@ -163,47 +163,48 @@ void Feeder::close(Source& source, std::size_t poll, ServoEntry& entry)
     reading.profile = source.target.profile;
     if (!entry.servo.repliesCarryStatus() || !reading.answered)
         reading.status = entry.servo.status;
-    look(entry, reading);
+    updateState(entry, reading);
     if (entry.silent && reading.answered)
         return;
     count(reading);
-    m_batch.read.insert(entry.ref);
+    m_batch.updated.insert(entry.ref);
     m_batch.readings.push_back(std::move(reading));
 }
 
 /// What a reading tells beside its numbers.
-void Feeder::look(ServoEntry& entry, const Reading& reading)
+void PollingService::updateState(ServoEntry& entry, const Reading& reading)
 {
     if (reading.answered && !entry.silent)
         entry.statusAt = reading.at;
-    const LinkWatch::News news =
-        entry.link.reading(reading.answered, reading.at, reading.error == base::ErrorCode::Garbled);
-    if (news == LinkWatch::News::Lost) {
+    const LinkMonitor::Transition news = entry.linkMonitor.addReading(
+        reading.answered, reading.at, reading.error == base::ErrorCode::Garbled);
+    if (news == LinkMonitor::Transition::Lost) {
         entry.silent = true;
-        m_batch.marks.push_back({entry.link.silentSince().value_or(reading.at), MarkKind::LinkError,
-                                 entry.servo.id, base::errorName(reading.error)});
-    } else if (news == LinkWatch::News::Back) {
+        m_batch.marks.push_back({entry.linkMonitor.silentSince().value_or(reading.at),
+                                 MarkKind::LinkError, entry.servo.id,
+                                 base::errorName(reading.error)});
+    } else if (news == LinkMonitor::Transition::Back) {
         entry.turns.reset(); // it may have been without supply
-        m_batch.marks.push_back({reading.at, MarkKind::LinkBack, entry.servo.id, {}});
+        m_batch.marks.push_back({reading.at, MarkKind::LinkRestored, entry.servo.id, {}});
     }
-    const bool garbled = entry.link.lost() && entry.link.garbled();
-    const bool otherTrouble = std::exchange(entry.garbled, garbled) != garbled;
-    if (news != LinkWatch::News::None || otherTrouble)
-        m_batch.news.insert(entry.ref);
+    const bool garbled = entry.linkMonitor.isLost() && entry.linkMonitor.isGarbled();
+    const bool garbledChanged = std::exchange(entry.garbled, garbled) != garbled;
+    if (news != LinkMonitor::Transition::None || garbledChanged)
+        m_batch.changed.insert(entry.ref);
     if (!reading.answered)
         return;
     entry.lastSeen = reading.at;
     if (entry.silent) { // until it has been identified
-        if (!std::exchange(entry.heardAgain, true))
-            m_batch.news.insert(entry.ref);
+        if (!std::exchange(entry.answeredAgain, true))
+            m_batch.changed.insert(entry.ref);
         return;
     }
-    const bool otherStatus = std::exchange(entry.servo.status, reading.status) != reading.status;
-    if (otherStatus || !entry.servo.repliesCarryStatus()) {
+    const bool statusChanged = std::exchange(entry.servo.status, reading.status) != reading.status;
+    if (statusChanged || !entry.servo.repliesCarryStatus()) {
         const auto marks = latchAlarms(entry, reading.at);
         m_batch.marks.insert(m_batch.marks.end(), marks.begin(), marks.end());
-        if (otherStatus || !marks.empty())
-            m_batch.news.insert(entry.ref);
+        if (statusChanged || !marks.empty())
+            m_batch.changed.insert(entry.ref);
     }
     for (const ReadValue& value : reading.values) {
         if (value.reg->role == Role::PresentPosition)
@@ -212,9 +213,9 @@ void Feeder::look(ServoEntry& entry, const Reading& reading)
 }
 
 /// Once a servo and batch, however many readings there were.
-void Feeder::finishBatch(Source& source, ServoEntry& entry)
+void PollingService::finishBatch(Source& source, ServoEntry& entry)
 {
-    entry.firstImage.takeMissing(entry.servo.image);
+    entry.firstImage.mergeMissing(entry.servo.image);
     entry.turns.on(device::turnBasis(entry.servo));
     const auto& registers = source.target.profile->registers;
     for (std::size_t poll = 0; poll < source.rounds.size(); ++poll) {

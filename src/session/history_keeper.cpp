@@ -5,79 +5,80 @@
 
 namespace session {
 namespace {
-constexpr auto lookEvery = std::chrono::seconds(1);
+constexpr auto checkInterval = std::chrono::seconds(1);
 }
 
-HistoryKeeper::HistoryKeeper(Desk& desk, Scope& scope, Archive& archive, QObject* parent)
+HistoryRecorder::HistoryRecorder(Desk& desk, LiveData& liveData, HistoryService& historyService,
+                                 QObject* parent)
     : QObject(parent)
     , m_desk(desk)
-    , m_scope(scope)
-    , m_archive(archive)
+    , m_liveData(liveData)
+    , m_historyService(historyService)
 {
-    m_look.setInterval(lookEvery);
-    connect(&m_look, &QTimer::timeout, this, &HistoryKeeper::look);
-    m_look.start();
-    connect(&desk, &Desk::servoRemoved, this, [this](ServoRef ref) { m_told.erase(ref); });
-    connect(&desk, &Desk::servosCleared, this, [this] { m_told.clear(); });
-    connect(&scope, &Scope::recordingBegan, this, [this] {
+    m_checkTimer.setInterval(checkInterval);
+    connect(&m_checkTimer, &QTimer::timeout, this, &HistoryRecorder::checkNow);
+    m_checkTimer.start();
+    connect(&desk, &Desk::servoRemoved, this, [this](ServoRef ref) { m_reported.erase(ref); });
+    connect(&desk, &Desk::servosCleared, this, [this] { m_reported.clear(); });
+    connect(&liveData, &LiveData::recordingBegan, this, [this] {
         m_recordedAt = QDateTime::currentDateTimeUtc();
         m_recorded.clear();
-        for (const ServoRef ref : m_scope.recordedServos()) {
+        for (const ServoRef ref : m_liveData.recordedServos()) {
             if (const ServoEntry* entry = m_desk.servo(ref))
                 m_recorded.push_back(entry->servo.identity());
         }
     });
-    connect(&scope, &Scope::recordingEnded, this, &HistoryKeeper::recorded);
+    connect(&liveData, &LiveData::recordingEnded, this, &HistoryRecorder::recorded);
 }
 
-void HistoryKeeper::look()
+void HistoryRecorder::checkNow()
 {
     for (const ServoRef ref : m_desk.servos()) {
         const ServoEntry* entry = m_desk.servo(ref);
         if (entry->servo.profile)
-            lookAt(*entry);
+            checkServo(*entry);
     }
 }
 
 /// The latch keeps what has come until somebody has seen it, so that one of a tenth of a second is
 /// not missed here.
-void HistoryKeeper::lookAt(const ServoEntry& entry)
+void HistoryRecorder::checkServo(const ServoEntry& entry)
 {
-    auto& told = m_told[entry.ref];
-    const base::ServoIdentity who = entry.servo.identity();
+    auto& reported = m_reported[entry.ref];
+    const base::ServoIdentity identity = entry.servo.identity();
     const QDateTime now = QDateTime::currentDateTimeUtc();
-    const auto keep = [&](const QString& key, bool derived, bool came, const QDateTime& at) {
-        m_archive.keepAlarm(who, key, derived, came, at);
+    const auto keep = [&](const QString& key, bool derived, bool raised, const QDateTime& at) {
+        m_historyService.saveAlarm(identity, key, derived, raised, at);
     };
     std::set<QString> present;
     for (const Alarm& alarm : entry.alarms.alarms()) {
         present.insert(alarm.what.key);
-        Told& known = told[alarm.what.key];
-        if (alarm.times != known.times) {
+        ReportedAlarm& known = reported[alarm.what.key];
+        if (alarm.count != known.times) {
             const bool first = known.times == 0;
             if (known.active)
                 keep(alarm.what.key, alarm.what.derived, false, now); // it went in between
             keep(alarm.what.key, alarm.what.derived, true,
                  first && alarm.firstSeen.isValid() ? alarm.firstSeen.toUTC() : now);
-            known = {alarm.times, true};
+            known = {alarm.count, true};
         }
         if (known.active && !alarm.active) {
             keep(alarm.what.key, alarm.what.derived, false, now);
             known.active = false;
         }
     }
-    for (auto known = told.begin(); known != told.end();) {
+    for (auto known = reported.begin(); known != reported.end();) {
         if (present.count(known->first) > 0) {
             ++known;
             continue;
         }
         if (known->second.active) // acknowledged and over before the next look
             keep(known->first, false, false, now);
-        known = told.erase(known);
+        known = reported.erase(known);
     }
 }
 
-void HistoryKeeper::recorded(const record::RecorderStatus& status, const QString& path)
+void HistoryRecorder::recorded(const record::RecorderStatus& status, const QString& path)
 {
     if (status.rows == 0)
         return;
@@ -87,7 +88,7 @@ void HistoryKeeper::recorded(const record::RecorderStatus& status, const QString
     recording.file = QFileInfo(path).absoluteFilePath();
     recording.rows = qint64(status.rows);
     recording.port = m_desk.lastRequest().name;
-    recording.simulated = m_desk.simulated();
-    m_archive.keepRecording(recording, m_recorded);
+    recording.simulated = m_desk.isSimulated();
+    m_historyService.saveRecording(recording, m_recorded);
 }
 } // namespace session

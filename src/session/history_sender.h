@@ -20,11 +20,11 @@ struct SendState {
         Waiting, ///< something may have to be sent, soon
         Sending,
         UpToDate, ///< the server has all there was when last looked
-        Trouble,  ///< `error`; tried again at `nextTry`
+        Failed,   ///< `error`; tried again at `nextTry`
     };
     Phase phase = Phase::Off;
     QString server{};                      ///< without password, for people
-    std::optional<std::int64_t> waiting{}; ///< rows to go; nullopt: not known
+    std::optional<std::int64_t> pending{}; ///< rows to go; nullopt: not known
     std::optional<base::Error> error{};
     QDateTime nextTry{};
     QDateTime upToDate{}; ///< when it last was; invalid: not since the start
@@ -34,23 +34,23 @@ class HistorySender final : public QObject {
     Q_OBJECT
 
 public:
-    struct Times {
-        std::chrono::milliseconds look = std::chrono::seconds(30);
-        std::chrono::milliseconds settle = std::chrono::milliseconds(500); ///< after a poke
+    struct Timing {
+        std::chrono::milliseconds checkInterval = std::chrono::seconds(30);
+        std::chrono::milliseconds debounce = std::chrono::milliseconds(500); ///< after a poke
         std::chrono::milliseconds firstRetry = std::chrono::seconds(1);
         std::chrono::milliseconds lastRetry = std::chrono::seconds(60);
         std::chrono::milliseconds silence = std::chrono::seconds(120); ///< then it counts as hung
-        std::chrono::milliseconds end = std::chrono::milliseconds(900);
+        std::chrono::milliseconds shutdownTimeout = std::chrono::milliseconds(900);
     };
 
     explicit HistorySender(QString path = historyFile(), QObject* parent = nullptr);
-    HistorySender(QString path, Times times, QObject* parent = nullptr);
+    HistorySender(QString path, Timing times, QObject* parent = nullptr);
     ~HistorySender() override;
 
     /// Empty: sends nothing any more. `bench`: its name for people.
     void setServer(const QString& address, const QString& bench);
-    void poke();   ///< something was written to the history
-    void tryNow(); ///< without waiting for the next try
+    void notifyChanged(); ///< something was written to the history
+    void tryNow();        ///< without waiting for the next try
 
     const SendState& state() const { return m_state; }
 
@@ -62,20 +62,20 @@ private:
     void advanced(const SendProgress& progress);
     void ended(const base::Result<SendProgress>& sent, std::optional<std::int64_t> waiting);
     void watch();
-    void leave(std::chrono::milliseconds grace);
+    void detachThread(std::chrono::milliseconds grace);
     void set(SendState state);
 
     const QString m_path;
-    const Times m_times;
+    const Timing m_timing;
     SendState m_state;
-    std::shared_ptr<HistorySending> m_sending;
-    std::shared_ptr<LoosePost> m_post; ///< of the server that is set now
-    std::unique_ptr<LooseThread> m_thread;
+    std::shared_ptr<HistoryUploader> m_uploader;
+    std::shared_ptr<GuardedPoster> m_post; ///< of the server that is set now
+    std::unique_ptr<DetachableWorker> m_thread;
     bool m_running = false;
-    bool m_again = false; ///< poked while it ran
+    bool m_sendAgain = false; ///< poked while it ran
     std::chrono::milliseconds m_retry{};
     QTimer m_next;
     QTimer m_watch;
-    Inbox m_inbox;
+    MainThreadQueue m_mainQueue;
 };
 } // namespace session

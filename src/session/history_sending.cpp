@@ -30,39 +30,39 @@ QString originOf(const QString& bench, const QString& path)
 }
 } // namespace
 
-HistorySending::HistorySending(QString historyPath, QString server, QString bench)
+HistoryUploader::HistoryUploader(QString historyPath, QString server, QString bench)
     : m_path(std::move(historyPath))
     , m_address(std::move(server))
     , m_bench(std::move(bench))
 {}
 
-HistorySending::~HistorySending() = default;
+HistoryUploader::~HistoryUploader() = default;
 
-void HistorySending::alive()
+void HistoryUploader::resetSilence()
 {
     m_askedAt = steadyMs();
 }
 
-std::chrono::milliseconds HistorySending::silence() const
+std::chrono::milliseconds HistoryUploader::silenceTime() const
 {
     const std::int64_t since = m_askedAt;
     return std::chrono::milliseconds(since == 0 ? 0 : steadyMs() - since);
 }
 
-void HistorySending::abort()
+void HistoryUploader::abort()
 {
     m_aborted = true;
-    hangUp();
+    dropConnection();
 }
 
-void HistorySending::hangUp()
+void HistoryUploader::dropConnection()
 {
     const std::lock_guard lock(m_mutex);
     if (m_server)
         m_server->abort();
 }
 
-void HistorySending::disconnect()
+void HistoryUploader::disconnect()
 {
     m_copy.reset();
     std::unique_ptr<record::HistoryServer> gone;
@@ -70,7 +70,7 @@ void HistorySending::disconnect()
     gone.swap(m_server);
 }
 
-base::Result<void> HistorySending::connect(const record::HistoryChanges& changes)
+base::Result<void> HistoryUploader::connect(const record::HistoryChanges& changes)
 {
     const auto bench = changes.bench();
     if (!bench)
@@ -79,7 +79,7 @@ base::Result<void> HistorySending::connect(const record::HistoryChanges& changes
         return {};
     disconnect();
     if (*bench != m_sentBench)
-        m_reached.reset();
+        m_serverRevision.reset();
     const auto address = record::ServerAddress::parse(m_address);
     if (!address)
         return tl::unexpected(address.error());
@@ -88,69 +88,69 @@ base::Result<void> HistorySending::connect(const record::HistoryChanges& changes
         m_server =
             std::make_unique<record::HistoryServer>(*address, record::HistoryServer::Purpose::Send);
     }
-    alive();
+    resetSilence();
     if (const auto connected = m_server->connect(); !connected)
         return connected;
-    m_copy = std::make_unique<record::HistoryCopy>(
+    m_copy = std::make_unique<record::HistoryServerWriter>(
         *m_server, record::HistoryOrigin{*bench, originOf(*bench, m_path), m_bench, programName()});
-    alive();
-    const auto reached = m_copy->greet();
+    resetSilence();
+    const auto reached = m_copy->registerBench();
     if (!reached)
         return tl::unexpected(reached.error());
-    m_reached = *reached;
+    m_serverRevision = *reached;
     m_sentBench = *bench;
     return {};
 }
 
 base::Result<SendProgress>
-HistorySending::sendAll(const record::HistoryChanges& changes,
-                        const std::function<void(const SendProgress&)>& progress)
+HistoryUploader::sendAll(const record::HistoryChanges& changes,
+                         const std::function<void(const SendProgress&)>& progress)
 {
     SendProgress done;
     while (!m_aborted) {
-        const auto waiting = changes.waiting(*m_reached);
+        const auto waiting = changes.pendingCount(*m_serverRevision);
         if (!waiting)
             return tl::unexpected(waiting.error());
-        done.waiting = *waiting;
+        done.pending = *waiting;
         if (progress)
             progress(done);
-        const auto rows = changes.after(*m_reached);
+        const auto rows = changes.after(*m_serverRevision);
         if (!rows)
             return tl::unexpected(rows.error());
         if (rows->empty())
             return done;
         const std::int64_t until = rows->back().revision;
-        alive();
-        const auto reached = m_copy->take(*rows, *m_reached, until);
+        resetSilence();
+        const auto reached = m_copy->apply(*rows, *m_serverRevision, until);
         if (!reached)
             return tl::unexpected(reached.error());
         if (*reached == until)
             done.sent += std::int64_t(rows->size());
-        m_reached = *reached; // another where another program of this bench was quicker
+        m_serverRevision = *reached; // another where another program of this bench was quicker
     }
     return base::fail(base::ErrorCode::Stopped, QStringLiteral("history-server"));
 }
 
 base::Result<SendProgress>
-HistorySending::sendOver(const record::HistoryChanges& changes,
-                         const std::function<void(const SendProgress&)>& progress)
+HistoryUploader::sendOver(const record::HistoryChanges& changes,
+                          const std::function<void(const SendProgress&)>& progress)
 {
     if (const auto connected = connect(changes); !connected)
         return tl::unexpected(connected.error());
     const auto revision = changes.revision();
     if (!revision)
         return tl::unexpected(revision.error());
-    if (*m_reached > *revision) {
-        alive();
+    if (*m_serverRevision > *revision) {
+        resetSilence();
         if (const auto again = m_copy->restart(); !again)
             return tl::unexpected(again.error());
-        m_reached = 0;
+        m_serverRevision = 0;
     }
     return sendAll(changes, progress);
 }
 
 base::Result<SendProgress>
-HistorySending::send(const std::function<void(const SendProgress&)>& progress)
+HistoryUploader::send(const std::function<void(const SendProgress&)>& progress)
 {
     m_waiting = 0;
     const auto history = record::History::open(m_path);
@@ -165,11 +165,12 @@ HistorySending::send(const std::function<void(const SendProgress&)>& progress)
         sent = sendOver(changes, progress);
     }
     m_askedAt = 0;
-    LooseThread::stayIfProgramEnds();
+    DetachableWorker::blockIfProgramEnds();
     if (!sent)
         disconnect();
-    const auto waiting = m_reached ? changes.waiting(*m_reached)
-                                   : base::Result<std::int64_t>(tl::unexpected(base::Error{}));
+    const auto waiting = m_serverRevision
+                             ? changes.pendingCount(*m_serverRevision)
+                             : base::Result<std::int64_t>(tl::unexpected(base::Error{}));
     m_waiting = waiting ? std::optional(*waiting) : std::nullopt;
     return sent;
 }

@@ -14,32 +14,32 @@
 namespace session {
 struct SendProgress {
     std::int64_t sent = 0;    ///< rows, by this call
-    std::int64_t waiting = 0; ///< rows still to go
+    std::int64_t pending = 0; ///< rows still to go
 };
 
-class HistorySending {
+class HistoryUploader {
 public:
     /// `server`: a connection string. `bench`: its name for people.
-    HistorySending(QString historyPath, QString server, QString bench);
-    ~HistorySending();
+    HistoryUploader(QString historyPath, QString server, QString bench);
+    ~HistoryUploader();
 
     /// Connects with nothing to send as well: an empty history proves nothing about the server.
     base::Result<SendProgress> send(const std::function<void(const SendProgress&)>& progress = {});
 
     /// Rows the server has not got, when send() looked last; nullopt: nobody has asked the server
     /// yet. The thread of send().
-    std::optional<std::int64_t> waiting() const { return m_waiting; }
+    std::optional<std::int64_t> pendingRows() const { return m_waiting; }
 
     /// The thread of send(), as the last thing it does here.
     void disconnect();
 
     /// send() ends soon, with an error, unless it is just connecting: that takes its seconds.
     void abort();
-    bool aborted() const { return m_aborted; }
+    bool isAborted() const { return m_aborted; }
     /// How long the server has kept send() waiting for one answer.
-    std::chrono::milliseconds silence() const;
+    std::chrono::milliseconds silenceTime() const;
     /// Ends this wait, as if the connection had broken.
-    void hangUp();
+    void dropConnection();
 
 private:
     base::Result<void> connect(const record::HistoryChanges& changes);
@@ -47,15 +47,15 @@ private:
                                         const std::function<void(const SendProgress&)>& progress);
     base::Result<SendProgress> sendAll(const record::HistoryChanges& changes,
                                        const std::function<void(const SendProgress&)>& progress);
-    void alive();
+    void resetSilence();
 
     const QString m_path;
     const QString m_address;
     const QString m_bench;
     std::unique_ptr<record::HistoryServer> m_server; ///< changed under the mutex
-    std::unique_ptr<record::HistoryCopy> m_copy;
-    QString m_sentBench;                   ///< the file that m_reached is about
-    std::optional<std::int64_t> m_reached; ///< the revision the server had last
+    std::unique_ptr<record::HistoryServerWriter> m_copy;
+    QString m_sentBench;                          ///< the file that m_reached is about
+    std::optional<std::int64_t> m_serverRevision; ///< the revision the server had last
     std::optional<std::int64_t> m_waiting;
     mutable std::mutex m_mutex;
     std::atomic<bool> m_aborted{false};

@@ -15,10 +15,10 @@ HistoryServerChoice historyServerChoice(const Settings& settings)
 {
     HistoryServerChoice choice;
     choice.address = qEnvironmentVariable("SERVODESK_HISTORY_SERVER").trimmed();
-    choice.fixed = !choice.address.isEmpty();
-    if (!choice.fixed)
-        choice.address = settings.choice(serverKey, QString()).toString().trimmed();
-    choice.bench = settings.choice(benchKey, QString()).toString().trimmed();
+    choice.isFixedByEnvironment = !choice.address.isEmpty();
+    if (!choice.isFixedByEnvironment)
+        choice.address = settings.pageValue(serverKey, QString()).toString().trimmed();
+    choice.bench = settings.pageValue(benchKey, QString()).toString().trimmed();
     if (choice.bench.isEmpty())
         choice.bench = QSysInfo::machineHostName();
     return choice;
@@ -27,25 +27,25 @@ HistoryServerChoice historyServerChoice(const Settings& settings)
 base::Result<void> setHistoryServerChoice(Settings& settings, const HistoryServerChoice& choice)
 {
     const QString address = choice.address.trimmed();
-    if (!choice.fixed) {
+    if (!choice.isFixedByEnvironment) {
         const auto parsed = record::ServerAddress::parse(address);
         if (!address.isEmpty() && !parsed)
             return tl::unexpected(parsed.error());
-        settings.setChoice(serverKey, address);
+        settings.setPageValue(serverKey, address);
     }
-    settings.setChoice(benchKey, choice.bench.trimmed() == QSysInfo::machineHostName()
-                                     ? QString()
-                                     : choice.bench.trimmed());
+    settings.setPageValue(benchKey, choice.bench.trimmed() == QSysInfo::machineHostName()
+                                        ? QString()
+                                        : choice.bench.trimmed());
     return {};
 }
 
 std::optional<base::Error> removeStoredPassword(Settings& settings)
 {
-    const QString stored = settings.choice(serverKey, QString()).toString();
+    const QString stored = settings.pageValue(serverKey, QString()).toString();
     const auto rest = record::ServerAddress::withoutSecrets(stored);
     if (!rest)
         return std::nullopt;
-    settings.setChoice(serverKey, *rest);
+    settings.setPageValue(serverKey, *rest);
     return base::Error{base::ErrorCode::BadArgument, QStringLiteral("history-server"),
                        QStringLiteral("secret-removed")};
 }

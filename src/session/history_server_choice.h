@@ -9,8 +9,8 @@ namespace session {
 struct HistoryServerChoice {
     /// Connection string; empty: none. As the user has typed it, so shown masked only.
     QString address{};
-    QString bench{};    ///< for people; this machine's name if none was given
-    bool fixed = false; ///< by the environment: what is set has no effect
+    QString bench{};                   ///< for people; this machine's name if none was given
+    bool isFixedByEnvironment = false; ///< by the environment: what is set has no effect
 };
 
 HistoryServerChoice historyServerChoice(const Settings& settings);

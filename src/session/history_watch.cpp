@@ -7,21 +7,22 @@
 
 namespace session {
 namespace {
-constexpr auto askEvery = std::chrono::seconds(1);
+constexpr auto checkInterval = std::chrono::seconds(1);
 }
 
-HistoryWatch::HistoryWatch(const QString& path, JobThread& thread, std::shared_ptr<LoosePost> post)
+HistoryWatcher::HistoryWatcher(const QString& path, JobThread& thread,
+                               std::shared_ptr<GuardedPoster> post)
     : m_thread(thread)
     , m_post(std::move(post))
     , m_detector(std::make_shared<record::HistoryChangeDetector>(path))
 {
-    m_timer.setInterval(askEvery);
-    connect(&m_timer, &QTimer::timeout, this, &HistoryWatch::ask);
+    m_timer.setInterval(checkInterval);
+    connect(&m_timer, &QTimer::timeout, this, &HistoryWatcher::ask);
 }
 
-HistoryWatch::~HistoryWatch() = default;
+HistoryWatcher::~HistoryWatcher() = default;
 
-void HistoryWatch::setViewed(QObject* viewer, bool viewed)
+void HistoryWatcher::setWatched(QObject* viewer, bool viewed)
 {
     if (viewed == (m_viewers.count(viewer) > 0))
         return;
@@ -35,7 +36,7 @@ void HistoryWatch::setViewed(QObject* viewer, bool viewed)
         return;
     }
     m_viewers.insert(viewer);
-    connect(viewer, &QObject::destroyed, this, [this, viewer] { setViewed(viewer, false); });
+    connect(viewer, &QObject::destroyed, this, [this, viewer] { setWatched(viewer, false); });
     if (m_viewers.size() == 1) {
         m_timer.start();
         ask();
@@ -43,7 +44,7 @@ void HistoryWatch::setViewed(QObject* viewer, bool viewed)
 }
 
 /// One question at a time: the thread may be busy for long.
-void HistoryWatch::ask()
+void HistoryWatcher::ask()
 {
     if (m_asking)
         return;

@@ -15,17 +15,17 @@ class HistoryChangeDetector;
 }
 
 namespace session {
-class HistoryWatch final : public QObject {
+class HistoryWatcher final : public QObject {
     Q_OBJECT
 
 public:
     /// The thread must outlive it; a viewer may not.
-    HistoryWatch(const QString& path, JobThread& thread, std::shared_ptr<LoosePost> post);
-    ~HistoryWatch() override;
+    HistoryWatcher(const QString& path, JobThread& thread, std::shared_ptr<GuardedPoster> post);
+    ~HistoryWatcher() override;
 
     /// Nothing is asked without a viewer. What was written before the first one came is not told:
     /// a viewer reads the history when it comes.
-    void setViewed(QObject* viewer, bool viewed);
+    void setWatched(QObject* viewer, bool viewed);
 
 Q_SIGNALS:
     void changed();
@@ -34,7 +34,7 @@ private:
     void ask();
 
     JobThread& m_thread;
-    const std::shared_ptr<LoosePost> m_post;
+    const std::shared_ptr<GuardedPoster> m_post;
     const std::shared_ptr<record::HistoryChangeDetector> m_detector; ///< used on that thread
     std::set<const QObject*> m_viewers;
     QTimer m_timer;

@@ -9,7 +9,7 @@ namespace {
 const auto wakeUp = static_cast<QEvent::Type>(QEvent::registerEventType());
 } // namespace
 
-void Inbox::post(std::function<void()> work)
+void MainThreadQueue::post(std::function<void()> work)
 {
     bool first = false;
     {
@@ -21,7 +21,7 @@ void Inbox::post(std::function<void()> work)
         QCoreApplication::postEvent(this, new QEvent(wakeUp));
 }
 
-bool Inbox::event(QEvent* event)
+bool MainThreadQueue::event(QEvent* event)
 {
     if (event->type() != wakeUp)
         return QObject::event(event);
@@ -29,7 +29,7 @@ bool Inbox::event(QEvent* event)
     return true;
 }
 
-void Inbox::drain()
+void MainThreadQueue::drain()
 {
     std::deque<std::function<void()>> work;
     {

@@ -11,9 +11,9 @@
 #include <mutex>
 
 namespace session {
-class Inbox final : public QObject {
+class MainThreadQueue final : public QObject {
 public:
-    explicit Inbox(QObject* parent = nullptr)
+    explicit MainThreadQueue(QObject* parent = nullptr)
         : QObject(parent)
     {}
 

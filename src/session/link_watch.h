@@ -9,12 +9,12 @@
 #include <optional>
 
 namespace session {
-class LinkWatch {
+class LinkMonitor {
 public:
-    enum class News : std::uint8_t { None, Lost, Back };
+    enum class Transition : std::uint8_t { None, Lost, Back };
 
     /// `garbled`: not answered, but something unreadable came.
-    News reading(bool answered, base::Duration at, bool garbled = false)
+    Transition addReading(bool answered, base::Duration at, bool garbled = false)
     {
         if (garbled)
             m_garbledAt = at;
@@ -22,19 +22,19 @@ public:
         if (answered) {
             const bool back = m_lost;
             *this = {};
-            return back ? News::Back : News::None;
+            return back ? Transition::Back : Transition::None;
         }
         if (m_missed++ == 0)
             m_since = at;
-        const bool silent = m_missed >= fewest || (m_missed > 1 && at - m_since > longest);
+        const bool silent = m_missed >= minMissed || (m_missed > 1 && at - m_since > maxSilence);
         if (m_lost || !silent)
-            return News::None;
+            return Transition::None;
         m_lost = true;
-        return News::Lost;
+        return Transition::Lost;
     }
-    bool lost() const { return m_lost; }
+    bool isLost() const { return m_lost; }
     /// The latest of the lost readings were garbage, not silence.
-    bool garbled() const { return m_garbledAt && m_latest - *m_garbledAt < garbageLasts; }
+    bool isGarbled() const { return m_garbledAt && m_latest - *m_garbledAt < garbledTimeout; }
     /// Of the first lost reading; nullopt while it answers.
     std::optional<base::Duration> silentSince() const
     {
@@ -42,9 +42,9 @@ public:
     }
 
 private:
-    static constexpr int fewest = 4;
-    static constexpr base::Duration longest = std::chrono::milliseconds(250);
-    static constexpr base::Duration garbageLasts = std::chrono::seconds(1);
+    static constexpr int minMissed = 4;
+    static constexpr base::Duration maxSilence = std::chrono::milliseconds(250);
+    static constexpr base::Duration garbledTimeout = std::chrono::seconds(1);
     int m_missed = 0;
     bool m_lost = false;
     base::Duration m_since{};

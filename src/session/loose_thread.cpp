@@ -11,10 +11,10 @@
 
 namespace session {
 namespace {
-std::atomic<bool> leftBehind = false;
+std::atomic<bool> hasDetachedThread = false;
 }
 
-struct LooseThread::State {
+struct DetachableWorker::State {
     std::mutex mutex;
     std::condition_variable changed;
     std::deque<std::function<void()>> jobs;
@@ -24,24 +24,24 @@ struct LooseThread::State {
     bool ended = false;
 };
 
-LooseThread::LooseThread()
+DetachableWorker::DetachableWorker()
     : m_state(std::make_shared<State>())
     , m_thread([state = m_state] { run(state); })
 {}
 
-LooseThread::~LooseThread()
+DetachableWorker::~DetachableWorker()
 {
-    end({});
+    finish({});
 }
 
-void LooseThread::start(std::function<void()> job)
+void DetachableWorker::start(std::function<void()> job)
 {
     const std::lock_guard lock(m_state->mutex);
     m_state->jobs.push_back(std::move(job));
     m_state->changed.notify_all();
 }
 
-bool LooseThread::end(std::chrono::milliseconds grace, std::function<void()> last)
+bool DetachableWorker::finish(std::chrono::milliseconds grace, std::function<void()> last)
 {
     if (!m_thread.joinable()) {
         const std::lock_guard lock(m_state->mutex);
@@ -61,13 +61,13 @@ bool LooseThread::end(std::chrono::milliseconds grace, std::function<void()> las
     if (ended) {
         m_thread.join();
     } else {
-        leftBehind = true;
+        hasDetachedThread = true;
         m_thread.detach();
     }
     return ended;
 }
 
-void LooseThread::run(const std::shared_ptr<State>& state)
+void DetachableWorker::run(const std::shared_ptr<State>& state)
 {
     for (;;) {
         std::function<void()> job;
@@ -81,7 +81,7 @@ void LooseThread::run(const std::shared_ptr<State>& state)
             state->busy = true;
         }
         job();
-        stayIfProgramEnds();
+        blockIfProgramEnds();
         job = {};
         const std::lock_guard lock(state->mutex);
         state->busy = false;
@@ -94,31 +94,31 @@ void LooseThread::run(const std::shared_ptr<State>& state)
     state->changed.notify_all();
 }
 
-void LooseThread::stayIfProgramEnds()
+void DetachableWorker::blockIfProgramEnds()
 {
     while (QCoreApplication::instance() == nullptr)
         std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
-int LooseThread::exitCode(int code)
+int DetachableWorker::exitCode(int code)
 {
-    if (leftBehind) {
+    if (hasDetachedThread) {
         std::fflush(nullptr);
         std::_Exit(code);
     }
     return code;
 }
 
-void LoosePost::post(std::function<void()> work)
+void GuardedPoster::post(std::function<void()> work)
 {
     const std::lock_guard lock(m_mutex);
-    if (m_inbox != nullptr)
-        m_inbox->post(std::move(work));
+    if (m_mainQueue != nullptr)
+        m_mainQueue->post(std::move(work));
 }
 
-void LoosePost::close()
+void GuardedPoster::close()
 {
     const std::lock_guard lock(m_mutex);
-    m_inbox = nullptr;
+    m_mainQueue = nullptr;
 }
 } // namespace session

@@ -13,21 +13,21 @@
 #include <thread>
 
 namespace session {
-class LooseThread {
+class DetachableWorker {
 public:
-    LooseThread();
-    LooseThread(const LooseThread&) = delete;
-    LooseThread& operator=(const LooseThread&) = delete;
-    ~LooseThread(); ///< leaves it at once
+    DetachableWorker();
+    DetachableWorker(const DetachableWorker&) = delete;
+    DetachableWorker& operator=(const DetachableWorker&) = delete;
+    ~DetachableWorker(); ///< leaves it at once
 
     void start(std::function<void()> job);
     /// Drops what waits; `last` is done after the running job. True: all has ended within `grace`
     /// (which an idle thread does not need).
-    bool end(std::chrono::milliseconds grace, std::function<void()> last = {});
+    bool finish(std::chrono::milliseconds grace, std::function<void()> last = {});
 
     /// For jobs that come back from where they hung: they may have been left behind, and the
     /// program may have ended so far that nothing of Qt can be touched any more. Then this stays.
-    static void stayIfProgramEnds();
+    static void blockIfProgramEnds();
 
     /// What main returns. Where a thread was left behind this ends the program at once, since a
     /// library that is being torn down under a thread brings the program down with it.
@@ -43,10 +43,10 @@ private:
 
 /// The way back from such a thread to the main thread. post() from any thread; what comes after
 /// close() is dropped.
-class LoosePost {
+class GuardedPoster {
 public:
-    explicit LoosePost(Inbox& inbox)
-        : m_inbox(&inbox)
+    explicit GuardedPoster(MainThreadQueue& mainQueue)
+        : m_mainQueue(&mainQueue)
     {}
 
     void post(std::function<void()> work);
@@ -54,6 +54,6 @@ public:
 
 private:
     std::mutex m_mutex;
-    Inbox* m_inbox;
+    MainThreadQueue* m_mainQueue;
 };
 } // namespace session

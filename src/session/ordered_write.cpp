@@ -68,16 +68,16 @@ base::Result<WriteReport> switchTorque(const Context& context, Servo& servo, con
 /// Shown as what it does: the correction that stands in the offset register afterwards.
 base::Result<WriteReport> centerHere(const Context& context, Servo& servo)
 {
-    const auto centred = jobs::center(context, servo);
-    if (!centred)
-        return tl::unexpected(centred.error());
+    const auto centered = jobs::center(context, servo);
+    if (!centered)
+        return tl::unexpected(centered.error());
     WriteReport report;
     report.id = servo.id;
-    report.lock = centred->lock;
+    report.lock = centered->lock;
     const catalog::Register* offset = servo.profile->byRole(Role::PositionOffset);
-    if (offset != nullptr && centred->offsetAfter) {
-        report.writes.push_back({offset->key, offset->address, centred->offsetBefore,
-                                 *centred->offsetAfter, centred->offsetAfter,
+    if (offset != nullptr && centered->offsetAfter) {
+        report.writes.push_back({offset->key, offset->address, centered->offsetBefore,
+                                 *centered->offsetAfter, centered->offsetAfter,
                                  device::WriteOutcome::Kept, std::nullopt});
     }
     return report;
@@ -163,7 +163,7 @@ base::Result<void> writeInOrder(const Context& context, Servo& servo,
     std::stable_sort(ordered.begin(), ordered.end(),
                      [&](const WriteItem& a, const WriteItem& b) { return way(a) < way(b); });
     for (std::size_t i = 0; i < ordered.size();) {
-        if (context.stop.requested())
+        if (context.stop.isRequested())
             return base::fail(base::ErrorCode::Stopped, QStringLiteral("write"), {}, servo.id);
         std::size_t end = i + 1;
         std::vector<WriteItem> plain{ordered[i]};

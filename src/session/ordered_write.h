@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any mixture of registers written as the table's user means it: torque and centring by their own
+// Any mixture of registers written as the table's user means it: torque and centering by their own
 // manoeuvres, plain registers by the safe write, then rate and ID, after which the servo answers
 // elsewhere. The job's thread. Errors as device::write and the jobs; what had ended before stands
 // in the report.
@@ -10,8 +10,8 @@
 namespace session {
 /// Before `items` are written back: each of `expected` must still hold its value, or already the
 /// one it is to get. Otherwise Mismatch of operation "write-back" with the register as key and
-/// "FOUND EXPECTED TARGET" as detail; IdentityDiffers and errors of reading besides. None expected:
-/// nothing is asked.
+/// "FOUND EXPECTED TARGET" as detail; IdentityMismatch and errors of reading besides. None
+/// expected: nothing is asked.
 base::Result<void> requireUnchanged(const device::Context& context, device::Servo& servo,
                                     const std::vector<device::WriteItem>& expected,
                                     const std::vector<device::WriteItem>& items);

@@ -31,63 +31,63 @@ bool isBefore(const PortInfo& a, const PortInfo& b)
     return a.path < b.path;
 }
 
-PortWatch::Look lookAround()
+PortWatcher::PortList listPortsNow()
 {
-    return {transport::listPorts(), transport::takenByBraille()};
+    return {transport::listPorts(), transport::adaptersClaimedByBrltty()};
 }
 } // namespace
 
-PortWatch::PortWatch(QObject* parent, Lister lister)
+PortWatcher::PortWatcher(QObject* parent, PortLister lister)
     : QObject(parent)
-    , m_lister(lister ? std::move(lister) : Lister(lookAround))
+    , m_listPorts(lister ? std::move(lister) : PortLister(listPortsNow))
     , m_thread([this] { run(); })
 {}
 
-PortWatch::~PortWatch()
+PortWatcher::~PortWatcher()
 {
     m_stop.request();
     m_thread.join();
 }
 
-void PortWatch::run()
+void PortWatcher::run()
 {
-    std::optional<Look> last;
+    std::optional<PortList> last;
     do {
-        Look look = m_lister();
+        PortList look = m_listPorts();
         std::sort(look.ports.begin(), look.ports.end(), isBefore);
         if (last != look) {
             last = look;
-            m_inbox.post([this, look = std::move(look)]() mutable { take(std::move(look)); });
+            m_mainQueue.post([this, look = std::move(look)]() mutable { take(std::move(look)); });
         }
     } while (m_stop.waitUntil(std::chrono::steady_clock::now() + period));
 }
 
-void PortWatch::take(Look look)
+void PortWatcher::take(PortList look)
 {
-    m_now = std::move(look);
-    m_hasLooked = true;
+    m_ports = std::move(look);
+    m_isReady = true;
     Q_EMIT portsChanged();
 }
 
-const PortInfo* PortWatch::find(const QString& path) const
+const PortInfo* PortWatcher::find(const QString& path) const
 {
-    const auto found = std::find_if(m_now.ports.begin(), m_now.ports.end(),
+    const auto found = std::find_if(m_ports.ports.begin(), m_ports.ports.end(),
                                     [&](const PortInfo& port) { return port.path == path; });
-    return found == m_now.ports.end() ? nullptr : &*found;
+    return found == m_ports.ports.end() ? nullptr : &*found;
 }
 
-QString PortWatch::adapterKey(const QString& port) const
+QString PortWatcher::adapterKey(const QString& port) const
 {
     const PortInfo* info = find(transport::canonicalPath(port));
     return info != nullptr ? keyOf(*info) : port;
 }
 
-QString PortWatch::portOf(const QString& adapterKey) const
+QString PortWatcher::findAdapter(const QString& adapterKey) const
 {
     if (adapterKey.isEmpty())
         return {};
     std::vector<const PortInfo*> ofItsKind;
-    for (const PortInfo& port : m_now.ports) {
+    for (const PortInfo& port : m_ports.ports) {
         if (keyOf(port) == adapterKey)
             return port.path;
         if (port.vendorId != 0 && port.serialNumber.isEmpty() &&
@@ -97,7 +97,8 @@ QString PortWatch::portOf(const QString& adapterKey) const
     return ofItsKind.size() == 1 ? ofItsKind.front()->path : QString();
 }
 
-void ReplugWatch::start(const PortWatch& ports, const QString& adapterKey, const QString& oldPath)
+void ReplugWatcher::start(const PortWatcher& ports, const QString& adapterKey,
+                          const QString& oldPath)
 {
     m_key = adapterKey;
     m_oldPath = oldPath;
@@ -107,13 +108,13 @@ void ReplugWatch::start(const PortWatch& ports, const QString& adapterKey, const
         m_others.insert(port.path);
 }
 
-QString ReplugWatch::look(const PortWatch& ports)
+QString ReplugWatcher::detect(const PortWatcher& ports)
 {
-    if (!running())
+    if (!isRunning())
         return {};
     for (auto it = m_others.begin(); it != m_others.end();)
         it = ports.find(*it) == nullptr ? m_others.erase(it) : std::next(it);
-    const QString path = ports.portOf(m_key);
+    const QString path = ports.findAdapter(m_key);
     return m_others.count(path) != 0 ? QString() : path;
 }
 } // namespace session

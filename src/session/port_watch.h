@@ -14,29 +14,29 @@
 namespace session {
 using PortInfo = transport::PortInfo;
 
-class PortWatch final : public QObject {
+class PortWatcher final : public QObject {
     Q_OBJECT
 
 public:
-    struct Look {
+    struct PortList {
         std::vector<PortInfo> ports;
-        QStringList taken; ///< adapters the braille service holds: "1a86:7523"
-        bool operator==(const Look&) const = default;
+        QStringList claimedAdapters; ///< adapters the braille service holds: "1a86:7523"
+        bool operator==(const PortList&) const = default;
     };
-    using Lister = std::function<Look()>;
+    using PortLister = std::function<PortList()>;
     /// `lister` replaces the system's list, for tests; it is called on the watch's thread.
-    explicit PortWatch(QObject* parent = nullptr, Lister lister = {});
-    ~PortWatch() override;
+    explicit PortWatcher(QObject* parent = nullptr, PortLister lister = {});
+    ~PortWatcher() override;
 
     /// False until the first look: nothing can be said of what is there yet.
-    bool hasLooked() const { return m_hasLooked; }
+    bool isReady() const { return m_isReady; }
 
     /// Adapters first, then the other ports; by path.
-    const std::vector<PortInfo>& ports() const { return m_now.ports; }
+    const std::vector<PortInfo>& ports() const { return m_ports.ports; }
     const PortInfo* find(const QString& path) const; ///< null: not there
 
     /// Adapters that are plugged in and have no port, because the braille service took them.
-    const QStringList& taken() const { return m_now.taken; }
+    const QStringList& claimedAdapters() const { return m_ports.claimedAdapters; }
 
     /// What stays the same when an adapter is plugged in elsewhere: vendor, product and serial
     /// number. One without a serial number is known by its path as well; anything that is not an
@@ -44,36 +44,36 @@ public:
     QString adapterKey(const QString& port) const;
     /// Where the adapter is now; empty: not there. One without a serial number is also found at
     /// another path, if it is the only one of its kind.
-    QString portOf(const QString& adapterKey) const;
+    QString findAdapter(const QString& adapterKey) const;
 
 Q_SIGNALS:
     void portsChanged(); ///< only when the list differs, and after the first look
 
 private:
     void run();
-    void take(Look look);
+    void take(PortList look);
 
-    Lister m_lister;
-    Look m_now;
-    bool m_hasLooked = false;
-    Inbox m_inbox;
-    base::Stop m_stop;
+    PortLister m_listPorts;
+    PortList m_ports;
+    bool m_isReady = false;
+    MainThreadQueue m_mainQueue;
+    base::StopToken m_stop;
     std::thread m_thread; ///< last: it uses the others
 };
 
 /// Waits for one adapter to come back after it was unplugged. Others of the same kind that were
 /// there all the time are not it. Main thread; a value.
-class ReplugWatch {
+class ReplugWatcher {
 public:
     /// From now on; `adapterKey` as it was while the adapter was there.
-    void start(const PortWatch& ports, const QString& adapterKey, const QString& oldPath);
+    void start(const PortWatcher& ports, const QString& adapterKey, const QString& oldPath);
     void stop() { m_key.clear(); }
     /// Some time later: a port that is still in the list has come back faster than was looked.
-    void settle() { m_others.erase(m_oldPath); }
-    bool running() const { return !m_key.isEmpty(); }
+    void forgetOldPath() { m_others.erase(m_oldPath); }
+    bool isRunning() const { return !m_key.isEmpty(); }
 
     /// Call at each portsChanged: where the adapter is, once it is back.
-    QString look(const PortWatch& ports);
+    QString detect(const PortWatcher& ports);
 
 private:
     QString m_key;

@@ -21,18 +21,18 @@ void Replay::cancel()
 void Replay::load(const QString& path)
 {
     cancel();
-    const auto stop = std::make_shared<base::Stop>();
+    const auto stop = std::make_shared<base::StopToken>();
     m_stop = stop;
     m_thread.start([this, path, stop] {
-        const auto into = std::make_shared<Replayed>();
+        const auto into = std::make_shared<ReplayData>();
         into->path = path;
         auto content = record::loadRecording(path, into->store, *stop, [&](double fraction) {
-            m_inbox.post([this, stop, fraction] {
+            m_mainQueue.post([this, stop, fraction] {
                 if (m_stop == stop)
                     Q_EMIT progress(fraction);
             });
         });
-        m_inbox.post([this, stop, into, content = std::move(content)]() mutable {
+        m_mainQueue.post([this, stop, into, content = std::move(content)]() mutable {
             if (m_stop != stop)
                 return; // nobody wants it any more
             m_stop.reset();

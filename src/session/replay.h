@@ -11,7 +11,7 @@
 #include <memory>
 
 namespace session {
-struct Replayed {
+struct ReplayData {
     QString path;
     record::SampleStore store;
     record::LoadedRecording content;
@@ -26,16 +26,16 @@ public:
 
     void load(const QString& path);
     void cancel();
-    bool loading() const { return m_stop != nullptr; }
+    bool isLoading() const { return m_stop != nullptr; }
 
 Q_SIGNALS:
     void progress(double fraction);
-    void loaded(const std::shared_ptr<session::Replayed>& recording);
+    void loaded(const std::shared_ptr<session::ReplayData>& recording);
     void failed(const base::Error& error);
 
 private:
-    Inbox m_inbox;
-    std::shared_ptr<base::Stop> m_stop; ///< of the load that is under way
-    JobThread m_thread;                 ///< last: its job uses the others
+    MainThreadQueue m_mainQueue;
+    std::shared_ptr<base::StopToken> m_stop; ///< of the load that is under way
+    JobThread m_thread;                      ///< last: its job uses the others
 };
 } // namespace session

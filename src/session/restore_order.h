@@ -10,31 +10,31 @@
 #include <QPointer>
 
 namespace session {
-struct RestoreEnd {
+struct RestoreCompletion {
     std::optional<base::Error> error{}; ///< nothing was written
     std::optional<jobs::RestoreOutcome> outcome{};
 };
 
-struct RestoreOrder {
+struct RestoreRequest {
     jobs::RestorePlan plan{}; ///< with its ticks; made for the servo as it is in the list
     bool dangerous = false;   ///< the user's consent to the dangerous rows that are ticked
     jobs::OnFailure onFailure = jobs::OnFailure::Stop;
     QPointer<QObject> guard{};
-    std::function<void(const RestoreEnd&)> done{};
+    std::function<void(const RestoreCompletion&)> done{};
 };
 
-struct ApplyEnd {
+struct ApplyCompletion {
     std::optional<base::Error> error{};
-    std::vector<jobs::Applied> servos{}; ///< those it came to, also when it ended early
+    std::vector<jobs::ApplyResult> servos{}; ///< those it came to, also when it ended early
 };
 
-struct ApplyOrder {
+struct ApplyRequest {
     record::Snapshot snapshot{};            ///< for `ids`; not looked at with a bundle
     std::optional<record::Bundle> bundle{}; ///< by the IDs in it
     std::vector<int> ids{};
     jobs::ApplyOptions options{}; ///< beforeWrite is set by the bench
     QPointer<QObject> guard{};
-    std::function<void(const jobs::Applied&)> onServo{};
-    std::function<void(const ApplyEnd&)> done{};
+    std::function<void(const jobs::ApplyResult&)> onServo{};
+    std::function<void(const ApplyCompletion&)> done{};
 };
 } // namespace session

@@ -13,7 +13,7 @@
 namespace session {
 namespace {
 /// A user's own model may be called anything; a file may not.
-QString fileWord(const QString& name)
+QString fileNamePart(const QString& name)
 {
     static const QRegularExpression others(QStringLiteral("[^A-Za-z0-9._-]"));
     return QString(name).replace(others, QStringLiteral("_"));
@@ -23,7 +23,7 @@ QString newFile(const QDir& folder, const device::Servo& servo)
 {
     const QString stem =
         QStringLiteral("%1-id%2-%3")
-            .arg(fileWord(servo.profile->modelName))
+            .arg(fileNamePart(servo.profile->modelName))
             .arg(servo.id)
             .arg(QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss")));
     QString name = stem + QStringLiteral(".servo.json");
@@ -68,14 +68,14 @@ base::Result<QString> saveSafetySnapshot(const device::Context& context, device:
     return path;
 }
 
-void dropSafetySnapshot(const QString& path)
+void removeSafetySnapshot(const QString& path)
 {
     QFile::remove(path);
     const auto history = record::History::open(historyFile());
     if (!history)
         return;
     record::HistoryFilter latest;
-    latest.most = 10;
+    latest.limit = 10;
     const auto rows = (*history)->log().snapshots(latest);
     for (const record::HistorySnapshot& row :
          rows ? *rows : std::vector<record::HistorySnapshot>()) {
@@ -84,8 +84,8 @@ void dropSafetySnapshot(const QString& path)
     }
 }
 
-void keepInHistory(const record::Snapshot& snapshot, record::SnapshotReason reason,
-                   const QString& file)
+void addToHistory(const record::Snapshot& snapshot, record::SnapshotReason reason,
+                  const QString& file)
 {
     if (const auto history = record::History::open(historyFile()))
         (void)(*history)->log().addSnapshot(snapshot, reason, file);

@@ -18,10 +18,10 @@ saveSafetySnapshot(const device::Context& context, device::Servo& servo,
                    record::SnapshotReason reason = record::SnapshotReason::Automatic);
 
 /// Nothing was changed after all: takes the file and its row of the history away again.
-void dropSafetySnapshot(const QString& path);
+void removeSafetySnapshot(const QString& path);
 
 /// One that was saved to `file`, for the history too. A history that cannot be used does not make
 /// the file worse: it is told nowhere here, but refuses writes.
-void keepInHistory(const record::Snapshot& snapshot, record::SnapshotReason reason,
-                   const QString& file);
+void addToHistory(const record::Snapshot& snapshot, record::SnapshotReason reason,
+                  const QString& file);
 } // namespace session

@@ -12,13 +12,13 @@ using catalog::Role;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr std::size_t mostMarks = 20000;
-constexpr auto recorderInterval = 100ms;
+constexpr std::size_t maxMarks = 20000;
+constexpr auto recorderCheckInterval = 100ms;
 /// So long nothing was read although it used to come more often: a gap, not a line.
-constexpr Duration leastGap = 400ms;
+constexpr Duration minGap = 400ms;
 constexpr int gapIntervals = 5;
-constexpr Duration slowest = 2s;
-constexpr double notRead = std::numeric_limits<double>::quiet_NaN();
+constexpr Duration maxInterval = 2s;
+constexpr double missingValue = std::numeric_limits<double>::quiet_NaN();
 
 const catalog::Register* goalRegister(const catalog::Profile& profile)
 {
@@ -33,7 +33,7 @@ QString goalKey(const catalog::Profile& profile)
     return goal != nullptr ? goal->key : QString();
 }
 
-struct Scope::Slot {
+struct LiveData::Slot {
     QString key;
     const catalog::Register* reg = nullptr; ///< of the source's profile; null: the error
     QString unit;
@@ -42,7 +42,7 @@ struct Scope::Slot {
     Duration interval{}; ///< as it usually comes; 0: not known yet
 };
 
-struct Scope::Source {
+struct LiveData::Source {
     catalog::ProfilePtr profile;
     std::vector<Slot> slots;
     bool fresh = false;    ///< units were looked at in this batch
@@ -50,45 +50,45 @@ struct Scope::Source {
     bool missing = false;  ///< the latest reading was not answered
 };
 
-Scope::Scope(Desk& desk, QObject* parent)
+LiveData::LiveData(Desk& desk, QObject* parent)
     : QObject(parent)
     , m_desk(desk)
 {
-    connect(&desk, &Desk::readings, this,
-            [this](const std::vector<Reading>& batch) { take(batch); });
-    connect(&desk, &Desk::marked, this, &Scope::note);
-    connect(&desk, &Desk::servosCleared, this, &Scope::forgetAll);
-    m_recorderLook.setInterval(recorderInterval);
-    connect(&m_recorderLook, &QTimer::timeout, this, &Scope::lookAtRecorder);
+    connect(&desk, &Desk::readingsReceived, this,
+            [this](const std::vector<Reading>& batch) { process(batch); });
+    connect(&desk, &Desk::markAdded, this, &LiveData::addMark);
+    connect(&desk, &Desk::servosCleared, this, &LiveData::resetServos);
+    m_recorderTimer.setInterval(recorderCheckInterval);
+    connect(&m_recorderTimer, &QTimer::timeout, this, &LiveData::checkRecorder);
 }
 
-Scope::~Scope()
+LiveData::~LiveData()
 {
     flushRows();
     if (m_recorder)
-        letGo(std::move(m_recorder));
+        closeRecorder(std::move(m_recorder));
 }
 
-const ScopeChannel* Scope::find(ServoRef servo, const QString& key) const
+const LiveChannel* LiveData::find(ServoRef servo, const QString& key) const
 {
     const auto found =
-        std::find_if(m_channels.rbegin(), m_channels.rend(), [&](const ScopeChannel& channel) {
+        std::find_if(m_channels.rbegin(), m_channels.rend(), [&](const LiveChannel& channel) {
             return channel.servo == servo && channel.key == key;
         });
     return found != m_channels.rend() ? &*found : nullptr;
 }
 
-void Scope::clear()
+void LiveData::clear()
 {
     m_store.clear();
     m_marks.clear();
-    Q_EMIT grown();
+    Q_EMIT samplesAdded();
 }
 
-void Scope::forgetAll()
+void LiveData::resetServos()
 {
     stopRecording(); // its curves are gone
-    for (const ScopeChannel& channel : m_channels)
+    for (const LiveChannel& channel : m_channels)
         m_store.close(channel.id);
     m_store.clear();
     m_channels.clear();
@@ -97,26 +97,26 @@ void Scope::forgetAll()
     m_trigger.disarm();
     Q_EMIT channelsChanged();
     Q_EMIT triggerChanged();
-    Q_EMIT grown();
+    Q_EMIT samplesAdded();
 }
 
-void Scope::setPeriod(Duration period)
+void LiveData::setPeriod(Duration period)
 {
     m_period = period;
-    updateWish();
+    updateSubscription();
 }
 
 /// What is recorded or waited for is read, whatever page is shown and whatever servo is selected.
-void Scope::updateWish()
+void LiveData::updateSubscription()
 {
     const auto state = m_trigger.state();
     const bool waits = state == record::Trigger::State::Armed;
-    FeedWish wish;
+    Subscription wish;
     wish.period = m_period;
-    for (const ScopeChannel& channel : m_channels) {
-        const bool wanted =
+    for (const LiveChannel& channel : m_channels) {
+        const bool requested =
             m_columns.count(channel.id) > 0 || (waits && m_trigger.spec().channel == channel.id);
-        if (!wanted || !channel.profile)
+        if (!requested || !channel.profile)
             continue;
         QStringList keys{channel.key};
         if (channel.key == errorKey) {
@@ -127,43 +127,43 @@ void Scope::updateWish()
         }
         wish.parts.push_back({channel.servo, keys, {}});
     }
-    m_desk.wish(QStringLiteral("scope"), wish);
+    m_desk.subscribe(QStringLiteral("scope"), wish);
 }
 
-void Scope::arm(const record::TriggerSpec& spec)
+void LiveData::armTrigger(const record::TriggerSpec& spec)
 {
     m_trigger.arm(spec);
-    updateWish();
+    updateSubscription();
     Q_EMIT triggerChanged();
 }
 
-void Scope::disarm()
+void LiveData::disarmTrigger()
 {
     m_trigger.disarm();
-    updateWish();
+    updateSubscription();
     Q_EMIT triggerChanged();
 }
 
-void Scope::take(const std::vector<Reading>& batch)
+void LiveData::process(const std::vector<Reading>& batch)
 {
     const auto stateBefore = m_trigger.state();
     for (const Reading& reading : batch)
-        take(reading);
+        process(reading);
     for (const auto& [ref, source] : m_sources)
         source->fresh = false;
-    m_trigger.reach(m_desk.now());
+    m_trigger.advanceTo(m_desk.now());
     flushRows();
     if (std::exchange(m_newChannels, false))
         Q_EMIT channelsChanged();
     if (m_trigger.state() != stateBefore) {
-        updateWish();
+        updateSubscription();
         Q_EMIT triggerChanged();
     }
     if (!batch.empty())
-        Q_EMIT grown();
+        Q_EMIT samplesAdded();
 }
 
-Scope::Source& Scope::sourceOf(const Reading& reading)
+LiveData::Source& LiveData::sourceOf(const Reading& reading)
 {
     auto& place = m_sources[reading.servo];
     if (!place || place->profile != reading.profile) { // new, another servo, or better known
@@ -174,7 +174,7 @@ Scope::Source& Scope::sourceOf(const Reading& reading)
 }
 
 /// Units and modes may have changed since the last batch.
-void Scope::refresh(Source& source, const ServoEntry& entry)
+void LiveData::refresh(Source& source, const ServoEntry& entry)
 {
     if (source.fresh || entry.servo.profile != source.profile)
         return;
@@ -191,8 +191,8 @@ void Scope::refresh(Source& source, const ServoEntry& entry)
     }
 }
 
-Scope::Slot& Scope::slotFor(Source& source, ServoRef servo, const catalog::Register* reg,
-                            const QString& key, const QString& unit)
+LiveData::Slot& LiveData::slotFor(Source& source, ServoRef servo, const catalog::Register* reg,
+                                  const QString& key, const QString& unit)
 {
     auto slot = std::find_if(source.slots.begin(), source.slots.end(),
                              [&](const Slot& one) { return one.key == key; });
@@ -203,7 +203,7 @@ Scope::Slot& Scope::slotFor(Source& source, ServoRef servo, const catalog::Regis
     if (slot->id >= 0)
         return *slot;
     const auto known =
-        std::find_if(m_channels.begin(), m_channels.end(), [&](const ScopeChannel& channel) {
+        std::find_if(m_channels.begin(), m_channels.end(), [&](const LiveChannel& channel) {
             return channel.servo == servo && channel.key == key && channel.unit == slot->unit &&
                    channel.profile == source.profile;
         });
@@ -218,16 +218,16 @@ Scope::Slot& Scope::slotFor(Source& source, ServoRef servo, const catalog::Regis
     return *slot;
 }
 
-void Scope::put(Slot& slot, Duration at, double value)
+void LiveData::append(Slot& slot, Duration at, double value)
 {
     const Duration since = at - slot.lastAt;
     const bool before = slot.lastAt.count() > 0;
-    if (before && since > std::max(leastGap, gapIntervals * slot.interval)) {
+    if (before && since > std::max(minGap, gapIntervals * slot.interval)) {
         m_store.gap(slot.id);
         m_trigger.gap(slot.id);
     }
     if (before) { // learned from a gap too: it may come more slowly from now on
-        const Duration seen = std::min(since, slowest);
+        const Duration seen = std::min(since, maxInterval);
         slot.interval = slot.interval.count() > 0 ? (slot.interval * 3 + seen) / 4 : seen;
     }
     slot.lastAt = at;
@@ -237,7 +237,7 @@ void Scope::put(Slot& slot, Duration at, double value)
         m_row[column->second] = value;
 }
 
-void Scope::takeValues(Source& source, const Reading& reading, const ServoEntry& entry)
+void LiveData::processValues(Source& source, const Reading& reading, const ServoEntry& entry)
 {
     std::optional<double> goal;
     std::optional<double> position;
@@ -245,7 +245,7 @@ void Scope::takeValues(Source& source, const Reading& reading, const ServoEntry&
     for (const ReadValue& value : reading.values) {
         const QString unit = entry.servo.meaning(*value.reg).unit;
         Slot& slot = slotFor(source, reading.servo, value.reg, value.reg->key, unit);
-        put(slot, reading.at, value.physical);
+        append(slot, reading.at, value.physical);
         if (value.reg == goalReg)
             goal = value.physical;
         if (value.reg->role == Role::PresentPosition)
@@ -254,19 +254,19 @@ void Scope::takeValues(Source& source, const Reading& reading, const ServoEntry&
     if (!source.hasError || !goal || !position)
         return;
     const QString unit = entry.servo.meaning(*goalReg).unit;
-    put(slotFor(source, reading.servo, nullptr, errorKey, unit), reading.at, *goal - *position);
+    append(slotFor(source, reading.servo, nullptr, errorKey, unit), reading.at, *goal - *position);
 }
 
-void Scope::take(const Reading& reading)
+void LiveData::process(const Reading& reading)
 {
     Source& source = sourceOf(reading);
     const ServoEntry* entry = m_desk.servo(reading.servo);
     const auto rowSize = m_rowSizes.find(reading.servo);
     if (rowSize != m_rowSizes.end())
-        m_row.assign(rowSize->second, notRead);
+        m_row.assign(rowSize->second, missingValue);
     if (reading.answered && entry != nullptr && entry->servo.profile == source.profile) {
         refresh(source, *entry);
-        takeValues(source, reading, *entry);
+        processValues(source, reading, *entry);
     } else if (!source.missing) {
         for (const Slot& slot : source.slots) {
             m_store.gap(slot.id);
@@ -281,10 +281,10 @@ void Scope::take(const Reading& reading)
         m_rows.push_back({reading.at, reading.servo, m_row});
 }
 
-void Scope::note(const record::Mark& mark)
+void LiveData::addMark(const record::Mark& mark)
 {
-    if (m_marks.size() >= mostMarks)
-        m_marks.erase(m_marks.begin(), m_marks.begin() + mostMarks / 4);
+    if (m_marks.size() >= maxMarks)
+        m_marks.erase(m_marks.begin(), m_marks.begin() + maxMarks / 4);
     // A write is told when it has ended, readings may have come since.
     const auto place =
         std::upper_bound(m_marks.begin(), m_marks.end(), mark,
@@ -292,10 +292,10 @@ void Scope::note(const record::Mark& mark)
     m_marks.insert(place, mark);
     const auto before = m_trigger.state();
     m_trigger.mark(mark);
-    if (recording())
+    if (isRecording())
         m_rowMarks.push_back(mark);
     if (m_trigger.state() != before)
         Q_EMIT triggerChanged();
-    Q_EMIT grown();
+    Q_EMIT samplesAdded();
 }
 } // namespace session

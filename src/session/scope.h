@@ -18,7 +18,7 @@ QString goalKey(const catalog::Profile& profile); ///< what a chart shows as the
 
 /// One curve that can be shown. Where a register changes its unit (mode, phase), it goes on as
 /// another channel: no curve mixes units.
-struct ScopeChannel {
+struct LiveChannel {
     record::ChannelId id = -1;
     ServoRef servo = 0;
     catalog::ProfilePtr profile;
@@ -26,44 +26,44 @@ struct ScopeChannel {
     QString unit; ///< as the catalog has it: "deg", "rpm", empty
 };
 
-struct RecordingOrder {
+struct RecordingRequest {
     QString path;
     /// Empty: all that is being read when it begins.
     std::vector<record::ChannelId> channels{};
     base::Duration length{}; ///< 0: until stopped
 };
 
-class Scope final : public QObject {
+class LiveData final : public QObject {
     Q_OBJECT
 
 public:
-    explicit Scope(Desk& desk, QObject* parent = nullptr);
-    ~Scope() override; ///< a running recording is ended and on the disk
+    explicit LiveData(Desk& desk, QObject* parent = nullptr);
+    ~LiveData() override; ///< a running recording is ended and on the disk
 
     const record::SampleStore& store() const { return m_store; }
     const std::vector<record::Mark>& marks() const { return m_marks; }
-    const std::vector<ScopeChannel>& channels() const { return m_channels; }
-    const ScopeChannel* find(ServoRef servo, const QString& key) const; ///< the latest one of it
+    const std::vector<LiveChannel>& channels() const { return m_channels; }
+    const LiveChannel* find(ServoRef servo, const QString& key) const; ///< the latest one of it
     void clear();
 
     /// How often what is recorded and waited for is read; 0: as fast as the wire allows.
     void setPeriod(base::Duration period);
 
-    void arm(const record::TriggerSpec& spec);
-    void disarm();
+    void armTrigger(const record::TriggerSpec& spec);
+    void disarmTrigger();
     const record::Trigger& trigger() const { return m_trigger; }
 
     /// BadArgument: nothing to record, or one runs already. Otherwise the file is opened beside,
     /// and recordingBegan or recordingFailed (FileUnwritable, DiskFull …) follows.
-    base::Result<void> record(const RecordingOrder& order);
+    base::Result<void> startRecording(const RecordingRequest& request);
     void stopRecording();
-    bool recording() const { return m_recorder != nullptr || m_beginning; }
+    bool isRecording() const { return m_recorder != nullptr || m_beginning; }
     record::RecorderStatus recordingStatus() const; ///< of the running or the latest one
     QString recordingPath() const { return m_recordingPath; }
     std::vector<ServoRef> recordedServos() const; ///< while recording
 
 Q_SIGNALS:
-    void grown();           ///< new samples or marks; at most once a batch
+    void samplesAdded();    ///< new samples or marks; at most once a batch
     void channelsChanged(); ///< more of them, or none
     void triggerChanged();  ///< armed, fired, complete
     void recordingBegan();
@@ -76,31 +76,31 @@ private:
     struct Slot;   ///< one of them
 
     // scope.cpp
-    void take(const std::vector<Reading>& batch);
-    void take(const Reading& reading);
-    void takeValues(Source& source, const Reading& reading, const ServoEntry& entry);
+    void process(const std::vector<Reading>& batch);
+    void process(const Reading& reading);
+    void processValues(Source& source, const Reading& reading, const ServoEntry& entry);
     Source& sourceOf(const Reading& reading);
     static void refresh(Source& source, const ServoEntry& entry);
     Slot& slotFor(Source& source, ServoRef servo, const catalog::Register* reg, const QString& key,
                   const QString& unit);
-    void put(Slot& slot, base::Duration at, double value);
-    void note(const record::Mark& mark);
-    void forgetAll();
-    void updateWish();
+    void append(Slot& slot, base::Duration at, double value);
+    void addMark(const record::Mark& mark);
+    void resetServos();
+    void updateSubscription();
 
     // scope_recording.cpp
     void flushRows();
-    void forgetColumns();
+    void clearColumns();
     void recorderOpened(base::Result<std::unique_ptr<record::Recorder>> opened);
-    void lookAtRecorder();
-    void letGo(std::unique_ptr<record::Recorder> recorder);
-    std::vector<record::ChannelId> beingRead() const;
-    record::RecordingChannel describe(const ScopeChannel& channel) const;
+    void checkRecorder();
+    void closeRecorder(std::unique_ptr<record::Recorder> recorder);
+    std::vector<record::ChannelId> polledChannels() const;
+    record::RecordingChannel describe(const LiveChannel& channel) const;
 
     Desk& m_desk;
     record::SampleStore m_store;
     std::vector<record::Mark> m_marks;
-    std::vector<ScopeChannel> m_channels;
+    std::vector<LiveChannel> m_channels;
     std::map<ServoRef, std::unique_ptr<Source>> m_sources;
     base::Duration m_period{};
     bool m_newChannels = false;
@@ -117,8 +117,8 @@ private:
     std::vector<record::Mark> m_rowMarks;
     record::RecorderStatus m_lastStatus;
     QString m_recordingPath;
-    QTimer m_recorderLook;
-    Inbox m_inbox;
+    QTimer m_recorderTimer;
+    MainThreadQueue m_mainQueue;
     JobThread m_files; ///< opens and closes files; last: its jobs use the others
 };
 } // namespace session

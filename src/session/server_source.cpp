@@ -7,23 +7,23 @@
 namespace session {
 namespace {
 using Clock = std::chrono::steady_clock;
-constexpr auto watchEvery = std::chrono::milliseconds(500);
+constexpr auto watchInterval = std::chrono::milliseconds(500);
 /// Enough for whoever waits for an answer: hanging up ends that. Only connecting takes longer.
-constexpr auto atTheEnd = std::chrono::milliseconds(100);
+constexpr auto shutdownTimeout = std::chrono::milliseconds(100);
 } // namespace
 
 /// The connection, with what both threads need to know of it.
-class ServerSource::Line {
+class HistoryServerSource::ServerConnection {
 public:
-    explicit Line(QString address)
+    explicit ServerConnection(QString address)
         : m_address(std::move(address))
     {}
 
     // --- the loose thread ---
-    void answer(const Question& question, std::optional<std::int64_t> bench)
+    void answer(const Query& query, std::optional<std::int64_t> bench)
     {
         m_askedAt = Clock::now().time_since_epoch().count();
-        question(open(bench));
+        query(open(bench));
         m_askedAt = 0;
     }
 
@@ -37,7 +37,7 @@ public:
     }
 
     // --- any ---
-    void hangUp()
+    void dropConnection()
     {
         const std::lock_guard lock(m_mutex);
         if (m_server != nullptr)
@@ -55,11 +55,11 @@ private:
     base::Result<record::History*> open(std::optional<std::int64_t> bench)
     {
         // A kept connection may have been cut since; this is where it shows.
-        if (m_history && !m_server->choose(bench))
+        if (m_history && !m_server->selectBench(bench))
             close();
         if (!m_history) {
             const auto connected = connect();
-            const auto chosen = connected ? m_server->choose(bench) : connected;
+            const auto chosen = connected ? m_server->selectBench(bench) : connected;
             if (!chosen) {
                 close();
                 return tl::unexpected(chosen.error());
@@ -90,27 +90,27 @@ private:
     std::atomic<Clock::rep> m_askedAt{0}; ///< 0: nothing is being asked
 };
 
-ServerSource::ServerSource(const QString& address, std::chrono::milliseconds patience)
-    : m_line(std::make_shared<Line>(address))
+HistoryServerSource::HistoryServerSource(const QString& address, std::chrono::milliseconds timeout)
+    : m_connection(std::make_shared<ServerConnection>(address))
 {
-    QObject::connect(&m_watch, &QTimer::timeout, &m_watch, [this, patience] {
-        if (m_line->silence() > patience)
-            m_line->hangUp();
+    QObject::connect(&m_watch, &QTimer::timeout, &m_watch, [this, timeout] {
+        if (m_connection->silence() > timeout)
+            m_connection->dropConnection();
     });
-    m_watch.start(std::min(watchEvery, patience));
+    m_watch.start(std::min(watchInterval, timeout));
 }
 
 /// The connection goes on the thread that made it.
-ServerSource::~ServerSource()
+HistoryServerSource::~HistoryServerSource()
 {
-    m_line->hangUp();
-    m_thread.end(atTheEnd, [line = m_line] { line->close(); });
+    m_connection->dropConnection();
+    m_thread.finish(shutdownTimeout, [line = m_connection] { line->close(); });
 }
 
-void ServerSource::start(Question question)
+void HistoryServerSource::start(Query query)
 {
-    m_thread.start([line = m_line, bench = m_bench, question = std::move(question)] {
-        line->answer(question, bench);
+    m_thread.start([line = m_connection, bench = m_bench, query = std::move(query)] {
+        line->answer(query, bench);
     });
 }
 } // namespace session

@@ -12,19 +12,20 @@
 #include <QTimer>
 
 namespace session {
-class ServerSource final : public ArchiveSource {
+class HistoryServerSource final : public HistorySource {
 public:
-    explicit ServerSource(const QString& address,
-                          std::chrono::milliseconds patience = std::chrono::seconds(30));
-    ~ServerSource() override;
+    explicit HistoryServerSource(const QString& address,
+                                 std::chrono::milliseconds timeout = std::chrono::seconds(30));
+    ~HistoryServerSource() override;
 
-    void start(Question question) override;
-    void choose(std::optional<std::int64_t> bench) override { m_bench = bench; }
+    void start(Query query) override;
+    void selectBench(std::optional<std::int64_t> bench) override { m_bench = bench; }
 
 private:
-    class Line;
-    std::shared_ptr<Line> m_line; ///< shared with the thread, which may be left behind
-    LooseThread m_thread;
+    class ServerConnection;
+    std::shared_ptr<ServerConnection>
+        m_connection; ///< shared with the thread, which may be left behind
+    DetachableWorker m_thread;
     std::optional<std::int64_t> m_bench;
     QTimer m_watch;
 };

@@ -6,13 +6,13 @@
 #include <algorithm>
 
 namespace session {
-std::optional<bool> ServoEntry::lockOpen() const
+std::optional<bool> ServoEntry::isLockOpen() const
 {
     const auto lock = servo.profile ? servo.raw(catalog::Role::Lock) : std::nullopt;
-    return lock ? std::optional(device::isOpen(*lock)) : std::nullopt;
+    return lock ? std::optional(device::isLockOpen(*lock)) : std::nullopt;
 }
 
-std::optional<std::int64_t> ServoEntry::shown(const catalog::Register& reg) const
+std::optional<std::int64_t> ServoEntry::displayedRaw(const catalog::Register& reg) const
 {
     return unreadable.count(reg.key) > 0 ? std::nullopt : servo.raw(reg);
 }

@@ -19,9 +19,9 @@ namespace session {
 using ServoRef = int;
 
 /// The latest write of one register.
-struct RowWrite {
+struct RegisterWriteState {
     int pending = 0; ///< writes asked for and not ended yet
-    std::int64_t wanted = 0;
+    std::int64_t requested = 0;
     std::optional<device::WriteOutcome> outcome; ///< of the latest that ended
     std::optional<base::Error> error;
     base::Duration at{};
@@ -32,38 +32,38 @@ struct ServoEntry {
     /// Its image is what was really read. profile is null when it answered and could not be
     /// identified.
     device::Servo servo;
-    bool twinsSuspected = false; ///< two servos may share this ID
-    bool heardLate = false;
+    bool duplicateSuspected = false; ///< two servos may share this ID
+    bool lateReplySeen = false;
     base::Duration lastSeen{};
     bool silent = false;  ///< did not answer when it was last asked
     bool garbled = false; ///< silent, but something unreadable came in its place
     /// Silent, and something has answered since: not taken for this servo until it is identified.
-    bool heardAgain = false;
+    bool answeredAgain = false;
     base::Duration statusAt{}; ///< of the regular reading that brought servo.status
-    LinkWatch link;            ///< by regular readings
+    LinkMonitor linkMonitor;   ///< by regular readings
     AlarmLatch alarms;         ///< until acknowledged
     device::TurnCounter turns;
     /// By an emergency stop: nothing may move it until torque is switched on again.
     bool stopped = false;
     base::Duration stoppedAt{};
-    bool driven = false;       ///< moved or energised by this program, and not halted since
-    base::Duration drivenAt{}; ///< the latest time
+    bool movedByProgram = false; ///< moved or energised by this program, and not halted since
+    base::Duration movedAt{};    ///< the latest time
 
-    bool reading = false;         ///< its table is being read
-    bool tableRead = false;       ///< the whole table has been read at least once
+    bool isReadingTable = false;  ///< its table is being read
+    bool hasFullTable = false;    ///< the whole table has been read at least once
     std::set<QString> unreadable; ///< keys whose latest reading failed: their numbers are not shown
     std::optional<base::Error> readError; ///< of the latest reading, if it failed
     device::Image firstImage;             ///< what was read first in this session, for "changed"
 
-    std::map<QString, RowWrite> writes; ///< by register key
+    std::map<QString, RegisterWriteState> writes; ///< by register key
     QString snapshotPath; ///< table saved before the first write of this session; empty: not yet
     bool lockOpenedByUs = false;             ///< the journal has an intent of ours that opened it
     std::vector<base::JournalEntry> history; ///< this servo's journal, oldest first
 
     /// Nullopt: not read, or no such flag.
-    std::optional<bool> lockOpen() const;
+    std::optional<bool> isLockOpen() const;
     /// The number the table may show: read, and the latest reading did not fail.
-    std::optional<std::int64_t> shown(const catalog::Register& reg) const;
+    std::optional<std::int64_t> displayedRaw(const catalog::Register& reg) const;
     /// As read first in this session; nullopt: never.
     std::optional<std::int64_t> firstRaw(const catalog::Register& reg) const;
     bool writing() const; ///< any write not ended yet

@@ -44,31 +44,31 @@ Entries::const_iterator afterDeparture(const Entries& entries, Entries::const_it
 } // namespace
 
 base::Result<std::vector<base::JournalEntry>>
-servoHistory(const base::Journal& journal, const base::ServoIdentity& servo, int most)
+servoHistory(const base::Journal& journal, const base::ServoIdentity& servo, int maxEntries)
 {
     Entries history;
-    base::ServoIdentity who = servo;
+    base::ServoIdentity identity = servo;
     std::optional<QDateTime> until; ///< it left this ID then
     for (int moves = 0; moves < maxMoves; ++moves) {
-        auto own = journal.entriesOf(who, most);
+        auto own = journal.entriesFor(identity, maxEntries);
         if (!own)
             return tl::unexpected(own.error());
         std::erase_if(*own, [&](const base::JournalEntry& entry) {
             return !isSameBus(entry.intent.servo, servo) || (until && entry.intent.at >= *until);
         });
-        const auto arrival = arrivalIn(*own, who.id);
+        const auto arrival = arrivalIn(*own, identity.id);
         const bool came = arrival != own->cend();
         const auto first = came ? arrival : own->cbegin();
-        const auto from = afterDeparture(*own, first, who.id);
+        const auto from = afterDeparture(*own, first, identity.id);
         const bool moved = came && from == first;
-        const int before = moved ? arrival->intent.servo.id : who.id;
+        const int before = moved ? arrival->intent.servo.id : identity.id;
         if (moved)
             until = arrival->intent.at;
         // What was written to this ID before it came was another servo's.
         history.insert(history.begin(), from, own->cend());
         if (!moved)
             break;
-        who.id = before;
+        identity.id = before;
     }
     return history;
 }

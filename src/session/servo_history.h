@@ -10,5 +10,5 @@
 namespace session {
 /// Oldest first, the latest `most` under each ID.
 base::Result<std::vector<base::JournalEntry>>
-servoHistory(const base::Journal& journal, const base::ServoIdentity& servo, int most);
+servoHistory(const base::Journal& journal, const base::ServoIdentity& servo, int maxEntries);
 } // namespace session

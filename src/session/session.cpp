@@ -40,7 +40,7 @@ int commonRate(sim::VirtualBus& bus)
     return best;
 }
 
-int usualRate(std::optional<base::Protocol> protocol)
+int defaultRate(std::optional<base::Protocol> protocol)
 {
     constexpr int feetech = 1'000'000;
     constexpr int others = 115'200;
@@ -55,7 +55,7 @@ Session::Session()
 
 base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& request)
 {
-    transport::PortSpec spec{request.name, request.baud.value_or(usualRate(request.protocol)),
+    transport::PortSpec spec{request.name, request.baud.value_or(defaultRate(request.protocol)),
                              request.parity};
     std::shared_ptr<sim::SharedBus> simulation;
     if (request.name.startsWith(simPrefix)) {
@@ -75,19 +75,19 @@ base::Result<std::unique_ptr<Connection>> Session::connect(const PortRequest& re
             return sim::makeSimLink(simulation, port.name, clock, port.baud);
         return transport::openPort(port, clock);
     };
-    const auto opener = [keeper = std::make_shared<transport::PortKeeper>(spec, open)] {
+    const auto opener = [keeper = std::make_shared<transport::PortReconnector>(spec, open)] {
         return keeper->open();
     };
     auto bus = bus::BusThread::open(
         opener, protocol::codecFor(request.protocol.value_or(base::Protocol::Feetech)), m_clock);
     if (!bus)
         return tl::unexpected(bus.error());
-    if (request.patience)
-        (*bus)->setPatience(*request.patience);
+    if (request.maxReplyLateness)
+        (*bus)->setTimeout(*request.maxReplyLateness);
     if (request.retries)
         (*bus)->setRetries(*request.retries);
-    if (request.silence)
-        (*bus)->setSilence(*request.silence);
+    if (request.frameSilence)
+        (*bus)->setSilence(*request.frameSilence);
     return std::make_unique<Connection>(std::move(*bus), std::move(simulation), m_loaded.catalog,
                                         m_journal, request.protocol);
 }
@@ -109,8 +109,8 @@ QStringList simulatedPorts()
     return names;
 }
 
-const std::vector<int>& knownRates()
+const std::vector<int>& standardBaudRates()
 {
-    return transport::knownRates();
+    return transport::standardBaudRates();
 }
 } // namespace session

@@ -25,7 +25,7 @@ public:
     base::Result<std::unique_ptr<Connection>> connect(const PortRequest& request);
 
 private:
-    catalog::Catalog::Loaded m_loaded;
+    catalog::Catalog::LoadResult m_loaded;
     record::HistoryJournal m_journal;
     base::SystemClock m_clock;
 };
@@ -37,5 +37,5 @@ std::vector<transport::PortInfo> adapters();
 QStringList simulatedPorts();
 
 /// All rates of the fact sheets, highest first.
-const std::vector<int>& knownRates();
+const std::vector<int>& standardBaudRates();
 } // namespace session

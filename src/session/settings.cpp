@@ -16,12 +16,12 @@
 namespace session {
 namespace {
 constexpr int formatVersion = 1;
-constexpr qint64 largestFile = 1024 * 1024;
-constexpr int lowestRate = 300;
-constexpr int highestRate = 10'000'000;
-constexpr int longestPatienceMs = 10'000;
-constexpr int longestSilenceUs = 1'000'000;
-constexpr int mostRetries = 20;
+constexpr qint64 maxFileSize = 1024 * 1024;
+constexpr int minRate = 300;
+constexpr int maxRate = 10'000'000;
+constexpr int maxTimeoutMs = 10'000;
+constexpr int maxSilenceUs = 1'000'000;
+constexpr int maxRetries = 20;
 
 const QString versionKey = QStringLiteral("version");
 constexpr std::array themes{"system", "light", "dark"};
@@ -48,8 +48,8 @@ bool isBroken(const QString& path)
     QFile file(path);
     if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
         return false;
-    const QByteArray content = file.read(largestFile + 1);
-    if (content.size() > largestFile || content.contains('\0'))
+    const QByteArray content = file.read(maxFileSize + 1);
+    if (content.size() > maxFileSize || content.contains('\0'))
         return true;
     for (const QByteArray& line : content.split('\n')) {
         if (!isIniLine(line.trimmed()))
@@ -60,7 +60,7 @@ bool isBroken(const QString& path)
 
 /// Its new name; empty when all is well. What was remembered may be dear to somebody, so it is
 /// never overwritten.
-QString putAside(const QString& path)
+QString moveBrokenFile(const QString& path)
 {
     if (!isBroken(path))
         return {};
@@ -79,10 +79,10 @@ QString adapterGroup(const QString& adapterKey)
 }
 
 template <typename Names>
-std::optional<std::size_t> indexOf(const Names& names, const QString& word)
+std::optional<std::size_t> indexOf(const Names& names, const QString& readText)
 {
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (word == QLatin1String(names[i]))
+        if (readText == QLatin1String(names[i]))
             return i;
     }
     return std::nullopt;
@@ -148,27 +148,27 @@ QString privateFile(const QString& path)
 } // namespace
 
 Settings::Settings(const QString& path)
-    : m_brokenCopy(putAside(privateFile(path)))
+    : m_brokenCopy(moveBrokenFile(privateFile(path)))
     , m_file(path.isEmpty() ? defaultPath() : path, QSettings::IniFormat)
 {}
 
-void Settings::put(const QString& key, const QVariant& value)
+void Settings::write(const QString& key, const QVariant& value)
 {
     makePrivate(m_file.fileName());
     // A newer version's number stays: what it knows is still in the file.
-    if (!number(versionKey, formatVersion, std::numeric_limits<int>::max()))
+    if (!readNumber(versionKey, formatVersion, std::numeric_limits<int>::max()))
         m_file.setValue(versionKey, formatVersion);
     if (!m_file.contains(key) || m_file.value(key) != value)
         m_file.setValue(key, value);
 }
 
-QString Settings::word(const QString& key) const
+QString Settings::readText(const QString& key) const
 {
     const QVariant value = m_file.value(key);
     return value.userType() == QMetaType::QString ? value.toString() : QString();
 }
 
-std::optional<int> Settings::number(const QString& key, int min, int max) const
+std::optional<int> Settings::readNumber(const QString& key, int min, int max) const
 {
     const auto value = readAs(m_file.value(key), QMetaType::Int);
     if (!value || value->toInt() < min || value->toInt() > max)
@@ -178,57 +178,58 @@ std::optional<int> Settings::number(const QString& key, int min, int max) const
 
 QString Settings::language() const
 {
-    const QString name = word(QStringLiteral("interface/language"));
+    const QString name = readText(QStringLiteral("interface/language"));
     return name == QLatin1String("en") || name == QLatin1String("zh_CN") ? name : QString();
 }
 
 void Settings::setLanguage(const QString& language)
 {
-    put(QStringLiteral("interface/language"), language);
+    write(QStringLiteral("interface/language"), language);
 }
 
 Theme Settings::theme() const
 {
-    return Theme(indexOf(themes, word(QStringLiteral("interface/theme"))).value_or(0));
+    return Theme(indexOf(themes, readText(QStringLiteral("interface/theme"))).value_or(0));
 }
 
 void Settings::setTheme(Theme theme)
 {
-    put(QStringLiteral("interface/theme"), QLatin1String(themes[std::size_t(theme)]));
+    write(QStringLiteral("interface/theme"), QLatin1String(themes[std::size_t(theme)]));
 }
 
 QString Settings::lastPort() const
 {
-    return word(QStringLiteral("port/last"));
+    return readText(QStringLiteral("port/last"));
 }
 
 QString Settings::lastAdapter() const
 {
-    return word(QStringLiteral("port/adapter"));
+    return readText(QStringLiteral("port/adapter"));
 }
 
-PortRequest Settings::usedWith(const QString& adapterKey) const
+PortRequest Settings::lastRequestFor(const QString& adapterKey) const
 {
     const QString group = adapterGroup(adapterKey);
     PortRequest request;
-    request.name = word(group + QStringLiteral("port"));
-    request.baud = number(group + QStringLiteral("baud"), lowestRate, highestRate);
-    request.parity = Parity(indexOf(parities, word(group + QStringLiteral("parity"))).value_or(0));
-    request.protocol = base::protocolFromName(word(group + QStringLiteral("protocol")));
-    if (const auto ms = number(group + QStringLiteral("patience_ms"), 1, longestPatienceMs))
-        request.patience = std::chrono::milliseconds(*ms);
-    if (const auto us = number(group + QStringLiteral("silence_us"), 1, longestSilenceUs))
-        request.silence = base::Duration(*us);
-    request.retries = number(group + QStringLiteral("retries"), 0, mostRetries);
+    request.name = readText(group + QStringLiteral("port"));
+    request.baud = readNumber(group + QStringLiteral("baud"), minRate, maxRate);
+    request.parity =
+        Parity(indexOf(parities, readText(group + QStringLiteral("parity"))).value_or(0));
+    request.protocol = base::protocolFromName(readText(group + QStringLiteral("protocol")));
+    if (const auto ms = readNumber(group + QStringLiteral("patience_ms"), 1, maxTimeoutMs))
+        request.maxReplyLateness = std::chrono::milliseconds(*ms);
+    if (const auto us = readNumber(group + QStringLiteral("silence_us"), 1, maxSilenceUs))
+        request.frameSilence = base::Duration(*us);
+    request.retries = readNumber(group + QStringLiteral("retries"), 0, maxRetries);
     return request;
 }
 
-void Settings::remember(const QString& adapterKey, const PortRequest& request)
+void Settings::saveRequest(const QString& adapterKey, const PortRequest& request)
 {
     const QString group = adapterGroup(adapterKey);
     const auto keep = [&](const QString& name, const std::optional<QVariant>& value) {
         if (value)
-            put(group + name, *value);
+            write(group + name, *value);
         else
             m_file.remove(group + name);
     };
@@ -239,39 +240,39 @@ void Settings::remember(const QString& adapterKey, const PortRequest& request)
          request.protocol ? std::optional(base::protocolName(*request.protocol)) : std::nullopt);
     const auto ms = [](base::Duration span) { return int(span.count() / 1000); };
     keep(QStringLiteral("patience_ms"),
-         request.patience ? std::optional(ms(*request.patience)) : std::nullopt);
+         request.maxReplyLateness ? std::optional(ms(*request.maxReplyLateness)) : std::nullopt);
     keep(QStringLiteral("silence_us"),
-         request.silence ? std::optional(int(request.silence->count())) : std::nullopt);
+         request.frameSilence ? std::optional(int(request.frameSilence->count())) : std::nullopt);
     keep(QStringLiteral("retries"), request.retries);
-    put(QStringLiteral("port/last"), request.name);
-    put(QStringLiteral("port/adapter"), adapterKey);
+    write(QStringLiteral("port/last"), request.name);
+    write(QStringLiteral("port/adapter"), adapterKey);
 }
 
 QByteArray Settings::windowGeometry() const
 {
-    return choice(QStringLiteral("window/geometry"), QByteArray()).toByteArray();
+    return pageValue(QStringLiteral("window/geometry"), QByteArray()).toByteArray();
 }
 
 QByteArray Settings::windowState() const
 {
-    return choice(QStringLiteral("window/state"), QByteArray()).toByteArray();
+    return pageValue(QStringLiteral("window/state"), QByteArray()).toByteArray();
 }
 
 void Settings::setWindow(const QByteArray& geometry, const QByteArray& state)
 {
-    put(QStringLiteral("window/geometry"), geometry);
-    put(QStringLiteral("window/state"), state);
+    write(QStringLiteral("window/geometry"), geometry);
+    write(QStringLiteral("window/state"), state);
 }
 
-QVariant Settings::choice(const QString& key, const QVariant& byDefault) const
+QVariant Settings::pageValue(const QString& key, const QVariant& byDefault) const
 {
     if (!m_file.contains(key))
         return byDefault;
     return readAs(m_file.value(key), byDefault.userType()).value_or(byDefault);
 }
 
-void Settings::setChoice(const QString& key, const QVariant& value)
+void Settings::setPageValue(const QString& key, const QVariant& value)
 {
-    put(key, value);
+    write(key, value);
 }
 } // namespace session

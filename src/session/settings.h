@@ -29,9 +29,9 @@ public:
 
     QString lastPort() const;    ///< empty: nothing was ever opened
     QString lastAdapter() const; ///< its key: the adapter may be at another port today
-    /// How this adapter (PortWatch::adapterKey) was used last; baud, protocol … not set if never.
-    PortRequest usedWith(const QString& adapterKey) const;
-    void remember(const QString& adapterKey, const PortRequest& request);
+    /// How this adapter (PortWatcher::adapterKey) was used last; baud, protocol … not set if never.
+    PortRequest lastRequestFor(const QString& adapterKey) const;
+    void saveRequest(const QString& adapterKey, const PortRequest& request);
 
     QByteArray windowGeometry() const;
     QByteArray windowState() const;
@@ -39,13 +39,13 @@ public:
 
     /// A page's own small choices ("memory/physical_first"). The default's type decides; a stored
     /// value of another type is passed over.
-    QVariant choice(const QString& key, const QVariant& byDefault) const;
-    void setChoice(const QString& key, const QVariant& value);
+    QVariant pageValue(const QString& key, const QVariant& byDefault) const;
+    void setPageValue(const QString& key, const QVariant& value);
 
 private:
-    void put(const QString& key, const QVariant& value);
-    QString word(const QString& key) const;
-    std::optional<int> number(const QString& key, int min, int max) const;
+    void write(const QString& key, const QVariant& value);
+    QString readText(const QString& key) const;
+    std::optional<int> readNumber(const QString& key, int min, int max) const;
 
     QString m_brokenCopy;
     mutable QSettings m_file;

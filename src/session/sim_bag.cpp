@@ -8,11 +8,11 @@
 
 namespace session {
 namespace {
-std::atomic<int> nextAsked{0};
+std::atomic<int> nextRequested{0};
 
-extern "C" void askForNext(int)
+extern "C" void requestNext(int)
 {
-    nextAsked.fetch_add(1);
+    nextRequested.fetch_add(1);
 }
 
 void onNextSignal(void (*handler)(int))
@@ -25,64 +25,64 @@ void onNextSignal(void (*handler)(int))
 }
 } // namespace
 
-SimBag::SimBag(sim::VirtualBus& bus, std::function<void(const QString&)> tell)
+SimHotplugQueue::SimHotplugQueue(sim::VirtualBus& bus, std::function<void(const QString&)> log)
     : m_bus(bus)
-    , m_tell(std::move(tell))
+    , m_log(std::move(log))
 {
-    if (m_bus.isBag())
-        onNextSignal(askForNext);
+    if (m_bus.hasHotplugQueue())
+        onNextSignal(requestNext);
 }
 
-SimBag::~SimBag()
+SimHotplugQueue::~SimHotplugQueue()
 {
-    if (m_bus.isBag())
+    if (m_bus.hasHotplugQueue())
         onNextSignal(SIG_DFL);
 }
 
-void SimBag::look()
+void SimHotplugQueue::poll()
 {
-    if (!m_bus.isBag())
+    if (!m_bus.hasHotplugQueue())
         return;
-    for (int asked = nextAsked.exchange(0); asked > 0; --asked)
+    for (int asked = nextRequested.exchange(0); asked > 0; --asked)
         next();
-    for (auto line = m_input.take(); line; line = m_input.take()) {
+    for (auto line = m_input.readLine(); line; line = m_input.readLine()) {
         if (!line->isEmpty())
-            obey(*line);
+            execute(*line);
     }
 }
 
-void SimBag::obey(const QByteArray& line)
+void SimHotplugQueue::execute(const QByteArray& line)
 {
-    const auto words = line.split(' ');
+    const auto fields = line.split(' ');
     bool ok = false;
-    const int place = words.size() == 2 ? words[1].toInt(&ok) : 0;
+    const int index = fields.size() == 2 ? fields[1].toInt(&ok) : 0;
     if (line == "next") {
         next();
     } else if (line == "unplug") {
         m_bus.unplugAll();
-        m_tell(QStringLiteral("unplugged"));
-    } else if (words[0] == "plug" && ok && place >= 1 && place <= int(m_bus.servos().size())) {
-        m_bus.plug(static_cast<std::size_t>(place - 1));
-        sayPlugged(static_cast<std::size_t>(place - 1));
+        m_log(QStringLiteral("unplugged"));
+    } else if (fields[0] == "plug" && ok && index >= 1 && index <= int(m_bus.servos().size())) {
+        m_bus.plug(static_cast<std::size_t>(index - 1));
+        reportPlugged(static_cast<std::size_t>(index - 1));
     } else {
-        m_tell(QStringLiteral("not understood: %1").arg(QString::fromUtf8(line)));
+        m_log(QStringLiteral("not understood: %1").arg(QString::fromUtf8(line)));
     }
 }
 
-void SimBag::next()
+void SimHotplugQueue::next()
 {
-    if (const auto place = m_bus.plugNext())
-        sayPlugged(*place);
+    if (const auto index = m_bus.connectNext())
+        reportPlugged(*index);
     else
-        m_tell(QStringLiteral("unplugged; the bag is empty"));
+        m_log(QStringLiteral("unplugged; the bag is empty"));
 }
 
-void SimBag::sayPlugged(std::size_t place)
+void SimHotplugQueue::reportPlugged(std::size_t index)
 {
     const auto servos = m_bus.servos();
-    m_tell(QStringLiteral("plugged: %1 (%2 of %3)")
-               .arg(servos[place]->profile().modelName)
-               .arg(place + 1)
-               .arg(servos.size()));
+    m_log(QStringLiteral("plugged: %1 (%2 of %3)")
+              .arg(servos[index]->profile().modelName)
+              .arg(index + 1)
+              .arg(servos.size()));
 }
 } // namespace session

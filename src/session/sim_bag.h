@@ -10,23 +10,23 @@
 #include <functional>
 
 namespace session {
-class SimBag {
+class SimHotplugQueue {
 public:
     /// `tell` gets a line for each thing done or not understood: "plugged: STS3215 (1 of 6)".
-    SimBag(sim::VirtualBus& bus, std::function<void(const QString&)> tell);
-    ~SimBag();
-    SimBag(const SimBag&) = delete;
-    SimBag& operator=(const SimBag&) = delete;
+    SimHotplugQueue(sim::VirtualBus& bus, std::function<void(const QString&)> log);
+    ~SimHotplugQueue();
+    SimHotplugQueue(const SimHotplugQueue&) = delete;
+    SimHotplugQueue& operator=(const SimHotplugQueue&) = delete;
 
-    void look(); ///< never waits
+    void poll(); ///< never waits
 
 private:
-    void obey(const QByteArray& line);
+    void execute(const QByteArray& line);
     void next();
-    void sayPlugged(std::size_t place);
+    void reportPlugged(std::size_t index);
 
     sim::VirtualBus& m_bus;
-    std::function<void(const QString&)> m_tell;
-    transport::LineInput m_input;
+    std::function<void(const QString&)> m_log;
+    transport::StdinReader m_input;
 };
 } // namespace session

@@ -69,7 +69,7 @@ base::Result<std::unique_ptr<sim::VirtualBus>> makeBus(const SimOptions& options
 
 base::Result<void> runSimulator(const SimOptions& options,
                                 const std::function<void(const QString& path)>& announce,
-                                const std::function<void(const QString& line)>& tell)
+                                const std::function<void(const QString& line)>& log)
 {
     auto bus = makeBus(options);
     if (!bus)
@@ -81,7 +81,7 @@ base::Result<void> runSimulator(const SimOptions& options,
             return tl::unexpected(opened.error());
         store = std::move(*opened);
     }
-    auto device = sim::PtyDevice::open(options.link, (*bus)->servos().front()->baud());
+    auto device = sim::PtyDevice::open(options.symlink, (*bus)->servos().front()->baud());
     if (!device)
         return tl::unexpected(device.error());
     sim::PtyHost host(**bus, **device, options.wireTime);
@@ -89,13 +89,13 @@ base::Result<void> runSimulator(const SimOptions& options,
 
     base::Result<void> saved;
     int ticks = 0;
-    SimBag bag(**bus, [&tell](const QString& line) {
-        if (tell)
-            tell(line);
+    SimHotplugQueue hotplug(**bus, [&log](const QString& line) {
+        if (log)
+            log(line);
     });
     announce((*device)->path()); // whoever reads it may signal at once
     const auto housekeeping = [&] {
-        bag.look();
+        hotplug.poll();
         if (!store || ++ticks % ticksPerSave != 0)
             return;
         saved = store->saveChanges();

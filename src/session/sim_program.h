@@ -16,7 +16,7 @@ struct SimOptions {
     QString preset = QStringLiteral("demo");
     QString servos; ///< a list such as "sts3215@1,scs15@3"; replaces the preset
     std::optional<int> baud;
-    QString link;      ///< symbolic link to the terminal; empty: none
+    QString symlink;   ///< symbolic link to the terminal; empty: none
     QString stateFile; ///< empty: nothing is kept
     std::optional<base::Duration> runFor;
     bool wireTime = false;
@@ -33,5 +33,5 @@ struct SimOptions {
 /// (no pseudo-terminal, link not possible).
 base::Result<void> runSimulator(const SimOptions& options,
                                 const std::function<void(const QString& path)>& announce,
-                                const std::function<void(const QString& line)>& tell = {});
+                                const std::function<void(const QString& line)>& log = {});
 } // namespace session

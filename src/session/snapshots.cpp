@@ -24,10 +24,10 @@ base::Result<OpenedFile> openFile(const QString& path)
 }
 } // namespace
 
-Snapshots::Snapshots(Desk& desk, Archive& archive, QObject* parent)
+Snapshots::Snapshots(Desk& desk, HistoryService& historyService, QObject* parent)
     : QObject(parent)
     , m_desk(desk)
-    , m_archive(archive)
+    , m_historyService(historyService)
 {}
 
 void Snapshots::setTaking(bool taking)
@@ -37,10 +37,10 @@ void Snapshots::setTaking(bool taking)
 }
 
 /// Files wait for their disk on the archive's thread.
-void Snapshots::onDisk(std::function<base::Result<void>()> write, std::function<void()> then,
-                       std::function<void(bool written)> keep)
+void Snapshots::saveInBackground(std::function<base::Result<void>()> write,
+                                 std::function<void()> then, std::function<void(bool written)> keep)
 {
-    m_archive.work(
+    m_historyService.runInOrder(
         std::move(write), this,
         [this, then = std::move(then), keep = std::move(keep)](const base::Result<void>& done) {
             if (keep)
@@ -52,7 +52,7 @@ void Snapshots::onDisk(std::function<base::Result<void>()> write, std::function<
         });
 }
 
-void Snapshots::take(ServoRef servo, const SnapshotWish& wish)
+void Snapshots::take(ServoRef servo, const SnapshotRequest& request)
 {
     if (m_taking || m_desk.servo(servo) == nullptr)
         return;
@@ -60,84 +60,86 @@ void Snapshots::take(ServoRef servo, const SnapshotWish& wish)
     Task task;
     task.name = QStringLiteral("snapshot");
     task.quiet = true;
-    task.work = [wish, found](TaskContext& context) -> base::Result<void> {
+    task.work = [request, found](TaskContext& context) -> base::Result<void> {
         auto snapshot = jobs::takeSnapshot(context.device, context.servo, programName());
         if (!snapshot)
             return tl::unexpected(snapshot.error());
         *found = std::move(*snapshot);
-        found->label = wish.label;
-        found->note = wish.note;
+        found->label = request.label;
+        found->note = request.note;
         return {};
     };
     task.guard = this;
-    task.done = [this, wish, found](const TaskEnd& end) {
+    task.done = [this, request, found](const TaskCompletion& end) {
         setTaking(false);
         if (end.error) {
             Q_EMIT failed(*end.error);
             return;
         }
         const SharedSnapshot snapshot = found;
-        if (wish.path.isEmpty()) {
-            m_archive.keepSnapshot(snapshot, record::SnapshotReason::Asked);
-            Q_EMIT taken(snapshot, {});
+        if (request.path.isEmpty()) {
+            m_historyService.saveHistorySnapshot(snapshot, record::SnapshotReason::Manual);
+            Q_EMIT snapshotTaken(snapshot, {});
             return;
         }
-        onDisk([snapshot, path = wish.path] { return record::saveSnapshot(*snapshot, path); },
-               [this, snapshot, path = wish.path] { Q_EMIT taken(snapshot, path); },
-               [this, snapshot, path = wish.path](bool written) {
-                   m_archive.keepSnapshot(snapshot, record::SnapshotReason::Asked,
-                                          written ? path : QString());
-               });
+        saveInBackground(
+            [snapshot, path = request.path] { return record::saveSnapshot(*snapshot, path); },
+            [this, snapshot, path = request.path] { Q_EMIT snapshotTaken(snapshot, path); },
+            [this, snapshot, path = request.path](bool written) {
+                m_historyService.saveHistorySnapshot(snapshot, record::SnapshotReason::Manual,
+                                                     written ? path : QString());
+            });
     };
     setTaking(true);
     m_desk.perform(servo, std::move(task));
 }
 
-void Snapshots::takeAll(const SnapshotWish& wish)
+void Snapshots::takeAll(const SnapshotRequest& request)
 {
     if (m_taking)
         return;
     const auto servos = std::make_shared<std::vector<device::Servo>>();
     for (const ServoRef ref : m_desk.servos()) {
         const ServoEntry* entry = m_desk.servo(ref);
-        if (entry->servo.profile && (!m_desk.hasBaud() || entry->servo.baud == m_desk.baud()))
+        if (entry->servo.profile && (!m_desk.canSetBaud() || entry->servo.baud == m_desk.baud()))
             servos->push_back(entry->servo);
     }
     const auto found = std::make_shared<record::Bundle>();
     Task task;
     task.name = QStringLiteral("snapshot");
     task.quiet = true;
-    task.work = [wish, servos, found](TaskContext& context) -> base::Result<void> {
+    task.work = [request, servos, found](TaskContext& context) -> base::Result<void> {
         auto bundle = jobs::takeBundle(context.device, *servos, programName(), context.progress);
         if (!bundle)
             return tl::unexpected(bundle.error());
         *found = std::move(*bundle);
-        found->label = wish.label;
-        found->note = wish.note;
+        found->label = request.label;
+        found->note = request.note;
         return {};
     };
     task.guard = this;
-    task.done = [this, wish, found](const TaskEnd& end) {
+    task.done = [this, request, found](const TaskCompletion& end) {
         setTaking(false);
         if (end.error) {
             Q_EMIT failed(*end.error);
             return;
         }
         const SharedBundle bundle = found;
-        onDisk([bundle, path = wish.path] { return record::saveBundle(*bundle, path); },
-               [this, bundle, path = wish.path] { Q_EMIT bundled(bundle, path); },
-               [this, bundle, path = wish.path](bool written) {
-                   for (const record::Snapshot& one : bundle->servos)
-                       m_archive.keepSnapshot(std::make_shared<const record::Snapshot>(one),
-                                              record::SnapshotReason::Bundle,
-                                              written ? path : QString());
-               });
+        saveInBackground(
+            [bundle, path = request.path] { return record::saveBundle(*bundle, path); },
+            [this, bundle, path = request.path] { Q_EMIT bundleTaken(bundle, path); },
+            [this, bundle, path = request.path](bool written) {
+                for (const record::Snapshot& one : bundle->servos)
+                    m_historyService.saveHistorySnapshot(
+                        std::make_shared<const record::Snapshot>(one),
+                        record::SnapshotReason::Bundle, written ? path : QString());
+            });
     };
     setTaking(true);
     m_desk.perform(0, std::move(task));
 }
 
-SharedSnapshot Snapshots::now(ServoRef servo) const
+SharedSnapshot Snapshots::currentSnapshot(ServoRef servo) const
 {
     const ServoEntry* entry = m_desk.servo(servo);
     if (entry == nullptr || !entry->servo.profile)
@@ -145,29 +147,29 @@ SharedSnapshot Snapshots::now(ServoRef servo) const
     return std::make_shared<const record::Snapshot>(jobs::snapshotOf(entry->servo, programName()));
 }
 
-SharedSnapshot Snapshots::factory(const record::Snapshot& like) const
+SharedSnapshot Snapshots::factorySnapshot(const record::Snapshot& like) const
 {
     const auto profile = record::profileOf(like, m_desk.catalog());
     return profile ? std::make_shared<const record::Snapshot>(record::factorySnapshot(*profile))
                    : nullptr;
 }
 
-base::Result<SharedSnapshot> Snapshots::asTemplate(const record::Snapshot& from,
+base::Result<SharedSnapshot> Snapshots::toTemplate(const record::Snapshot& from,
                                                    const QStringList& keys,
-                                                   const SnapshotWish& wish) const
+                                                   const SnapshotRequest& request) const
 {
     auto made = record::makeTemplate(from, keys);
     if (!made)
         return tl::unexpected(made.error());
-    made->label = wish.label;
-    made->note = wish.note;
+    made->label = request.label;
+    made->note = request.note;
     return std::make_shared<const record::Snapshot>(std::move(*made));
 }
 
 void Snapshots::open(const QString& path)
 {
     const auto found = std::make_shared<OpenedFile>();
-    onDisk(
+    saveInBackground(
         [path, found]() -> base::Result<void> {
             auto opened = openFile(path);
             if (!opened)
@@ -175,12 +177,12 @@ void Snapshots::open(const QString& path)
             *found = std::move(*opened);
             return {};
         },
-        [this, found] { Q_EMIT opened(*found); });
+        [this, found] { Q_EMIT fileOpened(*found); });
 }
 
 void Snapshots::save(SharedSnapshot snapshot, const QString& path)
 {
-    onDisk(
+    saveInBackground(
         [snapshot = std::move(snapshot), path] {
             return path.endsWith(QLatin1StringView(".csv"), Qt::CaseInsensitive)
                        ? record::saveSnapshotCsv(*snapshot, path)
@@ -191,7 +193,7 @@ void Snapshots::save(SharedSnapshot snapshot, const QString& path)
 
 void Snapshots::save(std::vector<record::RestoreResult> results, const QString& path)
 {
-    onDisk(
+    saveInBackground(
         [results = std::move(results), path] { return record::saveRestoreResults(results, path); },
         [this, path] { Q_EMIT saved(path); });
 }

@@ -17,9 +17,9 @@ using base::ErrorCode;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr auto drainEvery = 50ms;
+constexpr auto drainInterval = 50ms;
 
-bool sameWay(const record::StepRun& one, const record::StepRun& other)
+bool isSameMotion(const record::StepRun& one, const record::StepRun& other)
 {
     const double way = std::abs(one.axis.to - one.axis.from);
     return std::abs(way - std::abs(other.axis.to - other.axis.from)) <= 1;
@@ -53,13 +53,13 @@ bool written(const Event& event, const std::vector<device::WriteItem>& wanted)
 
 /// Filled on the job's thread, emptied on the main thread; `run` is looked at when it has ended.
 struct StepTest::Live {
-    std::atomic<bool> cancelled = false; ///< before it began
+    std::atomic<bool> canceled = false; ///< before it began
     std::mutex mutex{};
     std::vector<record::StepResponse> responses{};
     std::optional<jobs::SweepProgress> progress{};
     std::optional<record::StepRun> run{};
     std::vector<record::StepAdvice> advice{};
-    std::vector<jobs::TorqueLeft> torqueLeft{};
+    std::vector<jobs::UnreleasedTorque> unreleasedTorque{};
     std::vector<base::JournalItem> trial{}; ///< what it has changed
 };
 
@@ -67,31 +67,31 @@ StepTest::StepTest(Desk& desk, QObject* parent)
     : QObject(parent)
     , m_desk(desk)
 {
-    m_drainTimer.setInterval(drainEvery);
+    m_drainTimer.setInterval(drainInterval);
     connect(&m_drainTimer, &QTimer::timeout, this, [this] {
         if (m_job)
             drain(*m_job);
     });
-    connect(&desk, &Desk::happened, this, &StepTest::happened);
+    connect(&desk, &Desk::eventOccurred, this, &StepTest::happened);
 }
 
-bool StepTest::start(const StepTestOrder& order)
+bool StepTest::start(const StepTestRequest& request)
 {
-    if (m_running || m_desk.servo(order.servo) == nullptr)
+    if (m_running || m_desk.servo(request.servo) == nullptr)
         return false;
-    if (order.servo != m_servo)
-        forget();
-    m_servo = order.servo;
+    if (request.servo != m_servo)
+        clear();
+    m_servo = request.servo;
     m_running = true;
     m_progress = {};
     m_live.clear();
-    m_torqueLeft.clear();
-    m_trialLeft.clear();
-    m_liveSpec = order.spec;
+    m_unreleasedTorque.clear();
+    m_unrevertedItems.clear();
+    m_liveSpec = request.spec;
     m_job = std::make_shared<Live>();
     const auto live = m_job;
-    jobs::StepOrder wanted{order.spec, programName(), m_desk.simulated(), order.switchMode};
-    jobs::StepWatch watch;
+    jobs::StepRequest wanted{request.spec, programName(), m_desk.isSimulated(), request.switchMode};
+    jobs::StepCallbacks watch;
     watch.onResponse = [live](const record::StepResponse& response) {
         const std::lock_guard lock(live->mutex);
         live->responses.push_back(response);
@@ -101,31 +101,33 @@ bool StepTest::start(const StepTestOrder& order)
         live->progress = progress;
     };
     watch.onTrial = [live](const std::vector<base::JournalItem>& trial) { live->trial = trial; };
-    watch.onTorqueLeft = [live](const jobs::TorqueLeft& left) { live->torqueLeft.push_back(left); };
+    watch.onUnreleasedTorque = [live](const jobs::UnreleasedTorque& left) {
+        live->unreleasedTorque.push_back(left);
+    };
     Task task;
     task.name = QStringLiteral("step-response");
     task.effect = Effect::Moves;
-    task.savesTable = order.switchMode || !order.spec.trial.empty();
-    task.lasting = true;
-    task.holdsAfterwards = true;
+    task.savesTable = request.switchMode || !request.spec.trial.empty();
+    task.isLongRunning = true;
+    task.holdsTorqueAfterwards = true;
     task.quiet = true;
     task.work = [wanted, watch, live](TaskContext& context) -> base::Result<void> {
-        if (live->cancelled)
+        if (live->canceled)
             return base::fail(ErrorCode::Stopped, QStringLiteral("step"));
         auto run = jobs::stepResponse(context.device, context.servo, wanted, watch);
         if (!run)
             return tl::unexpected(run.error());
         live->advice = jobs::adviseStep(*run, *context.servo.profile);
         live->run = std::move(*run);
-        if (live->run->end == record::SweepEnd::Exchanged) // the list is to learn it
-            return base::fail(ErrorCode::IdentityDiffers, QStringLiteral("step"), {},
+        if (live->run->end == record::SweepEnd::ServoReplaced) // the list is to learn it
+            return base::fail(ErrorCode::IdentityMismatch, QStringLiteral("step"), {},
                               context.servo.id);
         return {};
     };
     task.guard = this;
-    task.done = [this, live](const TaskEnd& end) { finish(*live, end); };
+    task.done = [this, live](const TaskCompletion& end) { finish(*live, end); };
     m_drainTimer.start();
-    m_desk.perform(order.servo, std::move(task));
+    m_desk.perform(request.servo, std::move(task));
     return true;
 }
 
@@ -133,7 +135,7 @@ void StepTest::stop()
 {
     if (!m_running)
         return;
-    m_job->cancelled = true;
+    m_job->canceled = true;
     m_desk.stopTest();
 }
 
@@ -148,25 +150,25 @@ void StepTest::drain(Live& live)
     }
     if (progress) {
         m_progress = *progress;
-        Q_EMIT progressed();
+        Q_EMIT progressChanged();
     }
     if (responses.empty())
         return;
     for (record::StepResponse& response : responses)
         m_live.push_back(std::move(response));
-    Q_EMIT responded();
+    Q_EMIT responsesAdded();
 }
 
-void StepTest::finish(Live& live, const TaskEnd& end)
+void StepTest::finish(Live& live, const TaskCompletion& end)
 {
     drain(live);
     m_drainTimer.stop();
     m_job.reset();
     m_running = false;
     m_live.clear();
-    m_torqueLeft = std::move(live.torqueLeft);
-    if (live.run && !live.run->putBack)
-        m_trialLeft = std::move(live.trial);
+    m_unreleasedTorque = std::move(live.unreleasedTorque);
+    if (live.run && !live.run->isReverted)
+        m_unrevertedItems = std::move(live.trial);
     if (!live.run) {
         Q_EMIT failed(end.error.value_or(base::Error{ErrorCode::Stopped, QStringLiteral("step")}));
         return;
@@ -174,17 +176,17 @@ void StepTest::finish(Live& live, const TaskEnd& end)
     m_runs.push_back(std::move(*live.run));
     m_advice = std::move(live.advice);
     // The first one of the servo's own values is what the others are held against: it stays.
-    if (m_runs.size() > mostRuns)
+    if (m_runs.size() > maxRuns)
         m_runs.erase(m_runs.begin() + (m_runs.front().spec.trial.empty() ? 1 : 0));
-    Q_EMIT ended();
+    Q_EMIT finished();
 }
 
-const record::StepRun* StepTest::before() const
+const record::StepRun* StepTest::previousRun() const
 {
     const record::StepRun* any = nullptr;
     for (std::size_t i = m_runs.size(); i-- > 1;) {
         const record::StepRun& earlier = m_runs[i - 1];
-        if (!sameWay(earlier, m_runs.back()))
+        if (!isSameMotion(earlier, m_runs.back()))
             continue;
         if (earlier.spec.trial.empty())
             return &earlier;
@@ -193,7 +195,7 @@ const record::StepRun* StepTest::before() const
     return any;
 }
 
-void StepTest::forget()
+void StepTest::clear()
 {
     m_runs.clear();
     m_advice.clear();
@@ -205,40 +207,40 @@ void StepTest::accept(ServoRef servo, const std::vector<record::StepGain>& gains
     const ServoEntry* entry = m_desk.servo(servo);
     if (entry == nullptr || !entry->servo.profile || m_writing)
         return;
-    Kept kept{servo};
+    AcceptedGains accepted{servo};
     for (const record::StepGain& gain : gains) {
         const auto now = entry->servo.raw(gain.key);
         if (!now || *now == gain.raw)
             continue;
-        kept.before.push_back({gain.key, *now});
-        kept.after.push_back({gain.key, gain.raw});
+        accepted.before.push_back({gain.key, *now});
+        accepted.after.push_back({gain.key, gain.raw});
     }
-    if (kept.after.empty())
+    if (accepted.after.empty())
         return;
-    m_writing = kept;
-    m_writingBack = false;
-    m_desk.write(servo, {kept.after});
-    Q_EMIT keptChanged();
+    m_writing = accepted;
+    m_reverting = false;
+    m_desk.write(servo, {accepted.after});
+    Q_EMIT acceptedChanged();
 }
 
-std::vector<device::WriteItem> StepTest::earlier(ServoRef servo) const
+std::vector<device::WriteItem> StepTest::previousValues(ServoRef servo) const
 {
-    for (auto kept = m_kept.rbegin(); kept != m_kept.rend(); ++kept) {
-        if (kept->servo == servo)
-            return kept->before;
+    for (auto accepted = m_accepted.rbegin(); accepted != m_accepted.rend(); ++accepted) {
+        if (accepted->servo == servo)
+            return accepted->before;
     }
     return {};
 }
 
-void StepTest::back(ServoRef servo)
+void StepTest::revert(ServoRef servo)
 {
-    const auto items = earlier(servo);
+    const auto items = previousValues(servo);
     if (items.empty() || m_writing)
         return;
-    m_writing = Kept{servo, {}, items};
-    m_writingBack = true;
+    m_writing = AcceptedGains{servo, {}, items};
+    m_reverting = true;
     m_desk.write(servo, {items});
-    Q_EMIT keptChanged();
+    Q_EMIT acceptedChanged();
 }
 
 /// What was really kept can be taken back; what was taken back is forgotten.
@@ -248,17 +250,18 @@ void StepTest::happened(const Event& event)
         return;
     if (!event.error && !written(event, m_writing->after))
         return; // another write of this servo
-    const Kept ended = *std::exchange(m_writing, std::nullopt);
-    const bool good = !event.error && event.report && event.report->allGood();
-    if (good && !m_writingBack) {
-        m_kept.push_back(ended);
+    const AcceptedGains ended = *std::exchange(m_writing, std::nullopt);
+    const bool good = !event.error && event.report && event.report->isSuccessful();
+    if (good && !m_reverting) {
+        m_accepted.push_back(ended);
     } else if (good) {
-        const auto last = std::find_if(m_kept.rbegin(), m_kept.rend(),
-                                       [&](const Kept& one) { return one.servo == ended.servo; });
-        if (last != m_kept.rend())
-            m_kept.erase(std::next(last).base());
+        const auto last =
+            std::find_if(m_accepted.rbegin(), m_accepted.rend(),
+                         [&](const AcceptedGains& one) { return one.servo == ended.servo; });
+        if (last != m_accepted.rend())
+            m_accepted.erase(std::next(last).base());
     }
-    Q_EMIT keptChanged();
+    Q_EMIT acceptedChanged();
 }
 
 namespace {
@@ -281,7 +284,7 @@ void StepTest::save(const QString& path, bool chinese)
         return;
     m_files.start([this, runs = m_runs, advice = m_advice, path, chinese] {
         const auto written = write(runs, advice, path, chinese);
-        m_inbox.post([this, written, path] {
+        m_mainQueue.post([this, written, path] {
             if (written)
                 Q_EMIT saved(path);
             else

@@ -9,72 +9,72 @@
 #include "session/desk.h"
 
 namespace session {
-struct StepTestOrder {
+struct StepTestRequest {
     record::StepSpec spec{};
     ServoRef servo = 0;
-    bool switchMode = false; ///< as jobs::StepOrder
+    bool switchMode = false; ///< as jobs::StepRequest
 };
 
 class StepTest final : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr std::size_t mostRuns = 6;
+    static constexpr std::size_t maxRuns = 6;
 
     explicit StepTest(Desk& desk, QObject* parent = nullptr);
 
     /// False: one runs already, or the servo is gone. Else ended() or failed() follow. Runs of
     /// another servo are forgotten.
-    bool start(const StepTestOrder& order);
+    bool start(const StepTestRequest& request);
     void stop();
-    bool running() const { return m_running; }
+    bool isRunning() const { return m_running; }
     const jobs::SweepProgress& progress() const { return m_progress; }
-    const std::vector<jobs::TorqueLeft>& torqueLeft() const
+    const std::vector<jobs::UnreleasedTorque>& unreleasedTorque() const
     {
-        return m_torqueLeft;
+        return m_unreleasedTorque;
     } ///< as SweepTest
     /// Of the run that has ended: what its trial has changed and could not put back.
-    const std::vector<base::JournalItem>& trialLeft() const { return m_trialLeft; }
+    const std::vector<base::JournalItem>& unrevertedItems() const { return m_unrevertedItems; }
 
     ServoRef servo() const { return m_servo; } ///< that the runs are of; 0: none yet
     /// Complete ones, oldest first.
     const std::vector<record::StepRun>& runs() const { return m_runs; }
     /// Responses of the running one, as far as they are complete.
-    const std::vector<record::StepResponse>& live() const { return m_live; }
+    const std::vector<record::StepResponse>& liveResponses() const { return m_live; }
     const record::StepSpec& liveSpec() const { return m_liveSpec; }
     /// What the latest run is to be held against: the latest one before it that went the same way
     /// with the servo's own values, else any that did; null: none.
-    const record::StepRun* before() const;
+    const record::StepRun* previousRun() const;
     const std::vector<record::StepAdvice>& advice() const { return m_advice; } ///< to the latest
-    void forget(); ///< all runs; not what was accepted
+    void clear(); ///< all runs; not what was accepted
 
     /// Writes them for good and remembers what they replace. Nothing without differences.
     void accept(ServoRef servo, const std::vector<record::StepGain>& gains);
     /// What back() would write to this servo; empty: nothing was accepted.
-    std::vector<device::WriteItem> earlier(ServoRef servo) const;
-    void back(ServoRef servo);
+    std::vector<device::WriteItem> previousValues(ServoRef servo) const;
+    void revert(ServoRef servo);
 
     /// As its name ends: .html, .json, .csv; saved() or saveFailed() follow.
     void save(const QString& path, bool chinese);
 
 Q_SIGNALS:
-    void progressed();
-    void responded(); ///< live() has grown
-    void ended();     ///< runs() has, or its oldest are gone
+    void progressChanged();
+    void responsesAdded(); ///< live() has grown
+    void finished();       ///< runs() has, or its oldest are gone
     void failed(const base::Error& error);
-    void keptChanged(); ///< earlier() may be another
+    void acceptedChanged(); ///< earlier() may be another
     void saved(const QString& path);
     void saveFailed(const base::Error& error);
 
 private:
     struct Live;
-    struct Kept {
+    struct AcceptedGains {
         ServoRef servo = 0;
         std::vector<device::WriteItem> before{};
         std::vector<device::WriteItem> after{};
     };
     void drain(Live& live);
-    void finish(Live& live, const TaskEnd& end);
+    void finish(Live& live, const TaskCompletion& end);
     void happened(const Event& event);
 
     Desk& m_desk;
@@ -86,13 +86,13 @@ private:
     record::StepSpec m_liveSpec;
     std::vector<record::StepAdvice> m_advice;
     jobs::SweepProgress m_progress;
-    std::vector<jobs::TorqueLeft> m_torqueLeft;
-    std::vector<base::JournalItem> m_trialLeft;
-    std::vector<Kept> m_kept;        ///< accepted, oldest first
-    std::optional<Kept> m_writing{}; ///< on its way to the servo
-    bool m_writingBack = false;      ///< and it is back() that asked for it
+    std::vector<jobs::UnreleasedTorque> m_unreleasedTorque;
+    std::vector<base::JournalItem> m_unrevertedItems;
+    std::vector<AcceptedGains> m_accepted;    ///< accepted, oldest first
+    std::optional<AcceptedGains> m_writing{}; ///< on its way to the servo
+    bool m_reverting = false;                 ///< and it is back() that asked for it
     QTimer m_drainTimer;
-    Inbox m_inbox;
+    MainThreadQueue m_mainQueue;
     JobThread m_files; ///< writes reports; last: its work uses the others
 };
 } // namespace session

@@ -17,7 +17,7 @@ using base::Duration;
 using base::ErrorCode;
 
 namespace {
-constexpr auto drainEvery = 33ms;
+constexpr auto drainInterval = 33ms;
 constexpr std::size_t storeBudget = std::size_t(32) << 20;
 
 /// "2026-11-22_061500_ID1-2.readings.csv" in the folder of the tests.
@@ -41,12 +41,12 @@ struct SweepTest::Live {
         std::optional<double> position{};
         double goal = 0;
     };
-    std::atomic<bool> cancelled = false; ///< before it began
+    std::atomic<bool> canceled = false; ///< before it began
     std::mutex mutex;
     std::vector<Reading> readings{};
     std::vector<std::pair<std::size_t, record::SweepLeg>> legs{};
     std::optional<jobs::SweepProgress> progress{};
-    std::optional<record::SweepRun> begun{};
+    std::optional<record::SweepRun> startedRun{};
     QString path{}; ///< of the readings
     std::vector<ServoRef> servos{};
 };
@@ -56,17 +56,17 @@ struct SweepTest::Ending {
     std::shared_ptr<jobs::SweepRecording> recording{};
     std::optional<record::SweepRun> run{};
     QString path{};
-    std::vector<jobs::TorqueLeft> torqueLeft{};
+    std::vector<jobs::UnreleasedTorque> unreleasedTorque{};
 };
 
 SweepTest::SweepTest(Desk& desk, QObject* parent)
     : QObject(parent)
     , m_desk(desk)
-    , m_left(desk, QStringLiteral("sweep-left"))
+    , m_leftovers(desk, QStringLiteral("sweep-left"))
     , m_store(storeBudget)
 {
-    connect(&m_left, &TestLeft::changed, this, &SweepTest::leftChanged);
-    m_drainTimer.setInterval(drainEvery);
+    connect(&m_leftovers, &TestLeftovers::changed, this, &SweepTest::leftoversChanged);
+    m_drainTimer.setInterval(drainInterval);
     connect(&m_drainTimer, &QTimer::timeout, this, &SweepTest::drain);
     m_writer.moveToThread(&m_files);
     m_files.start();
@@ -82,94 +82,94 @@ namespace {
 std::vector<device::Servo*> allOf(const TaskContext& context)
 {
     std::vector<device::Servo*> all{&context.servo};
-    all.insert(all.end(), context.others.begin(), context.others.end());
+    all.insert(all.end(), context.otherServos.begin(), context.otherServos.end());
     return all;
 }
 
-SweepLook lookAt(TaskContext& context, device::Servo& servo, const record::SweepSpec& spec,
-                 const record::SweepLimits& limits)
+SweepPreview previewServo(TaskContext& context, device::Servo& servo, const record::SweepSpec& spec,
+                          const record::SweepLimits& limits)
 {
-    SweepLook look;
-    auto outlook = jobs::lookAtSweep(context.device, servo, spec, limits);
-    if (outlook)
-        look.outlook = std::move(*outlook);
+    SweepPreview look;
+    auto estimate = jobs::estimateSweep(context.device, servo, spec, limits);
+    if (estimate)
+        look.estimate = std::move(*estimate);
     else
-        look.error = outlook.error();
+        look.error = estimate.error();
     look.proposed = jobs::proposedRange(servo);
     return look;
 }
 } // namespace
 
-void SweepTest::look(const SweepTestOrder& order)
+void SweepTest::preview(const SweepTestRequest& request)
 {
-    if (m_running || order.servos.empty())
+    if (m_running || request.servos.empty())
         return;
-    const int number = ++m_looks;
-    const auto found = std::make_shared<std::vector<SweepLook>>();
+    const int number = ++m_previewNumber;
+    const auto found = std::make_shared<std::vector<SweepPreview>>();
     Task task;
     task.name = QStringLiteral("sweep");
     task.quiet = true;
-    task.others.assign(order.servos.begin() + 1, order.servos.end());
-    task.work = [found, order](TaskContext& context) -> base::Result<void> {
+    task.otherServos.assign(request.servos.begin() + 1, request.servos.end());
+    task.work = [found, request](TaskContext& context) -> base::Result<void> {
         const auto servos = allOf(context);
         for (std::size_t i = 0; i < servos.size(); ++i) {
-            found->push_back(lookAt(context, *servos[i], order.spec, order.limits[i]));
-            found->back().servo = order.servos[i];
+            found->push_back(previewServo(context, *servos[i], request.spec, request.limits[i]));
+            found->back().servo = request.servos[i];
         }
         return {};
     };
     task.guard = this;
-    task.done = [this, found, number, order](const TaskEnd& end) {
-        if (number != m_looks)
+    task.done = [this, found, number, request](const TaskCompletion& end) {
+        if (number != m_previewNumber)
             return;
         if (end.error) // not one of them was asked
-            found->assign(1, SweepLook{order.servos.front(), {}, end.error});
-        Q_EMIT looked(*found);
+            found->assign(1, SweepPreview{request.servos.front(), {}, end.error});
+        Q_EMIT previewReady(*found);
     };
-    m_desk.perform(order.servos.front(), std::move(task));
+    m_desk.perform(request.servos.front(), std::move(task));
 }
 
 namespace {
-base::Result<record::SweepRun> drive(TaskContext& context, const jobs::SweepOrder& order,
-                                     const jobs::SweepWatch& watch)
+base::Result<record::SweepRun> drive(TaskContext& context, const jobs::SweepRequest& request,
+                                     const jobs::SweepCallbacks& watch)
 {
     const auto all = allOf(context);
     std::vector<device::Servo> servos;
     for (const device::Servo* servo : all)
         servos.push_back(*servo);
-    auto run = jobs::sweep(context.device, servos, order, watch);
+    auto run = jobs::sweep(context.device, servos, request, watch);
     for (std::size_t i = 0; i < all.size(); ++i)
         *all[i] = std::move(servos[i]);
     return run;
 }
 
-/// For the list of servos: IdentityDiffers of the one that was found exchanged.
+/// For the list of servos: IdentityMismatch of the one that was found exchanged.
 base::Result<void> exchangeIn(const record::SweepRun& run)
 {
-    if (run.end != record::SweepEnd::Exchanged)
+    if (run.end != record::SweepEnd::ServoReplaced)
         return {};
-    return base::fail(ErrorCode::IdentityDiffers, QStringLiteral("sweep"), {}, run.endedBy);
+    return base::fail(ErrorCode::IdentityMismatch, QStringLiteral("sweep"), {}, run.endedBy);
 }
 } // namespace
 
-bool SweepTest::start(const SweepTestOrder& order)
+bool SweepTest::start(const SweepTestRequest& request)
 {
     const auto gone = [this](ServoRef ref) { return m_desk.servo(ref) == nullptr; };
-    if (m_running || order.servos.empty() ||
-        std::any_of(order.servos.begin(), order.servos.end(), gone))
+    if (m_running || request.servos.empty() ||
+        std::any_of(request.servos.begin(), request.servos.end(), gone))
         return false;
     m_running = true;
-    ++m_looks; // what is still being looked at does not matter any more
+    ++m_previewNumber; // what is still being looked at does not matter any more
     m_progress = {};
-    m_left.forget();
+    m_leftovers.clear();
     m_live = std::make_shared<Live>();
-    m_live->servos = order.servos;
+    m_live->servos = request.servos;
     const auto live = m_live;
     const auto ending = std::make_shared<Ending>();
 
-    jobs::SweepOrder wanted{order.spec, order.limits, programName(), m_desk.simulated()};
-    wanted.switchMode = order.switchMode;
-    jobs::SweepWatch watch;
+    jobs::SweepRequest jobOrder{request.spec, request.limits, programName(), m_desk.isSimulated()};
+    jobOrder.switchMode = request.switchMode;
+    jobs::SweepCallbacks watch;
     watch.onBegin = [live, ending](const record::SweepRun& run) -> std::optional<base::Error> {
         ending->path = readingsFile(run);
         QDir().mkpath(QFileInfo(ending->path).absolutePath());
@@ -178,7 +178,7 @@ bool SweepTest::start(const SweepTestOrder& order)
             return made.error();
         ending->recording = std::move(*made);
         const std::lock_guard lock(live->mutex);
-        live->begun = run;
+        live->startedRun = run;
         live->path = ending->path;
         return std::nullopt;
     };
@@ -196,8 +196,8 @@ bool SweepTest::start(const SweepTestOrder& order)
         const std::lock_guard lock(live->mutex);
         live->legs.emplace_back(servo, leg);
     };
-    watch.onTorqueLeft = [ending](const jobs::TorqueLeft& left) {
-        ending->torqueLeft.push_back(left);
+    watch.onUnreleasedTorque = [ending](const jobs::UnreleasedTorque& left) {
+        ending->unreleasedTorque.push_back(left);
     };
     watch.onProgress = [live](const jobs::SweepProgress& progress) {
         const std::lock_guard lock(live->mutex);
@@ -207,15 +207,15 @@ bool SweepTest::start(const SweepTestOrder& order)
     Task task;
     task.name = QStringLiteral("sweep");
     task.effect = Effect::Moves;
-    task.savesTable = order.switchMode;
-    task.lasting = true;
-    task.holdsAfterwards = !order.spec.releaseAtEnd;
+    task.savesTable = request.switchMode;
+    task.isLongRunning = true;
+    task.holdsTorqueAfterwards = !request.spec.releaseAtEnd;
     task.quiet = true;
-    task.others.assign(order.servos.begin() + 1, order.servos.end());
-    task.work = [wanted, watch, live, ending](TaskContext& context) -> base::Result<void> {
-        if (live->cancelled)
+    task.otherServos.assign(request.servos.begin() + 1, request.servos.end());
+    task.work = [jobOrder, watch, live, ending](TaskContext& context) -> base::Result<void> {
+        if (live->canceled)
             return base::fail(ErrorCode::Stopped, QStringLiteral("sweep"));
-        auto run = drive(context, wanted, watch);
+        auto run = drive(context, jobOrder, watch);
         if (ending->recording)
             ending->recording->finish();
         if (!run)
@@ -224,9 +224,9 @@ bool SweepTest::start(const SweepTestOrder& order)
         return exchangeIn(*ending->run);
     };
     task.guard = this;
-    task.done = [this, ending](const TaskEnd& end) { finish(*ending, end); };
+    task.done = [this, ending](const TaskCompletion& end) { finish(*ending, end); };
     m_drainTimer.start();
-    m_desk.perform(order.servos.front(), std::move(task));
+    m_desk.perform(request.servos.front(), std::move(task));
     return true;
 }
 
@@ -234,7 +234,7 @@ void SweepTest::stop()
 {
     if (!m_running)
         return;
-    m_live->cancelled = true;
+    m_live->canceled = true;
     m_desk.stopTest();
 }
 
@@ -257,22 +257,22 @@ void SweepTest::drain()
     std::vector<Live::Reading> readings;
     std::vector<std::pair<std::size_t, record::SweepLeg>> legs;
     std::optional<jobs::SweepProgress> progress;
-    std::optional<record::SweepRun> begun;
+    std::optional<record::SweepRun> startedRun;
     {
         const std::lock_guard lock(m_live->mutex);
         readings.swap(m_live->readings);
         legs.swap(m_live->legs);
         progress.swap(m_live->progress);
-        begun.swap(m_live->begun);
-        if (begun)
+        startedRun.swap(m_live->startedRun);
+        if (startedRun)
             m_readingsPath = m_live->path;
     }
-    if (begun) {
-        m_run = std::move(begun);
+    if (startedRun) {
+        m_run = std::move(startedRun);
         m_servos = m_live->servos;
         m_startedAt = readings.empty() ? m_desk.now() : readings.front().at;
         openCurves();
-        Q_EMIT began();
+        Q_EMIT started();
     }
     for (const Live::Reading& reading : readings) {
         const Curves& curves = m_curves.at(reading.servo);
@@ -288,34 +288,34 @@ void SweepTest::drain()
         m_run->servos[servo].legs.push_back(leg);
     if (progress) {
         m_progress = *progress;
-        Q_EMIT progressed();
+        Q_EMIT progressChanged();
     }
     if (!readings.empty())
-        Q_EMIT grown();
+        Q_EMIT samplesAdded();
     if (!legs.empty())
-        Q_EMIT legged();
+        Q_EMIT legsAdded();
 }
 
-void SweepTest::finish(Ending& ending, const TaskEnd& end)
+void SweepTest::finish(Ending& ending, const TaskCompletion& end)
 {
     drain();
     m_drainTimer.stop();
     m_live.reset();
     m_running = false;
-    m_left.take(std::move(ending.torqueLeft), end.notices);
+    m_leftovers.setLeftovers(std::move(ending.unreleasedTorque), end.notices);
     if (ending.recording) // else the test before is still here to be saved
         m_recording = ending.recording;
     if (ending.run) {
         m_run = std::move(ending.run);
         if (m_recording && m_recording->failure())
             Q_EMIT saveFailed(*m_recording->failure());
-        Q_EMIT ended();
+        Q_EMIT finished();
     } else {
         Q_EMIT failed(end.error.value_or(base::Error{ErrorCode::Stopped, QStringLiteral("sweep")}));
     }
 }
 
-std::vector<record::SweepMetric> SweepTest::figures(std::size_t servo) const
+std::vector<record::SweepMetric> SweepTest::metrics(std::size_t servo) const
 {
     if (!m_run || servo >= m_run->servos.size())
         return {};
@@ -324,7 +324,7 @@ std::vector<record::SweepMetric> SweepTest::figures(std::size_t servo) const
         return tested.metrics;
     const auto first = tested.legs.empty() ? std::nullopt : tested.legs.front().temperatureMax;
     return jobs::sweepMetrics(tested.legs, tested.errors, first,
-                              jobs::followedPath(m_run->spec, tested.axis));
+                              jobs::referencePath(m_run->spec, tested.axis));
 }
 
 void SweepTest::save(const QString& path, bool chinese)
@@ -338,7 +338,7 @@ void SweepTest::save(const QString& path, bool chinese)
         auto written = saveSweepReport(*run, *recording, *format, chinese, path);
         if (written)
             written = copySweepReadings(readings, path);
-        m_inbox.post([this, path, written] {
+        m_mainQueue.post([this, path, written] {
             if (written)
                 Q_EMIT saved(path);
             else

@@ -13,17 +13,17 @@
 #include <QThread>
 
 namespace session {
-struct SweepTestOrder {
+struct SweepTestRequest {
     record::SweepSpec spec;
     std::vector<ServoRef> servos;
     std::vector<record::SweepLimits> limits; ///< one a servo
-    bool switchMode = false;                 ///< as jobs::SweepOrder
+    bool switchMode = false;                 ///< as jobs::SweepRequest
 };
 
 /// What look() has found out of one servo.
-struct SweepLook {
+struct SweepPreview {
     ServoRef servo = 0;
-    std::optional<jobs::SweepOutlook> outlook{};
+    std::optional<jobs::SweepEstimate> estimate{};
     std::optional<base::Error> error{};           ///< why it cannot be run
     std::optional<record::SweepRange> proposed{}; ///< a range that fits it
 };
@@ -37,23 +37,26 @@ public:
 
     /// Reads settings, moves nothing; looked() follows, of the latest order only. Nothing while a
     /// test runs.
-    void look(const SweepTestOrder& order);
+    void preview(const SweepTestRequest& request);
 
     /// False: one runs already, or a servo is gone. Else began() or failed() follow, then ended().
-    bool start(const SweepTestOrder& order);
+    bool start(const SweepTestRequest& request);
     void stop();
-    bool running() const { return m_running; }
+    bool isRunning() const { return m_running; }
 
     /// The running test or the latest one, with the legs there are; null: none yet.
     const record::SweepRun* run() const { return m_run ? &*m_run : nullptr; }
     const std::vector<ServoRef>& servos() const { return m_servos; } ///< of run(), in its order
     const jobs::SweepProgress& progress() const { return m_progress; }
     /// Of the test that has ended: servos that could not be left as they were to be.
-    const std::vector<jobs::TorqueLeft>& torqueLeft() const { return m_left.torque(); }
-    /// Of that test: what it has set and could not put back (NoticeCode::SettingNotPutBack).
-    const device::Notices& settingsLeft() const { return m_left.settings(); }
+    const std::vector<jobs::UnreleasedTorque>& unreleasedTorque() const
+    {
+        return m_leftovers.torque();
+    }
+    /// Of that test: what it has set and could not put back (NoticeCode::SettingNotRestored).
+    const device::Notices& unrevertedSettings() const { return m_leftovers.settings(); }
     /// Worked out anew from the legs while it runs; the final ones afterwards.
-    std::vector<record::SweepMetric> figures(std::size_t servo) const;
+    std::vector<record::SweepMetric> metrics(std::size_t servo) const;
 
     struct Curves {
         record::ChannelId position = -1;
@@ -69,13 +72,15 @@ public:
     void save(const QString& path, bool chinese);
 
 Q_SIGNALS:
-    void looked(const std::vector<session::SweepLook>& looks); ///< in the order of the servos
-    void began();
-    void progressed();
-    void grown();  ///< new readings, about 30 times a second
-    void legged(); ///< new legs; at most as often
-    void ended();
-    void leftChanged(); ///< of torqueLeft() and settingsLeft() something is proved over
+    void previewReady(
+        const std::vector<session::SweepPreview>& previews); ///< in the order of the servos
+    void started();
+    void progressChanged();
+    void samplesAdded(); ///< new readings, about 30 times a second
+    void legsAdded();    ///< new legs; at most as often
+    void finished();
+    void
+    leftoversChanged(); ///< of unreleasedTorque() and unrevertedSettings() something is proved over
     void failed(const base::Error& error); ///< nothing has moved, or it could not come to the start
     void saved(const QString& path);
     void saveFailed(const base::Error& error);
@@ -84,7 +89,7 @@ private:
     struct Live;
     struct Ending;
     void drain();
-    void finish(Ending& ending, const TaskEnd& end);
+    void finish(Ending& ending, const TaskCompletion& end);
     void openCurves();
 
     Desk& m_desk;
@@ -93,15 +98,15 @@ private:
     std::optional<record::SweepRun> m_run;
     std::vector<ServoRef> m_servos;
     jobs::SweepProgress m_progress;
-    TestLeft m_left;
+    TestLeftovers m_leftovers;
     record::SampleStore m_store;
     std::vector<Curves> m_curves;
     base::Duration m_startedAt{};
     QString m_readingsPath;
     std::shared_ptr<const jobs::SweepRecording> m_recording; ///< of the latest test, ended
-    int m_looks = 0;
+    int m_previewNumber = 0;
     QTimer m_drainTimer;
-    Inbox m_inbox;
+    MainThreadQueue m_mainQueue;
     QObject m_writer; ///< lives on m_files
     QThread m_files;  ///< a PDF needs a thread of Qt's; its work uses the others
 };

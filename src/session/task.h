@@ -16,22 +16,22 @@ namespace session {
 struct TaskContext {
     const device::Context& device;
     device::Servo& servo;
-    const base::Stop& stop;
-    jobs::ProgressFn progress;            ///< may be called; arrives as Desk::taskProgress
-    std::vector<device::Servo*> others{}; ///< copies too, as Task::others; all are merged
+    const base::StopToken& stop;
+    jobs::ProgressFn progress;                 ///< may be called; arrives as Desk::taskProgress
+    std::vector<device::Servo*> otherServos{}; ///< copies too, as Task::others; all are merged
 };
 
-struct TaskEnd {
+struct TaskCompletion {
     std::optional<base::Error> error; ///< the task's own, or Stopped/LinkLost when it never ran
     device::Notices notices;
 };
 
-/// What a task may do to a shaft. After an emergency stop Moves is refused until an Energises has
-/// succeeded for each servo it concerns.
+/// What a task may do to a shaft. After an emergency stop Moves is refused until an EnablesTorque
+/// has succeeded for each servo it concerns.
 enum class Effect : std::uint8_t {
     None,
-    Moves,     ///< goals, actions, motion registers
-    Energises, ///< the user switches torque on
+    Moves,         ///< goals, actions, motion registers
+    EnablesTorque, ///< the user switches torque on
 };
 
 struct Task {
@@ -39,21 +39,21 @@ struct Task {
     bool savesTable = false; ///< the table is saved first if this session has not yet
     Effect effect = Effect::None;
     /// Servos the task owns beside its own, all at the same rate; one that is gone ends the task
-    /// with NoAnswer before the first byte.
-    std::vector<ServoRef> others{};
+    /// with NoReply before the first byte.
+    std::vector<ServoRef> otherServos{};
     bool quiet = false; ///< no Event unless it failed
     /// A test of minutes or hours. While it runs the wire is its own: others are read once a
     /// second, tables when it has ended, and what writes or searches is refused (Held, "test").
-    bool lasting = false;
+    bool isLongRunning = false;
     /// A test that moves its servos: they hold afterwards, or have no torque, also when it is
     /// stopped. None: it leaves torque as it is.
-    std::optional<bool> holdsAfterwards{};
+    std::optional<bool> holdsTorqueAfterwards{};
     std::function<base::Result<void>(TaskContext&)> work; ///< job thread
     QPointer<QObject> guard;                              ///< `done` is dropped when it is gone
-    std::function<void(const TaskEnd&)> done{};           ///< main thread
+    std::function<void(const TaskCompletion&)> done{};    ///< main thread
 };
 
-struct WriteOrder {
+struct WriteRequest {
     std::vector<device::WriteItem> items; ///< ID and rate included: those servos are followed
     bool temporary = false;
     bool dangerous = false; ///< the user's consent
@@ -62,8 +62,8 @@ struct WriteOrder {
 /// What undo() would do.
 struct UndoStep {
     ServoRef servo = 0;
-    std::vector<device::WriteItem> before;
-    std::vector<device::WriteItem> after;
+    std::vector<device::WriteItem> oldItems;
+    std::vector<device::WriteItem> newItems;
     bool temporary = false;
 };
 } // namespace session

@@ -20,69 +20,71 @@ bool reads(const device::Servo& servo, const catalog::Register* reg, std::int64_
 }
 } // namespace
 
-TestLeft::TestLeft(Desk& desk, const QString& user, QObject* parent)
+TestLeftovers::TestLeftovers(Desk& desk, const QString& user, QObject* parent)
     : QObject(parent)
     , m_desk(desk)
     , m_user(user)
 {
-    connect(&desk, &Desk::tableChanged, this, &TestLeft::check);
-    connect(&desk, &Desk::servoAdded, this, &TestLeft::watch);
+    connect(&desk, &Desk::tableChanged, this, &TestLeftovers::check);
+    connect(&desk, &Desk::servoAdded, this, &TestLeftovers::updateSubscription);
 }
 
-void TestLeft::forget()
+void TestLeftovers::clear()
 {
     m_torque.clear();
     m_settings.clear();
     m_servos.clear();
-    watch();
+    updateSubscription();
 }
 
-void TestLeft::take(std::vector<jobs::TorqueLeft> torque, const device::Notices& notices)
+void TestLeftovers::setLeftovers(std::vector<jobs::UnreleasedTorque> torque,
+                                 const device::Notices& notices)
 {
     m_torque = std::move(torque);
     m_settings.clear();
     m_servos.clear();
     std::copy_if(notices.begin(), notices.end(), std::back_inserter(m_settings),
                  [](const device::Notice& notice) {
-                     return notice.code == device::NoticeCode::SettingNotPutBack;
+                     return notice.code == device::NoticeCode::SettingNotRestored;
                  });
     m_since = m_desk.now();
-    for (const jobs::TorqueLeft& one : m_torque)
-        note(one.id);
+    for (const jobs::UnreleasedTorque& one : m_torque)
+        addServo(one.id);
     for (const device::Notice& one : m_settings)
-        note(one.id);
-    watch();
+        addServo(one.id);
+    updateSubscription();
 }
 
-void TestLeft::note(int id)
+void TestLeftovers::addServo(int id)
 {
     for (const ServoRef ref : m_desk.servos()) {
         const device::Servo& servo = m_desk.servo(ref)->servo;
-        if (servo.id == id && servo.profile && (!m_desk.hasBaud() || servo.baud == m_desk.baud()))
+        if (servo.id == id && servo.profile &&
+            (!m_desk.canSetBaud() || servo.baud == m_desk.baud()))
             m_servos[id] = servo.identity();
     }
 }
 
 /// The servo that was tested, not another one that answers under its ID.
-bool TestLeft::concerns(const device::Servo& servo) const
+bool TestLeftovers::concerns(const device::Servo& servo) const
 {
     const auto left = m_servos.find(servo.id);
     if (left == m_servos.end() || !servo.profile)
         return false;
-    const base::ServoIdentity who = servo.identity();
-    return who.port == left->second.port && who.sameKind(left->second);
+    const base::ServoIdentity identity = servo.identity();
+    return identity.port == left->second.port && identity.isSameKind(left->second);
 }
 
-void TestLeft::watch()
+void TestLeftovers::updateSubscription()
 {
-    if (!std::exchange(m_watched, !empty()) && empty())
+    if (!std::exchange(m_subscribed, !empty()) && empty())
         return;
-    FeedWish wish;
+    Subscription wish;
     for (const ServoRef ref : m_desk.servos()) {
         const device::Servo& servo = m_desk.servo(ref)->servo;
         if (!concerns(servo))
             continue;
-        FeedPart part{ref, {}, {}};
+        SubscriptionItem part{ref, {}, {}};
         for (const device::Notice& one : m_settings) {
             if (one.id == servo.id)
                 part.slowKeys << one.key;
@@ -94,17 +96,17 @@ void TestLeft::watch()
         if (!part.slowKeys.isEmpty())
             wish.parts.push_back(part);
     }
-    m_desk.wish(m_user, wish);
+    m_desk.subscribe(m_user, wish);
 }
 
 /// Who has no torque neither holds nor moves.
-void TestLeft::check(ServoRef ref)
+void TestLeftovers::check(ServoRef ref)
 {
     const ServoEntry* known = empty() ? nullptr : m_desk.servo(ref);
     if (known == nullptr || !concerns(known->servo))
         return;
     const device::Servo& servo = known->servo;
-    const auto off = [&](const jobs::TorqueLeft& one) {
+    const auto off = [&](const jobs::UnreleasedTorque& one) {
         return one.id == servo.id && reads(servo, torqueSwitch(servo), 0, m_since);
     };
     const auto back = [&](const device::Notice& one) {
@@ -115,7 +117,7 @@ void TestLeft::check(ServoRef ref)
     m_settings.erase(std::remove_if(m_settings.begin(), m_settings.end(), back), m_settings.end());
     if (m_torque.size() + m_settings.size() == before)
         return;
-    watch();
+    updateSubscription();
     Q_EMIT changed();
 }
 } // namespace session

@@ -9,18 +9,18 @@
 #include "session/desk.h"
 
 namespace session {
-class TestLeft final : public QObject {
+class TestLeftovers final : public QObject {
     Q_OBJECT
 
 public:
     /// `user`: the name of its wish for readings.
-    TestLeft(Desk& desk, const QString& user, QObject* parent = nullptr);
+    TestLeftovers(Desk& desk, const QString& user, QObject* parent = nullptr);
 
-    void forget();
-    /// `notices`: those with NoticeCode::SettingNotPutBack count.
-    void take(std::vector<jobs::TorqueLeft> torque, const device::Notices& notices);
+    void clear();
+    /// `notices`: those with NoticeCode::SettingNotRestored count.
+    void setLeftovers(std::vector<jobs::UnreleasedTorque> torque, const device::Notices& notices);
 
-    const std::vector<jobs::TorqueLeft>& torque() const { return m_torque; }
+    const std::vector<jobs::UnreleasedTorque>& torque() const { return m_torque; }
     const device::Notices& settings() const { return m_settings; }
     bool empty() const { return m_torque.empty() && m_settings.empty(); }
 
@@ -28,17 +28,17 @@ Q_SIGNALS:
     void changed(); ///< something of it is over
 
 private:
-    void note(int id);
-    void watch();
+    void addServo(int id);
+    void updateSubscription();
     void check(ServoRef ref);
     bool concerns(const device::Servo& servo) const;
 
     Desk& m_desk;
     QString m_user;
-    std::vector<jobs::TorqueLeft> m_torque;
+    std::vector<jobs::UnreleasedTorque> m_torque;
     device::Notices m_settings;
     std::map<int, base::ServoIdentity> m_servos; ///< by ID; they may enter the list anew
     base::Duration m_since{};                    ///< desk clock: only what is read later proves
-    bool m_watched = false;                      ///< it has a wish
+    bool m_subscribed = false;                   ///< it has a wish
 };
 } // namespace session

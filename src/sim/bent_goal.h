@@ -9,7 +9,7 @@
 
 namespace sim {
 /// A point of a planned motion.
-struct Aim {
+struct Setpoint {
     double position = 0;
     double speed = 0;        ///< 0 on the path: there the loop lags, as a healthy one does
     double acceleration = 0; ///< step/s²
@@ -21,34 +21,35 @@ struct Shaft {
     double speed = 0;
 };
 
-class BentGoal {
+class DefectTrajectory {
 public:
     void restart(double at);
     /// What the path is to lead to next, and where it is: before the path's step of time.
-    void aimAt(double goal, double from);
+    void setGoal(double goal, double from);
 
     /// One step of time, after the path's.
-    Aim follow(const Defects& defects, const Trajectory& path, double topSpeed, const Shaft& shaft,
-               double seconds);
+    Setpoint follow(const Defects& defects, const Trajectory& path, double topSpeed,
+                    const Shaft& shaft, double seconds);
 
     /// Past its goal, there or on the way back.
-    bool swings() const { return m_phase == Phase::Out || m_phase == Phase::Back; }
+    bool isSwinging() const { return m_phase == Phase::Overshoot || m_phase == Phase::Returning; }
 
 private:
     enum class Phase {
-        Path, ///< on its way
-        Out,  ///< beyond the goal, and stays there for a moment
-        Back,
+        Path,      ///< on its way
+        Overshoot, ///< beyond the goal, and stays there for a moment
+        Returning,
         Rest,
     };
-    void swing(Phase phase, double from, double speed, double to, double topSpeed, double shortest);
-    Aim swung() const;
+    void startSwing(Phase phase, double from, double speed, double to, double topSpeed,
+                    double minDuration);
+    Setpoint swingSetpoint() const;
 
     Phase m_phase = Phase::Rest;
     double m_goal = 0;
-    double m_way = 0;  ///< of this move, signed
-    double m_last = 0; ///< where it would rest for hysteresis alone
-    double m_from = 0; ///< the swing under way: from here, at this speed …
+    double m_distance = 0;     ///< of this move, signed
+    double m_restPosition = 0; ///< where it would rest for hysteresis alone
+    double m_from = 0;         ///< the swing under way: from here, at this speed …
     double m_fromSpeed = 0;
     double m_to = 0; ///< … to rest there …
     double m_duration = 0;

@@ -6,7 +6,7 @@ namespace {
 constexpr double fullDuty = 1000.0;
 } // namespace
 
-void Controller::energise(double position)
+void Controller::energize(double position)
 {
     *this = Controller();
     follow(position);
@@ -15,7 +15,7 @@ void Controller::energise(double position)
 void Controller::follow(double position)
 {
     m_path.restart(position);
-    m_bent.restart(position);
+    m_defectTrajectory.restart(position);
 }
 
 /// P with the startup force as the least it gives once it gives anything.
@@ -36,25 +36,26 @@ double Controller::holdPosition(const Settings& s, double goal, double topSpeed,
         duty += proportional(s, error) + s.positionD * rate;
         // No winding up against a limit that is reached already.
         if (std::abs(duty) < limit || duty * error < 0.0) {
-            const double most = s.integralLimit > 0.0 ? s.integralLimit : fullDuty;
-            m_integral = std::clamp(m_integral + s.positionI * error * tick, -most, most);
+            const double maxIntegral = s.integralLimit > 0.0 ? s.integralLimit : fullDuty;
+            m_integral =
+                std::clamp(m_integral + s.positionI * error * tick, -maxIntegral, maxIntegral);
         }
     }
     return std::clamp(duty, -limit, limit);
 }
 
-Aim Controller::bend(const Settings& s, const Defects& defects, double goal, double topSpeed,
-                     const Shaft& shaft)
+Setpoint Controller::defectSetpoint(const Settings& s, const Defects& defects, double goal,
+                                    double topSpeed, const Shaft& shaft)
 {
-    m_bent.aimAt(goal, m_path.position);
+    m_defectTrajectory.setGoal(goal, m_path.position);
     m_path.advance(goal, topSpeed, s.acceleration, tick);
-    return m_bent.follow(defects, m_path, topSpeed, shaft, tick);
+    return m_defectTrajectory.follow(defects, m_path, topSpeed, shaft, tick);
 }
 
-double Controller::holdBent(const Settings& s, const Aim& aim, double position, double support,
-                            double limit)
+double Controller::holdDefectSetpoint(const Settings& s, const Setpoint& setpoint, double position,
+                                      double support, double limit)
 {
-    const double error = aim.position - position;
+    const double error = setpoint.position - position;
     const double rate = rateOf(error);
     return std::clamp(s.positionP * error + s.positionD * rate + support, -limit, limit);
 }

@@ -13,7 +13,7 @@ public:
     static constexpr double tick = 0.001; ///< s
 
     /// Torque has just come on at this position: hold here, forget the past.
-    void energise(double position);
+    void energize(double position);
     /// Torque is off: the goal in use follows the shaft.
     void follow(double position);
 
@@ -21,17 +21,17 @@ public:
     double holdPosition(const Settings& s, double goal, double topSpeed, double position,
                         double limit);
     /// The same of a servo with defects, in two steps: where it brings its shaft …
-    Aim bend(const Settings& s, const Defects& defects, double goal, double topSpeed,
-             const Shaft& shaft);
+    Setpoint defectSetpoint(const Settings& s, const Defects& defects, double goal, double topSpeed,
+                            const Shaft& shaft);
     /// … and the duty that does, with `support` as the duty that its load and friction take. No
     /// dead zone and no I, which would blur or hide what the defects say.
-    double holdBent(const Settings& s, const Aim& aim, double position, double support,
-                    double limit);
+    double holdDefectSetpoint(const Settings& s, const Setpoint& setpoint, double position,
+                              double support, double limit);
     /// Closed-loop speed.
     double holdSpeed(const Settings& s, double goal, double speed, double limit);
 
     const Trajectory& path() const { return m_path; }
-    bool rests() const { return m_path.speed == 0.0 && !m_bent.swings(); }
+    bool isAtRest() const { return m_path.speed == 0.0 && !m_defectTrajectory.isSwinging(); }
 
 private:
     double proportional(const Settings& s, double error) const;
@@ -45,7 +45,7 @@ private:
     }
 
     Trajectory m_path;
-    BentGoal m_bent;
+    DefectTrajectory m_defectTrajectory;
     double m_integral = 0;  ///< duty
     double m_lastError = 0; ///< steps
     double m_errorRate = 0; ///< step/s, smoothed

@@ -14,7 +14,7 @@ namespace sim {
 /// noise, moving (0 or 1: the flag is stuck), load-friction (N·m), stop (degrees), supply-ohms,
 /// ambient (°C). And how its firmware behaves (FirmwareBehavior), 0 or 1: deaf, new-id-reply,
 /// run-to-goal, late-baud, staggered-ping; eprom-ms: time of an EPROM write.
-base::Result<void> addDefects(ServoRecipe& recipe, const QStringList& words);
+base::Result<void> addDefects(ServoSpec& servoSpec, const QStringList& words);
 
-QStringList defectNames();
+QStringList defectOptionNames();
 } // namespace sim

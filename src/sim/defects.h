@@ -40,7 +40,7 @@ struct Defects {
     /// It does not rest where a healthy loop would. Then load, friction, gear play and dead zones
     /// of the registers add nothing of their own to where it rests (P = 0 still switches the loop
     /// off, and I does not act).
-    bool bendGoal() const
+    bool affectsPosition() const
     {
         return restHysteresis != 0.0 || staticError != 0.0 || overshootPercent != 0.0;
     }

@@ -15,16 +15,16 @@ public:
 
     /// Steps since the sensor's zero, counted through all turns.
     std::int64_t sample(double angle, std::uint64_t tick);
-    void settle(double angle) { m_filtered = angle; } ///< the shaft has rested for a while
+    void reset(double angle) { m_filtered = angle; } ///< the shaft has rested for a while
 
     /// The latest sample before it was rounded, without noise.
-    double fine() const { return m_filtered * m_stepsPerRadian; }
+    double unrounded() const { return m_filtered * m_stepsPerRadian; }
 
     /// What a sensor that does not count turns shows for a counted position.
-    int withinTurn(std::int64_t counted) const;
+    int withinTurn(std::int64_t encoderCount) const;
     /// Normally distributed with a deviation of 1.
-    double disturbance(std::uint64_t tick) const;
-    bool endless() const { return m_sensor == Sensor::Endless; }
+    double gaussianNoise(std::uint64_t tick) const;
+    bool isContinuous() const { return m_sensor == Sensor::Continuous; }
 
 private:
     double m_stepsPerRadian;

@@ -13,14 +13,14 @@
 namespace sim {
 namespace {
 constexpr int formatVersion = 1;
-constexpr qint64 largestFile = 1'000'000;
+constexpr qint64 maxFileSize = 1'000'000;
 
 QString formatName()
 {
     return QStringLiteral("servodesk-sim-eprom");
 }
 
-tl::unexpected<base::Error> badFile(const QString& path, const QString& why)
+tl::unexpected<base::Error> invalidFile(const QString& path, const QString& why)
 {
     return base::fail(base::ErrorCode::FileFormat, QStringLiteral("state"),
                       QStringLiteral("%1: %2").arg(path, why));
@@ -54,16 +54,16 @@ QByteArray toJson(VirtualBus& bus, const std::vector<base::Bytes>& images)
 /// disk, which would keep the servos silent for as long as the disk is busy.
 QString replaceFile(const QString& path, const QByteArray& text)
 {
-    const QFileInfo old(path);
-    if (old.exists() && !old.isWritable())
+    const QFileInfo existing(path);
+    if (existing.exists() && !existing.isWritable())
         return QStringLiteral("not writable");
-    const QString target = old.exists() ? old.canonicalFilePath() : path;
+    const QString target = existing.exists() ? existing.canonicalFilePath() : path;
     QTemporaryFile file(target + QStringLiteral(".XXXXXX"));
     if (!file.open() || file.write(text) != text.size() || !file.flush())
         return file.errorString();
-    file.setPermissions(old.exists() ? old.permissions()
-                                     : QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup |
-                                           QFile::ReadOther);
+    file.setPermissions(existing.exists() ? existing.permissions()
+                                          : QFile::ReadOwner | QFile::WriteOwner |
+                                                QFile::ReadGroup | QFile::ReadOther);
     const QString name = file.fileName();
     file.close();
     std::error_code failed;
@@ -80,24 +80,24 @@ base::Result<std::vector<base::Bytes>> fromJson(const QByteArray& text, const QS
     const QJsonObject file = QJsonDocument::fromJson(text).object();
     if (file[QLatin1String("format")].toString() != formatName() ||
         file[QLatin1String("version")].toInt() != formatVersion)
-        return badFile(path, QStringLiteral("no state of servodesk-sim"));
+        return invalidFile(path, QStringLiteral("no state of servodesk-sim"));
     const QJsonArray entries = file[QLatin1String("servos")].toArray();
     const auto servos = bus.servos();
     if (entries.size() != static_cast<qsizetype>(servos.size()))
-        return badFile(path, QStringLiteral("holds %1 servos, this bus has %2")
-                                 .arg(entries.size())
-                                 .arg(servos.size()));
+        return invalidFile(path, QStringLiteral("holds %1 servos, this bus has %2")
+                                     .arg(entries.size())
+                                     .arg(servos.size()));
     std::vector<base::Bytes> images;
     for (std::size_t i = 0; i < servos.size(); ++i) {
         const QJsonObject entry = entries[static_cast<qsizetype>(i)].toObject();
         const QString model = entry[QLatin1String("model")].toString();
         const QString place = QStringLiteral("servo %1").arg(i + 1);
         if (model != servos[i]->profile().modelName)
-            return badFile(path, QStringLiteral("%1 is a %2, on this bus a %3")
-                                     .arg(place, model, servos[i]->profile().modelName));
+            return invalidFile(path, QStringLiteral("%1 is a %2, on this bus a %3")
+                                         .arg(place, model, servos[i]->profile().modelName));
         auto image = base::fromHex(entry[QLatin1String("eprom")].toString());
         if (!image || image->size() != servos[i]->epromImage().size())
-            return badFile(path, QStringLiteral("%1: damaged EPROM").arg(place));
+            return invalidFile(path, QStringLiteral("%1: damaged EPROM").arg(place));
         images.push_back(std::move(*image));
     }
     return images;
@@ -125,15 +125,15 @@ base::Result<void> EpromStore::load()
     if (!file.open(QIODevice::ReadOnly))
         return base::fail(base::ErrorCode::FileUnreadable, QStringLiteral("state"),
                           QStringLiteral("%1: %2").arg(m_path, file.errorString()));
-    if (file.size() > largestFile)
-        return badFile(m_path, QStringLiteral("no state of servodesk-sim"));
+    if (file.size() > maxFileSize)
+        return invalidFile(m_path, QStringLiteral("no state of servodesk-sim"));
     auto images = fromJson(file.readAll(), m_path, *m_bus);
     if (!images)
         return tl::unexpected(images.error());
     const auto servos = m_bus->servos();
     for (std::size_t i = 0; i < servos.size(); ++i) {
         if (!servos[i]->setEpromImage((*images)[i]))
-            return badFile(m_path, QStringLiteral("servo %1: damaged EPROM").arg(i + 1));
+            return invalidFile(m_path, QStringLiteral("servo %1: damaged EPROM").arg(i + 1));
     }
     m_saved = std::move(*images);
     return {};

@@ -6,32 +6,32 @@ namespace {
 constexpr std::size_t maxGarbage = 4;
 }
 
-bool FaultDice::happens(double probability)
+bool FaultInjector::occurs(double probability)
 {
     return probability > 0 && std::uniform_real_distribution<>(0.0, 1.0)(m_generator) < probability;
 }
 
-std::size_t FaultDice::below(std::size_t limit)
+std::size_t FaultInjector::randomBelow(std::size_t limit)
 {
     return std::uniform_int_distribution<std::size_t>(0, limit - 1)(m_generator);
 }
 
-std::optional<base::Duration> FaultDice::spoil(base::Bytes& frame, const FaultPlan& plan)
+std::optional<base::Duration> FaultInjector::applyFaults(base::Bytes& frame, const FaultPlan& plan)
 {
-    if (happens(plan.drop))
+    if (occurs(plan.drop))
         return std::nullopt;
-    if (happens(plan.corrupt)) {
-        std::uint8_t& victim = frame[below(frame.size())];
-        victim = static_cast<std::uint8_t>(victim ^ (1U << below(8)));
+    if (occurs(plan.corrupt)) {
+        std::uint8_t& target = frame[randomBelow(frame.size())];
+        target = static_cast<std::uint8_t>(target ^ (1U << randomBelow(8)));
     }
-    if (happens(plan.truncate))
-        frame.resize(1 + below(frame.size() - 1));
-    if (happens(plan.garbage)) {
-        base::Bytes garbage(1 + below(maxGarbage));
+    if (occurs(plan.truncate))
+        frame.resize(1 + randomBelow(frame.size() - 1));
+    if (occurs(plan.garbage)) {
+        base::Bytes garbage(1 + randomBelow(maxGarbage));
         for (std::uint8_t& byte : garbage)
-            byte = static_cast<std::uint8_t>(below(256));
+            byte = static_cast<std::uint8_t>(randomBelow(256));
         frame.insert(frame.begin(), garbage.begin(), garbage.end());
     }
-    return happens(plan.late) ? plan.lateBy : base::Duration{};
+    return occurs(plan.late) ? plan.lateBy : base::Duration{};
 }
 } // namespace sim

@@ -8,20 +8,20 @@
 #include <random>
 
 namespace sim {
-class FaultDice {
+class FaultInjector {
 public:
-    explicit FaultDice(std::uint64_t seed)
+    explicit FaultInjector(std::uint64_t seed)
         : m_generator(seed)
     {}
 
-    bool losesRequest(const FaultPlan& plan) { return happens(plan.dropRequest); }
+    bool dropsRequest(const FaultPlan& plan) { return occurs(plan.dropRequest); }
 
     /// Spoils `frame` in place. How much later it is spoken; nullopt: not at all.
-    std::optional<base::Duration> spoil(base::Bytes& frame, const FaultPlan& plan);
+    std::optional<base::Duration> applyFaults(base::Bytes& frame, const FaultPlan& plan);
 
 private:
-    bool happens(double probability);
-    std::size_t below(std::size_t limit);
+    bool occurs(double probability);
+    std::size_t randomBelow(std::size_t limit);
 
     std::mt19937_64 m_generator;
 };

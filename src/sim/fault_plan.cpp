@@ -6,7 +6,7 @@
 
 namespace sim {
 namespace {
-tl::unexpected<base::Error> badFault(const QString& detail)
+tl::unexpected<base::Error> invalidFault(const QString& detail)
 {
     return base::fail(base::ErrorCode::BadArgument, QStringLiteral("fault"), detail);
 }
@@ -35,21 +35,22 @@ base::Result<void> setFault(FaultPlan& plan, const QString& item, const QString&
     if (double* target = probability(plan, name)) {
         *target = value.toDouble(&ok);
         if (!ok || !(*target >= 0 && *target <= 1))
-            return badFault(QStringLiteral("%1: a probability is 0 to 1").arg(item));
+            return invalidFault(QStringLiteral("%1: a probability is 0 to 1").arg(item));
     } else if (name == QLatin1String("mute")) {
         const int id = value.toInt(&ok);
         if (!ok || id < 0 || id > protocol::maxId)
-            return badFault(QStringLiteral("%1: an ID is 0 to 253").arg(item));
+            return invalidFault(QStringLiteral("%1: an ID is 0 to 253").arg(item));
         plan.muteIds.push_back(id);
     } else if (name == QLatin1String("late-ms")) {
         const int span = value.toInt(&ok);
         if (!ok || span < 0)
-            return badFault(QStringLiteral("%1: milliseconds expected").arg(item));
+            return invalidFault(QStringLiteral("%1: milliseconds expected").arg(item));
         plan.lateBy = std::chrono::milliseconds(span);
     } else {
-        return badFault(QStringLiteral("%1: no such fault; known are drop, corrupt, garbage, late, "
-                                       "late-ms, truncate, drop-request, mute")
-                            .arg(item));
+        return invalidFault(
+            QStringLiteral("%1: no such fault; known are drop, corrupt, garbage, late, "
+                           "late-ms, truncate, drop-request, mute")
+                .arg(item));
     }
     return {};
 }
@@ -62,7 +63,7 @@ base::Result<FaultPlan> parseFaults(const QString& text)
         const QString item = part.trimmed();
         const auto equals = item.indexOf(QLatin1Char('='));
         if (equals <= 0)
-            return badFault(QStringLiteral("%1: expected NAME=VALUE").arg(item));
+            return invalidFault(QStringLiteral("%1: expected NAME=VALUE").arg(item));
         if (auto set = setFault(plan, item, item.left(equals), item.mid(equals + 1)); !set)
             return tl::unexpected(set.error());
     }

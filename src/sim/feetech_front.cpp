@@ -23,63 +23,63 @@ enum Instruction : std::uint8_t {
 };
 
 /// 0x0B came to the STS with firmware 3.10, beside the 128 they all know.
-bool knowsCalibration(const catalog::Profile& profile)
+bool supportsCalibration(const catalog::Profile& profile)
 {
     const catalog::Identity& id = profile.identity;
-    const bool sts = profile.series == QLatin1String("STS") && id.firmwareMajor == 3;
+    const bool isNewSts = profile.series == QLatin1String("STS") && id.firmwareMajor == 3;
     return profile.centering == catalog::Centering::Instruction0B ||
-           (sts && id.firmwareMinor >= 10);
+           (isNewSts && id.firmwareMinor >= 10);
 }
 
-constexpr int largestRead = 253; ///< LEN is one byte and counts two more
+constexpr int maxReadCount = 253; ///< LEN is one byte and counts two more
 constexpr int tableSize = 256;
 constexpr base::Duration pingSlot = std::chrono::milliseconds(3);
 } // namespace
 
 /// The second ID is for groups, so nobody answers to it; which instructions it serves is from the
 /// HLS table.
-Hears VirtualServo::State::hears(int id, std::uint8_t instruction) const
+AddressMatch VirtualServo::State::addressMatch(int id, std::uint8_t instruction) const
 {
     if (id == settings.id) {
-        return Hears::Yes;
+        return AddressMatch::Yes;
     }
     if (!secondaryId.exists() || id != map.read(memory, secondaryId)) {
-        return Hears::No;
+        return AddressMatch::No;
     }
-    const bool forGroups = instruction == Write || instruction == RegWrite ||
-                           instruction == Action || instruction == SyncWrite;
-    return forGroups ? Hears::Silently : Hears::No;
+    const bool isGroupInstruction = instruction == Write || instruction == RegWrite ||
+                                    instruction == Action || instruction == SyncWrite;
+    return isGroupInstruction ? AddressMatch::Silently : AddressMatch::No;
 }
 
-std::optional<ServoAnswer> VirtualServo::State::answer(base::ByteView data) const
+std::optional<ServoReply> VirtualServo::State::makeReply(base::ByteView data) const
 {
-    return ServoAnswer{settings.id, protection.status(), base::Bytes(data.begin(), data.end())};
+    return ServoReply{settings.id, protection.status(), base::Bytes(data.begin(), data.end())};
 }
 
-std::optional<ServoAnswer> VirtualServo::State::ping(const ServoRequest& request) const
+std::optional<ServoReply> VirtualServo::State::ping(const ServoRequest& request) const
 {
     if (!request.params.empty()) {
         return std::nullopt;
     }
-    auto reply = answer();
+    auto reply = makeReply();
     if (request.broadcast && config.behavior.staggersBroadcastPing) {
         reply->wait = pingSlot * settings.id;
     }
     return reply;
 }
 
-std::optional<ServoAnswer> VirtualServo::State::readTable(base::ByteView params)
+std::optional<ServoReply> VirtualServo::State::readTable(base::ByteView params)
 {
     const int address = params[0];
     const int count = params[1];
-    if (count > largestRead || address + count > tableSize) {
+    if (count > maxReadCount || address + count > tableSize) {
         return std::nullopt;
     }
-    publish();
-    return answer(memory.view(address, count));
+    updateFeedback();
+    return makeReply(memory.view(address, count));
 }
 
-std::optional<ServoAnswer> VirtualServo::State::handleFeetech(const ServoRequest& request)
+std::optional<ServoReply> VirtualServo::State::handleFeetech(const ServoRequest& request)
 {
     switch (request.instruction) {
     case Ping:
@@ -105,13 +105,13 @@ std::optional<ServoAnswer> VirtualServo::State::handleFeetech(const ServoRequest
     return acknowledge(request, oldId, oldLevel);
 }
 
-std::optional<ServoAnswer> VirtualServo::State::acknowledge(const ServoRequest& request, int oldId,
-                                                            int oldLevel)
+std::optional<ServoReply> VirtualServo::State::acknowledge(const ServoRequest& request, int oldId,
+                                                           int oldLevel)
 {
-    if (request.broadcast || oldLevel == 0 || !alive() || request.instruction == SyncWrite) {
+    if (request.broadcast || oldLevel == 0 || !isRunning() || request.instruction == SyncWrite) {
         return std::nullopt;
     }
-    auto reply = answer();
+    auto reply = makeReply();
     if (!config.behavior.acknowledgesWithNewId) {
         reply->id = oldId;
     }
@@ -130,7 +130,7 @@ bool VirtualServo::State::execute(const ServoRequest& request)
         write(params[0], params.subspan(1));
         return true;
     case RegWrite:
-        return hold(params);
+        return storePendingWrite(params);
     case SyncWrite:
         syncWrite(params);
         return true;
@@ -144,7 +144,7 @@ bool VirtualServo::State::execute(const ServoRequest& request)
     }
     switch (request.instruction) {
     case Action:
-        carryOutHeld();
+        executePendingWrite();
         return true;
     case Restore:
         restore();
@@ -153,7 +153,7 @@ bool VirtualServo::State::execute(const ServoRequest& request)
         backup();
         return true;
     case StateReset:
-        rebase();
+        resetTurnBase();
         return true;
     case Reboot:
         restart();
@@ -174,39 +174,39 @@ void VirtualServo::State::syncWrite(base::ByteView params)
         return;
     }
     for (std::size_t at = 0; at < list.size(); at += count + 1) {
-        if (hears(list[at], SyncWrite) != Hears::No) {
+        if (addressMatch(list[at], SyncWrite) != AddressMatch::No) {
             write(params[0], list.subspan(at + 1, count));
             return;
         }
     }
 }
 
-bool VirtualServo::State::hold(base::ByteView params)
+bool VirtualServo::State::storePendingWrite(base::ByteView params)
 {
     if (params.size() < 2) {
         return false;
     }
-    held = Held{params[0], base::Bytes(params.begin() + 1, params.end())};
+    pendingWrite = PendingWrite{params[0], base::Bytes(params.begin() + 1, params.end())};
     return true;
 }
 
-void VirtualServo::State::carryOutHeld()
+void VirtualServo::State::executePendingWrite()
 {
-    if (held) {
-        const Held now = std::move(*held);
-        held.reset();
+    if (pendingWrite) {
+        const PendingWrite now = std::move(*pendingWrite);
+        pendingWrite.reset();
         write(now.address, now.data);
     }
 }
 
 bool VirtualServo::State::calibrate(base::ByteView params)
 {
-    if (!knowsCalibration(*profile) || (!params.empty() && params.size() != 2)) {
+    if (!supportsCalibration(*profile) || (!params.empty() && params.size() != 2)) {
         return false;
     }
     constexpr int middle = 2048;
-    makePresent(params.empty() ? middle
-                               : int(base::readUnsigned(params, profile->byteOrder)) % 4096);
+    setPresentPosition(params.empty() ? middle
+                                      : int(base::readUnsigned(params, profile->byteOrder)) % 4096);
     return true;
 }
 } // namespace sim

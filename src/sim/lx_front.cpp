@@ -20,7 +20,7 @@ enum Command : std::uint8_t {
     IdRead = 14
 };
 
-constexpr int placesPerCommand = 8;
+constexpr int bytesPerCommand = 8;
 
 /// The block whose read or write command this is.
 std::optional<catalog::Block> blockOf(const catalog::Profile& profile, int command, bool write)
@@ -29,47 +29,46 @@ std::optional<catalog::Block> blockOf(const catalog::Profile& profile, int comma
         if (!reg.block || (write && !reg.writable())) {
             continue;
         }
-        if ((write ? reg.block->writeOffset : reg.block->offset) == placesPerCommand * command) {
+        if ((write ? reg.block->writeOffset : reg.block->offset) == bytesPerCommand * command) {
             return reg.block;
         }
     }
     return std::nullopt;
 }
 
-bool within(const catalog::Register& reg, std::int64_t raw)
+bool isWithinRange(const catalog::Register& reg, std::int64_t raw)
 {
     return raw >= reg.min.value_or(raw) && raw <= reg.max.value_or(raw);
 }
 
 /// Seen on an LX-16A, where the command stays unanswered; not reported of others.
-bool answersStored(const catalog::Profile& profile)
+bool canReadStored(const catalog::Profile& profile)
 {
     return profile.modelName != QLatin1String("LX-16A");
 }
 } // namespace
 
-std::optional<ServoAnswer> VirtualServo::State::handleLx(const ServoRequest& request)
+std::optional<ServoReply> VirtualServo::State::handleLx(const ServoRequest& request)
 {
-    const bool readsNothing =
-        !request.params.empty() || !blockOf(*profile, request.instruction, false);
-    if (!readsNothing) {
+    const bool isWrite = !request.params.empty() || !blockOf(*profile, request.instruction, false);
+    if (!isWrite) {
         return readLx(request);
     }
     writeLx(request.instruction, request.params);
     return std::nullopt;
 }
 
-std::optional<ServoAnswer> VirtualServo::State::readLx(const ServoRequest& request)
+std::optional<ServoReply> VirtualServo::State::readLx(const ServoRequest& request)
 {
     const std::uint8_t command = request.instruction;
     if ((request.broadcast && command != IdRead) ||
-        (command == ReadStored && !answersStored(*profile))) {
+        (command == ReadStored && !canReadStored(*profile))) {
         return std::nullopt;
     }
-    publish();
+    updateFeedback();
     const catalog::Block block = *blockOf(*profile, command, false);
     const base::ByteView data = memory.view(block.offset, block.size);
-    return ServoAnswer{settings.id, 0, {data.begin(), data.end()}, command};
+    return ServoReply{settings.id, 0, {data.begin(), data.end()}, command};
 }
 
 void VirtualServo::State::writeLx(std::uint8_t command, base::ByteView params)
@@ -80,7 +79,7 @@ void VirtualServo::State::writeLx(std::uint8_t command, base::ByteView params)
         stopMove();
     } else if (params.empty()) {
         for (const catalog::Register& reg : profile->registers) {
-            if (reg.saveOffset == placesPerCommand * command) {
+            if (reg.saveOffset == bytesPerCommand * command) {
                 epromWritten = memory.save(reg.offset, reg.size) || epromWritten;
             }
         }
@@ -100,11 +99,11 @@ bool VirtualServo::State::acceptsLx(const catalog::Block& block, base::ByteView 
         if (!(reg.block && *reg.block == block)) {
             continue;
         }
-        const auto meaning = catalog::meaningOf(reg, *profile, catalog::knowNothing);
+        const auto meaning = catalog::valueFormat(reg, *profile, catalog::noLookup);
         const auto place = std::size_t(reg.offset - block.offset);
         const std::int64_t raw = catalog::decodeRaw(params.subspan(place, std::size_t(reg.size)),
                                                     reg, meaning, profile->byteOrder);
-        if (!within(reg, raw)) {
+        if (!isWithinRange(reg, raw)) {
             return false;
         }
         const bool limit = reg.role == Role::MinAngle || reg.role == Role::MaxAngle ||
@@ -132,7 +131,7 @@ void VirtualServo::State::startStored()
 void VirtualServo::State::stopMove()
 {
     if (settings.mode == DriveMode::Position && settings.torqueSwitch == 1) {
-        holdHere();
+        holdPresentPosition();
     }
 }
 } // namespace sim

@@ -21,50 +21,52 @@ double nextSpeed(double speed, double torque, double damping, double friction, d
 }
 } // namespace
 
-Mechanics::Mechanics(const Drive& drive, double playRadians, double angle, double restAngle)
-    : m_drive(drive)
-    , m_ownHalfPlay(0.5 * playRadians)
-    , m_halfPlay(m_ownHalfPlay)
+Mechanics::Mechanics(const MotorModel& drive, double playRadians, double angle, double restAngle)
+    : m_motorModel(drive)
+    , m_initialHalfPlay(0.5 * playRadians)
+    , m_halfPlay(m_initialHalfPlay)
     , m_restAngle(restAngle)
     , m_motor{angle, 0.0}
     , m_shaft{angle, 0.0}
     , m_supplyAmps(drive.idleAmps)
 {}
 
-double Mechanics::supplyVolts(const Surroundings& around) const
+double Mechanics::supplyVolts(const Environment& environment) const
 {
-    return std::max(0.0, around.supplyVolts - around.supplyOhms * m_supplyAmps);
+    return std::max(0.0, environment.supplyVolts - environment.supplyOhms * m_supplyAmps);
 }
 
-double Mechanics::dutyFor(double amps, const Surroundings& around) const
+double Mechanics::dutyFor(double amps, const Environment& environment) const
 {
-    const double volts = around.supplyVolts - around.supplyOhms * m_drive.idleAmps;
+    const double volts = environment.supplyVolts - environment.supplyOhms * m_motorModel.idleAmps;
     if (volts <= 0.0) {
         return 0.0;
     }
-    return std::clamp((amps * m_drive.resistance + m_drive.emfConstant * m_motor.speed) / volts,
+    return std::clamp((amps * m_motorModel.resistance + m_motorModel.emfConstant * m_motor.speed) /
+                          volts,
                       -1.0, 1.0);
 }
 
 double Mechanics::effortFor(double acceleration, double speed, double breakaway, const Load& load,
-                            const Surroundings& around) const
+                            const Environment& environment) const
 {
-    const double volts = around.supplyVolts - around.supplyOhms * m_drive.idleAmps;
+    const double volts = environment.supplyVolts - environment.supplyOhms * m_motorModel.idleAmps;
     if (volts <= 0.0) {
         return 0.0;
     }
     const Torques shaft = shaftTorques(load, 0.0);
-    const double inertia = m_drive.inertia + m_drive.shaftInertia + std::max(0.0, load.inertia);
-    const double amps = (inertia * acceleration + (m_drive.viscous + shaft.damping) * speed +
-                         breakaway * (m_drive.stiction + shaft.stiction) - shaft.drive) /
-                        m_drive.torqueConstant;
-    const double needed = m_drive.emfConstant * speed + m_drive.resistance * amps;
+    const double inertia =
+        m_motorModel.inertia + m_motorModel.shaftInertia + std::max(0.0, load.inertia);
+    const double amps = (inertia * acceleration + (m_motorModel.viscous + shaft.damping) * speed +
+                         breakaway * (m_motorModel.stiction + shaft.stiction) - shaft.drive) /
+                        m_motorModel.torqueConstant;
+    const double needed = m_motorModel.emfConstant * speed + m_motorModel.resistance * amps;
     // The supply sags under it.
     const double first = std::clamp(needed / volts, -1.0, 1.0);
-    return std::clamp((needed + around.supplyOhms * first * first * amps) / volts, -1.0, 1.0);
+    return std::clamp((needed + environment.supplyOhms * first * first * amps) / volts, -1.0, 1.0);
 }
 
-double Mechanics::opposed(double direction, const Load& load) const
+double Mechanics::opposingTorque(double direction, const Load& load) const
 {
     const Torques shaft = shaftTorques(load, 0.0);
     const double pull =
@@ -76,55 +78,60 @@ double Mechanics::opposed(double direction, const Load& load) const
 /// The winding settles far faster than a step, so its current follows at once; the sag of the
 /// supply under that current is solved for in the same breath: i = (d(U − R·I₀) − kω)/(R + r·d²).
 Mechanics::Torques Mechanics::motorTorques(Bridge bridge, double effort,
-                                           const Surroundings& around) const
+                                           const Environment& environment) const
 {
-    Torques torques{0.0, m_drive.viscous, m_drive.coulomb, m_drive.stiction};
+    Torques torques{0.0, m_motorModel.viscous, m_motorModel.coulomb, m_motorModel.stiction};
     if (bridge == Bridge::Driven) {
-        const double resistance = m_drive.resistance + around.supplyOhms * effort * effort;
-        const double volts = around.supplyVolts - around.supplyOhms * m_drive.idleAmps;
-        torques.drive = m_drive.torqueConstant * effort * volts / resistance;
-        torques.damping += m_drive.torqueConstant * m_drive.emfConstant / resistance;
+        const double resistance =
+            m_motorModel.resistance + environment.supplyOhms * effort * effort;
+        const double volts =
+            environment.supplyVolts - environment.supplyOhms * m_motorModel.idleAmps;
+        torques.drive = m_motorModel.torqueConstant * effort * volts / resistance;
+        torques.damping += m_motorModel.torqueConstant * m_motorModel.emfConstant / resistance;
     } else if (bridge == Bridge::Shorted) {
-        torques.damping +=
-            effort * m_drive.torqueConstant * m_drive.emfConstant / m_drive.resistance;
+        torques.damping += effort * m_motorModel.torqueConstant * m_motorModel.emfConstant /
+                           m_motorModel.resistance;
     }
     return torques;
 }
 
 Mechanics::Torques Mechanics::shaftTorques(const Load& load, double seconds) const
 {
-    const double friction = m_drive.shaftFriction + load.coulombFriction;
+    const double friction = m_motorModel.shaftFriction + load.coulombFriction;
     Torques torques{0.0, load.viscousFriction, friction, 1.3 * friction};
     if (load.gravityTorque != 0.0) {
         torques.drive -= load.gravityTorque * std::sin(m_shaft.angle - m_restAngle);
     }
     if (load.springRate != 0.0) {
-        torques.drive -= load.springRate * (m_shaft.angle - load.springCentre);
+        torques.drive -= load.springRate * (m_shaft.angle - load.springCenter);
         torques.damping += load.springRate * seconds;
     }
     return torques;
 }
 
-void Mechanics::measureCurrent(Bridge bridge, double effort, const Surroundings& around)
+void Mechanics::measureCurrent(Bridge bridge, double effort, const Environment& environment)
 {
     m_amps = 0.0;
-    m_supplyAmps = m_drive.idleAmps;
+    m_supplyAmps = m_motorModel.idleAmps;
     if (bridge == Bridge::Driven) {
-        const double resistance = m_drive.resistance + around.supplyOhms * effort * effort;
-        const double volts = around.supplyVolts - around.supplyOhms * m_drive.idleAmps;
-        m_amps = (effort * volts - m_drive.emfConstant * m_motor.speed) / resistance;
+        const double resistance =
+            m_motorModel.resistance + environment.supplyOhms * effort * effort;
+        const double volts =
+            environment.supplyVolts - environment.supplyOhms * m_motorModel.idleAmps;
+        m_amps = (effort * volts - m_motorModel.emfConstant * m_motor.speed) / resistance;
         m_supplyAmps += std::max(0.0, effort * m_amps);
     } else if (bridge == Bridge::Shorted) {
-        m_amps = -effort * m_drive.emfConstant * m_motor.speed / m_drive.resistance;
+        m_amps = -effort * m_motorModel.emfConstant * m_motor.speed / m_motorModel.resistance;
     }
 }
 
 /// Both bodies move as one, the motor pushing (or being pushed) at one side of the play.
-void Mechanics::meet(double side, const Torques& motor, const Torques& shaft, double shaftInertia,
-                     double seconds)
+void Mechanics::moveTogether(double side, const Torques& motor, const Torques& shaft,
+                             double shaftInertia, double seconds)
 {
-    const double inertia = m_drive.inertia + shaftInertia;
-    const double speed = (m_drive.inertia * m_motor.speed + shaftInertia * m_shaft.speed) / inertia;
+    const double inertia = m_motorModel.inertia + shaftInertia;
+    const double speed =
+        (m_motorModel.inertia * m_motor.speed + shaftInertia * m_shaft.speed) / inertia;
     const double next = nextSpeed(speed, motor.drive + shaft.drive, motor.damping + shaft.damping,
                                   motor.friction + shaft.friction, motor.stiction + shaft.stiction,
                                   inertia, seconds);
@@ -146,17 +153,17 @@ void Mechanics::stopAt(double limit, double sign)
     }
 }
 
-void Mechanics::step(Bridge bridge, double effort, const Load& load, const Surroundings& around,
+void Mechanics::step(Bridge bridge, double effort, const Load& load, const Environment& environment,
                      double seconds)
 {
-    const Torques motor = motorTorques(bridge, effort, around);
+    const Torques motor = motorTorques(bridge, effort, environment);
     const Torques shaft = shaftTorques(load, seconds);
-    const double shaftInertia = m_drive.shaftInertia + std::max(0.0, load.inertia);
+    const double shaftInertia = m_motorModel.shaftInertia + std::max(0.0, load.inertia);
     const Body motorBefore = m_motor;
     const Body shaftBefore = m_shaft;
 
     const double motorSpeed = nextSpeed(m_motor.speed, motor.drive, motor.damping, motor.friction,
-                                        motor.stiction, m_drive.inertia, seconds);
+                                        motor.stiction, m_motorModel.inertia, seconds);
     const double shaftSpeed = nextSpeed(m_shaft.speed, shaft.drive, shaft.damping, shaft.friction,
                                         shaft.stiction, shaftInertia, seconds);
     const double gap = m_motor.angle - m_shaft.angle + (motorSpeed - shaftSpeed) * seconds;
@@ -164,7 +171,7 @@ void Mechanics::step(Bridge bridge, double effort, const Load& load, const Surro
         m_motor = {m_motor.angle + motorSpeed * seconds, motorSpeed};
         m_shaft = {m_shaft.angle + shaftSpeed * seconds, shaftSpeed};
     } else {
-        meet(gap > 0.0 ? 1.0 : -1.0, motor, shaft, shaftInertia, seconds);
+        moveTogether(gap > 0.0 ? 1.0 : -1.0, motor, shaft, shaftInertia, seconds);
     }
     if (load.stopLow) {
         stopAt(*load.stopLow, -1.0);
@@ -174,6 +181,6 @@ void Mechanics::step(Bridge bridge, double effort, const Load& load, const Surro
     }
     m_atRest = m_motor.speed == 0.0 && m_shaft.speed == 0.0 && m_motor.angle == motorBefore.angle &&
                m_shaft.angle == shaftBefore.angle;
-    measureCurrent(bridge, effort, around);
+    measureCurrent(bridge, effort, environment);
 }
 } // namespace sim

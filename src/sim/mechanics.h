@@ -16,31 +16,31 @@ enum class Bridge : std::uint8_t {
 
 class Mechanics {
 public:
-    Mechanics(const Drive& drive, double playRadians, double angle, double restAngle);
+    Mechanics(const MotorModel& drive, double playRadians, double angle, double restAngle);
 
-    void step(Bridge bridge, double effort, const Load& load, const Surroundings& around,
+    void step(Bridge bridge, double effort, const Load& load, const Environment& environment,
               double seconds);
 
     /// Without the play from now on, or with it again.
-    void stiffen(bool stiff) { m_halfPlay = stiff ? 0.0 : m_ownHalfPlay; }
+    void setRigid(bool stiff) { m_halfPlay = stiff ? 0.0 : m_initialHalfPlay; }
 
     double angle() const { return m_shaft.angle; } ///< the encoder sits here
     double speed() const { return m_shaft.speed; }
     double motorAmps() const { return m_amps; } ///< through the winding, signed like the duty
     double supplyAmps() const { return m_supplyAmps; }
-    double supplyVolts(const Surroundings& around) const;
+    double supplyVolts(const Environment& environment) const;
     /// The duty, −1…1, that lets this current through the winding at the present speed.
-    double dutyFor(double amps, const Surroundings& around) const;
+    double dutyFor(double amps, const Environment& environment) const;
     /// The effort that gives the shaft this motion under this load: what its sense of turning makes
     /// of dry friction is `breakaway`, the share of it to push against, −1…1.
     double effortFor(double acceleration, double speed, double breakaway, const Load& load,
-                     const Surroundings& around) const;
+                     const Environment& environment) const;
     /// N·m that the load sets against turning in this direction (sign); 0: its friction alone.
-    double opposed(double direction, const Load& load) const;
-    double copperWatts() const { return m_amps * m_amps * m_drive.resistance; }
+    double opposingTorque(double direction, const Load& load) const;
+    double copperWatts() const { return m_amps * m_amps * m_motorModel.resistance; }
 
     /// Neither body moved in the last step: with an open bridge and the same load it never will.
-    bool atRest() const { return m_atRest; }
+    bool isAtRest() const { return m_atRest; }
 
 private:
     struct Body {
@@ -54,15 +54,15 @@ private:
         double friction = 0; ///< sliding
         double stiction = 0; ///< from rest
     };
-    Torques motorTorques(Bridge bridge, double effort, const Surroundings& around) const;
+    Torques motorTorques(Bridge bridge, double effort, const Environment& environment) const;
     Torques shaftTorques(const Load& load, double seconds) const;
-    void measureCurrent(Bridge bridge, double effort, const Surroundings& around);
-    void meet(double side, const Torques& motor, const Torques& shaft, double shaftInertia,
-              double seconds);
+    void measureCurrent(Bridge bridge, double effort, const Environment& environment);
+    void moveTogether(double side, const Torques& motor, const Torques& shaft, double shaftInertia,
+                      double seconds);
     void stopAt(double limit, double sign);
 
-    Drive m_drive;
-    double m_ownHalfPlay;
+    MotorModel m_motorModel;
+    double m_initialHalfPlay;
     double m_halfPlay;  ///< at present
     double m_restAngle; ///< where gravity lets the load hang
     Body m_motor;

@@ -17,13 +17,13 @@ Memory::Kind Memory::kindOf(const catalog::Register& reg)
         return reg.eprom() ? Kind::EpromReadOnly : Kind::ReadOnly;
     switch (reg.persistence) {
     case Persistence::Kept:
-        return Kind::Kept;
+        return Kind::Persistent;
     case Persistence::AfterSave:
         return Kind::Saved;
     case Persistence::Lost:
         return Kind::Volatile;
     case Persistence::NotStated:
-        return reg.eprom() ? Kind::Kept : Kind::Volatile;
+        return reg.eprom() ? Kind::Persistent : Kind::Volatile;
     case Persistence::ByArea:
         break;
     }
@@ -39,8 +39,8 @@ Memory::Memory(const catalog::Profile& profile)
             m_kinds[std::size_t(i)] = kindOf(reg);
     }
     for (std::size_t i = 0; i < m_kinds.size(); ++i) {
-        if (survives(i))
-            m_surviving.push_back(i);
+        if (isPersistent(i))
+            m_persistent.push_back(i);
     }
 }
 
@@ -49,7 +49,7 @@ base::ByteView Memory::view(int address, int count) const
     return base::ByteView(m_live).subspan(std::size_t(address), std::size_t(count));
 }
 
-bool Memory::mapped(int address, int count) const
+bool Memory::isMapped(int address, int count) const
 {
     if (address < 0 || count < 0 || address + count > size)
         return false;
@@ -57,33 +57,33 @@ bool Memory::mapped(int address, int count) const
     return std::none_of(first, first + count, [](Kind kind) { return kind == Kind::Undefined; });
 }
 
-bool Memory::writable(int address, int count, Unlocked unlocked) const
+bool Memory::writable(int address, int count, UnlockedArea unlocked) const
 {
-    if (!mapped(address, count))
+    if (!isMapped(address, count))
         return false;
     const auto first = m_kinds.begin() + address;
     return std::none_of(first, first + count, [unlocked](Kind kind) {
         return kind == Kind::ReadOnly || kind == Kind::EpromReadOnly ||
-               (kind == Kind::Factory && unlocked != Unlocked::Factory);
+               (kind == Kind::Factory && unlocked != UnlockedArea::Factory);
     });
 }
 
-bool Memory::write(int address, base::ByteView data, Unlocked unlocked)
+bool Memory::write(int address, base::ByteView data, UnlockedArea unlocked)
 {
     bool stored = false;
     for (std::size_t i = 0; i < data.size(); ++i) {
-        const std::size_t place = std::size_t(address) + i;
-        if (place >= m_live.size())
+        const std::size_t index = std::size_t(address) + i;
+        if (index >= m_live.size())
             break;
-        const Kind kind = m_kinds[place];
-        const bool shut = kind == Kind::Factory && unlocked != Unlocked::Factory;
-        if (shut || kind < Kind::Volatile || kind == Kind::EpromReadOnly)
+        const Kind kind = m_kinds[index];
+        const bool isLocked = kind == Kind::Factory && unlocked != UnlockedArea::Factory;
+        if (isLocked || kind < Kind::Volatile || kind == Kind::EpromReadOnly)
             continue;
-        m_live[place] = data[i];
-        const bool keep = kind == Kind::Kept || kind == Kind::Factory ||
-                          (kind == Kind::Eprom && unlocked == Unlocked::Eprom);
-        if (keep) {
-            m_stored[place] = data[i];
+        m_live[index] = data[i];
+        const bool persists = kind == Kind::Persistent || kind == Kind::Factory ||
+                              (kind == Kind::Eprom && unlocked == UnlockedArea::Eprom);
+        if (persists) {
+            m_stored[index] = data[i];
             stored = true;
         }
     }
@@ -104,10 +104,10 @@ bool Memory::save(int address, int count)
 
 void Memory::setInitial(int address, std::uint8_t value)
 {
-    const std::size_t place = std::size_t(address);
-    m_live[place] = m_stored[place] = value;
-    if (survives(place)) {
-        m_backup[place] = value;
+    const std::size_t index = std::size_t(address);
+    m_live[index] = m_stored[index] = value;
+    if (isPersistent(index)) {
+        m_backup[index] = value;
     }
 }
 
@@ -118,7 +118,7 @@ void Memory::powerOn()
 
 void Memory::restore(int keepAddress)
 {
-    for (const std::size_t i : m_surviving) {
+    for (const std::size_t i : m_persistent) {
         if (isEprom(i) && int(i) != keepAddress) {
             m_live[i] = m_stored[i] = m_backup[i];
         }
@@ -128,11 +128,11 @@ void Memory::restore(int keepAddress)
 base::Bytes Memory::image() const
 {
     base::Bytes image(imageMagic.begin(), imageMagic.end());
-    const std::size_t count = m_surviving.size();
+    const std::size_t count = m_persistent.size();
     image.push_back(std::uint8_t(count & 0xFF));
     image.push_back(std::uint8_t(count >> 8));
     for (const auto* cells : {&m_stored, &m_backup}) {
-        for (const std::size_t i : m_surviving)
+        for (const std::size_t i : m_persistent)
             image.push_back((*cells)[i]);
     }
     return image;
@@ -142,7 +142,7 @@ base::Bytes Memory::image() const
 bool Memory::setImage(base::ByteView image)
 {
     const std::size_t head = imageMagic.size() + countBytes;
-    const std::size_t count = m_surviving.size();
+    const std::size_t count = m_persistent.size();
     if (image.size() != head + 2 * count ||
         !std::equal(image.begin(), image.begin() + 4, imageMagic.begin()) ||
         std::size_t(image[4] | image[5] << 8) != count)
@@ -150,13 +150,13 @@ bool Memory::setImage(base::ByteView image)
     const base::ByteView stored = image.subspan(head, count);
     const base::ByteView backup = image.subspan(head + count, count);
     for (std::size_t n = 0; n < count; ++n) {
-        const std::size_t place = m_surviving[n];
-        if (m_kinds[place] == Kind::EpromReadOnly && stored[n] != m_stored[place])
+        const std::size_t index = m_persistent[n];
+        if (m_kinds[index] == Kind::EpromReadOnly && stored[n] != m_stored[index])
             return false;
     }
     for (std::size_t n = 0; n < count; ++n) {
-        m_stored[m_surviving[n]] = stored[n];
-        m_backup[m_surviving[n]] = backup[n];
+        m_stored[m_persistent[n]] = stored[n];
+        m_backup[m_persistent[n]] = backup[n];
     }
     m_live = m_stored;
     return true;

@@ -12,7 +12,7 @@
 
 namespace sim {
 /// What the lock register lets a write keep.
-enum class Unlocked : std::uint8_t { Nothing, Eprom, Factory };
+enum class UnlockedArea : std::uint8_t { Nothing, Eprom, Factory };
 
 class Memory {
 public:
@@ -23,13 +23,13 @@ public:
     std::uint8_t at(int address) const { return m_live[std::size_t(address)]; }
     base::ByteView view(int address, int count) const;
 
-    bool mapped(int address, int count) const; ///< every byte belongs to a register
+    bool isMapped(int address, int count) const; ///< every byte belongs to a register
     /// And a write from outside does something: no byte is read-only or behind the factory's lock.
-    bool writable(int address, int count, Unlocked unlocked) const;
+    bool writable(int address, int count, UnlockedArea unlocked) const;
 
     /// As from outside. EPROM bytes always act, and stay if they are unlocked; bytes of the factory
     /// block do neither unless they are. True when something was stored.
-    bool write(int address, base::ByteView data, Unlocked unlocked);
+    bool write(int address, base::ByteView data, UnlockedArea unlocked);
     /// What is kept only when asked for (the LX offset). True when there is such a byte.
     bool save(int address, int count);
 
@@ -53,20 +53,20 @@ private:
         Undefined,
         ReadOnly,
         Volatile,
-        Kept,    ///< by every write
-        Saved,   ///< by save()
-        Factory, ///< under a lock of its own
+        Persistent, ///< by every write
+        Saved,      ///< by save()
+        Factory,    ///< under a lock of its own
         Eprom,
         EpromReadOnly,
     };
     static Kind kindOf(const catalog::Register& reg);
-    bool survives(std::size_t address) const { return m_kinds[address] >= Kind::Kept; }
+    bool isPersistent(std::size_t address) const { return m_kinds[address] >= Kind::Persistent; }
     bool isEprom(std::size_t address) const { return m_kinds[address] >= Kind::Eprom; }
 
     std::array<Kind, size> m_kinds{};
     std::array<std::uint8_t, size> m_live{};
     std::array<std::uint8_t, size> m_stored{}; ///< what survives; the rest: its value at power-on
     std::array<std::uint8_t, size> m_backup{};
-    std::vector<std::size_t> m_surviving; ///< addresses of what the image holds
+    std::vector<std::size_t> m_persistent; ///< addresses of what the image holds
 };
 } // namespace sim

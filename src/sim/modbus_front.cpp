@@ -21,23 +21,23 @@ enum Exception : std::uint8_t { NoSuchFunction = 1, NoSuchAddress = 2, BadValue 
 
 constexpr std::uint8_t exceptionFlag = 0x80;
 constexpr int registerBytes = 2;
-constexpr int mostRead = 125; ///< registers, Modbus standard
-constexpr int mostWritten = 123;
+constexpr int maxReadRegisters = 125; ///< registers, Modbus standard
+constexpr int maxWriteRegisters = 123;
 
-int wordAt(base::ByteView params, std::size_t at)
+int registerAt(base::ByteView params, std::size_t at)
 {
     return int(base::readUnsigned(params.subspan(at, 2), base::ByteOrder::Big));
 }
 
 /// A span of registers as the request names it.
-struct Span {
+struct ByteRange {
     int address = 0; ///< byte of the table
     int count = 0;   ///< bytes
 };
 
-Span spanOf(base::ByteView params)
+ByteRange rangeOf(base::ByteView params)
 {
-    return {registerBytes * wordAt(params, 0), registerBytes * wordAt(params, 2)};
+    return {registerBytes * registerAt(params, 0), registerBytes * registerAt(params, 2)};
 }
 
 base::ByteView valuesOf(const ServoRequest& request)
@@ -45,20 +45,20 @@ base::ByteView valuesOf(const ServoRequest& request)
     return base::ByteView(request.params).subspan(request.instruction == WriteOne ? 2 : 5);
 }
 
-std::optional<std::uint8_t> refusesRead(const Memory& memory, base::ByteView params)
+std::optional<std::uint8_t> readException(const Memory& memory, base::ByteView params)
 {
-    const Span span = spanOf(params);
-    if (span.count == 0 || span.count > registerBytes * mostRead) {
+    const ByteRange range = rangeOf(params);
+    if (range.count == 0 || range.count > registerBytes * maxReadRegisters) {
         return BadValue;
     }
-    return memory.mapped(span.address, span.count) ? std::nullopt
-                                                   : std::optional<std::uint8_t>(NoSuchAddress);
+    return memory.isMapped(range.address, range.count) ? std::nullopt
+                                                       : std::optional<std::uint8_t>(NoSuchAddress);
 }
 } // namespace
 
 /// Ranges and lists of the sheet; where a register means something else in the present mode, its
 /// range there. What has no range takes every word.
-bool VirtualServo::State::withinSheet(int address, base::ByteView data) const
+bool VirtualServo::State::isWithinLimits(int address, base::ByteView data) const
 {
     const auto lookup = [this](const QString& key) -> std::optional<std::int64_t> {
         const catalog::Register* reg = profile->find(key);
@@ -70,7 +70,7 @@ bool VirtualServo::State::withinSheet(int address, base::ByteView data) const
             if (reg.offset < address || reg.offset + reg.size > end) {
                 return true;
             }
-            const auto meaning = catalog::meaningOf(reg, *profile, lookup);
+            const auto meaning = catalog::valueFormat(reg, *profile, lookup);
             const base::ByteView wire =
                 data.subspan(std::size_t(reg.offset - address), std::size_t(reg.size));
             const auto raw = catalog::decodeRaw(wire, reg, meaning, profile->byteOrder);
@@ -78,21 +78,21 @@ bool VirtualServo::State::withinSheet(int address, base::ByteView data) const
         });
 }
 
-std::optional<std::uint8_t> VirtualServo::State::refusesWrite(const ServoRequest& request) const
+std::optional<std::uint8_t> VirtualServo::State::writeException(const ServoRequest& request) const
 {
     const base::ByteView params = request.params;
-    Span span = spanOf(params);
+    ByteRange range = rangeOf(params);
     if (request.instruction == WriteOne) {
-        span.count = registerBytes;
-    } else if (span.count == 0 || span.count > registerBytes * mostWritten ||
-               params[4] != span.count || params.size() != 5 + std::size_t(span.count)) {
+        range.count = registerBytes;
+    } else if (range.count == 0 || range.count > registerBytes * maxWriteRegisters ||
+               params[4] != range.count || params.size() != 5 + std::size_t(range.count)) {
         return BadValue;
     }
-    if (!memory.writable(span.address, span.count, settings.unlocked)) {
+    if (!memory.writable(range.address, range.count, settings.unlocked)) {
         return NoSuchAddress;
     }
-    return withinSheet(span.address, valuesOf(request)) ? std::nullopt
-                                                        : std::optional<std::uint8_t>(BadValue);
+    return isWithinLimits(range.address, valuesOf(request)) ? std::nullopt
+                                                            : std::optional<std::uint8_t>(BadValue);
 }
 
 std::optional<std::uint8_t> VirtualServo::State::refusal(const ServoRequest& request) const
@@ -100,11 +100,11 @@ std::optional<std::uint8_t> VirtualServo::State::refusal(const ServoRequest& req
     const std::size_t size = request.params.size();
     switch (request.instruction) {
     case ReadRegisters:
-        return size == 4 ? refusesRead(memory, request.params) : BadValue;
+        return size == 4 ? readException(memory, request.params) : BadValue;
     case WriteOne:
-        return size == 4 ? refusesWrite(request) : BadValue;
+        return size == 4 ? writeException(request) : BadValue;
     case WriteSeveral:
-        return size >= 5 ? refusesWrite(request) : BadValue;
+        return size >= 5 ? writeException(request) : BadValue;
     case ReportId:
     case Reboot:
         return size == 0 ? std::nullopt : std::optional<std::uint8_t>(BadValue);
@@ -113,30 +113,30 @@ std::optional<std::uint8_t> VirtualServo::State::refusal(const ServoRequest& req
     }
 }
 
-std::optional<ServoAnswer> VirtualServo::State::handleModbus(const ServoRequest& request)
+std::optional<ServoReply> VirtualServo::State::handleModbus(const ServoRequest& request)
 {
     const std::uint8_t function = request.instruction;
     if (const auto reason = refusal(request)) {
         if (request.broadcast) {
             return std::nullopt;
         }
-        return ServoAnswer{settings.id, 0, {*reason}, std::uint8_t(function | exceptionFlag)};
+        return ServoReply{settings.id, 0, {*reason}, std::uint8_t(function | exceptionFlag)};
     }
     // A write repeats its request, so the reply to a new station number comes from the old one.
-    ServoAnswer reply{settings.id, 0, {}, function};
+    ServoReply reply{settings.id, 0, {}, function};
     const base::ByteView params = request.params;
     switch (function) {
     case ReadRegisters: {
-        publish();
-        const Span span = spanOf(params);
-        const base::ByteView data = memory.view(span.address, span.count);
-        reply.data.push_back(std::uint8_t(span.count));
+        updateFeedback();
+        const ByteRange range = rangeOf(params);
+        const base::ByteView data = memory.view(range.address, range.count);
+        reply.data.push_back(std::uint8_t(range.count));
         reply.data.insert(reply.data.end(), data.begin(), data.end());
         break;
     }
     case WriteOne:
     case WriteSeveral: {
-        write(spanOf(params).address, valuesOf(request));
+        write(rangeOf(params).address, valuesOf(request));
         const base::ByteView head = params.first(4);
         reply.data.assign(head.begin(), head.end());
         break;

@@ -8,14 +8,14 @@
 
 namespace sim {
 namespace {
-constexpr int fast = 1'000'000;
+constexpr int fastBaud = 1'000'000;
 
 void turnTo(VirtualServo& servo, int steps)
 {
     servo.poke(QStringLiteral("goal_position"), steps);
 }
 
-void letTimePass(VirtualServo& servo, base::Duration span)
+void runFor(VirtualServo& servo, base::Duration span)
 {
     const base::Duration dt = std::chrono::milliseconds(1);
     for (base::Duration at{}; at < span; at += dt)
@@ -26,7 +26,7 @@ void letTimePass(VirtualServo& servo, base::Duration span)
 void stall(VirtualServo& servo)
 {
     turnTo(servo, 3000);
-    letTimePass(servo, std::chrono::seconds(5));
+    runFor(servo, std::chrono::seconds(5));
 }
 
 // The supply is above what this servo allows, and stays so.
@@ -34,8 +34,8 @@ void overVoltage(VirtualServo& servo)
 {
     constexpr double tooMuch = 0.6;
     const auto limit = static_cast<double>(servo.raw(QStringLiteral("max_voltage"))) / 10;
-    servo.surroundings().supplyVolts = limit + tooMuch;
-    letTimePass(servo, std::chrono::milliseconds(500));
+    servo.environment().supplyVolts = limit + tooMuch;
+    runFor(servo, std::chrono::milliseconds(500));
 }
 
 void openLock(VirtualServo& servo)
@@ -64,7 +64,7 @@ Load spring()
 {
     Load load;
     load.springRate = 0.04;
-    load.springCentre = 3.14;
+    load.springCenter = 3.14;
     return load;
 }
 
@@ -75,33 +75,33 @@ Load jammed()
     return load;
 }
 
-using Scene = std::vector<ServoRecipe>;
+using ServoList = std::vector<ServoSpec>;
 
-Scene demo()
+ServoList demo()
 {
     return {
-        {QStringLiteral("STS3215"), 1, fast, 7.4, 180, arm(0.12), nullptr},
-        {QStringLiteral("STS3215"), 2, fast, 7.4, 135, arm(0.06), nullptr},
-        {QStringLiteral("STS3250"), 3, fast, 12.0, 200, turntable(), nullptr},
-        {QStringLiteral("SM40BLHV"), 4, fast, 12.0, 90, turntable(), nullptr},
-        {QStringLiteral("SCS15"), 5, fast, 7.4, 110, spring(), nullptr},
-        {QStringLiteral("SCS0009"), 6, fast, 6.0, 150, {}, overVoltage},
+        {QStringLiteral("STS3215"), 1, fastBaud, 7.4, 180, arm(0.12), nullptr},
+        {QStringLiteral("STS3215"), 2, fastBaud, 7.4, 135, arm(0.06), nullptr},
+        {QStringLiteral("STS3250"), 3, fastBaud, 12.0, 200, turntable(), nullptr},
+        {QStringLiteral("SM40BLHV"), 4, fastBaud, 12.0, 90, turntable(), nullptr},
+        {QStringLiteral("SCS15"), 5, fastBaud, 7.4, 110, spring(), nullptr},
+        {QStringLiteral("SCS0009"), 6, fastBaud, 6.0, 150, {}, overVoltage},
     };
 }
 
-Scene trouble()
+ServoList trouble()
 {
     return {
-        {QStringLiteral("STS3215"), 1, fast, 7.4, 180, {}, nullptr},
-        {QStringLiteral("STS3215"), 1, fast, 7.4, 95, {}, nullptr},
+        {QStringLiteral("STS3215"), 1, fastBaud, 7.4, 180, {}, nullptr},
+        {QStringLiteral("STS3215"), 1, fastBaud, 7.4, 95, {}, nullptr},
         {QStringLiteral("STS3250"), 2, 500'000, 12.0, 200, {}, nullptr},
         {QStringLiteral("SM40BLHV"), 3, 115'200, 12.0, 90, {}, nullptr},
-        {QStringLiteral("SCS15"), 4, fast, 7.4, 110, {}, openLock},
-        {QStringLiteral("STS3215"), 5, fast, 7.4, 180, jammed(), stall},
+        {QStringLiteral("SCS15"), 4, fastBaud, 7.4, 110, {}, openLock},
+        {QStringLiteral("STS3215"), 5, fastBaud, 7.4, 180, jammed(), stall},
     };
 }
 
-Scene modbus()
+ServoList modbus()
 {
     return {{QStringLiteral("SMSMB"), 1, {}, {}, 180, arm(0.2), nullptr}};
 }
@@ -113,7 +113,7 @@ void saveOffset(VirtualServo& servo)
     constexpr std::uint8_t save = 18;
     servo.handle({false, adjust, {12}, -1});
     servo.handle({false, save, {}, -1});
-    letTimePass(servo, std::chrono::milliseconds(50));
+    runFor(servo, std::chrono::milliseconds(50));
 }
 
 // Warmer than the limit it was given, so unloaded until somebody opens a window.
@@ -122,12 +122,12 @@ void overheat(VirtualServo& servo)
     constexpr int limit = 60;
     constexpr double tooWarm = 64;
     servo.poke(QStringLiteral("temp_limit"), limit);
-    servo.surroundings().ambientCelsius = tooWarm;
+    servo.environment().ambientCelsius = tooWarm;
     servo.setTemperature(tooWarm);
-    letTimePass(servo, std::chrono::milliseconds(50));
+    runFor(servo, std::chrono::milliseconds(50));
 }
 
-Scene lx()
+ServoList lx()
 {
     return {
         {QStringLiteral("LX-16A"), 1, {}, {}, 120, arm(0.12), nullptr},
@@ -139,7 +139,7 @@ Scene lx()
 }
 
 // Alike but for their health.
-Scene sweep()
+ServoList sweep()
 {
     Defects worn;
     worn.restHysteresis = 12;
@@ -147,17 +147,17 @@ Scene sweep()
     Defects badlyDamped;
     badlyDamped.overshootPercent = 8;
     return {
-        {QStringLiteral("STS3215"), 1, fast, 7.4, 180, {}, nullptr},
-        {QStringLiteral("STS3215"), 2, fast, 7.4, 180, {}, nullptr, worn},
-        {QStringLiteral("STS3215"), 3, fast, 7.4, 180, {}, nullptr, badlyDamped},
+        {QStringLiteral("STS3215"), 1, fastBaud, 7.4, 180, {}, nullptr},
+        {QStringLiteral("STS3215"), 2, fastBaud, 7.4, 180, {}, nullptr, worn},
+        {QStringLiteral("STS3215"), 3, fastBaud, 7.4, 180, {}, nullptr, badlyDamped},
     };
 }
 
 // As they come out of their boxes: ID 1, the factory's rate.
-Scene line()
+ServoList line()
 {
     const auto fresh = [](const char* model, double volts, double degrees) {
-        return ServoRecipe{QString::fromLatin1(model), 1, {}, volts, degrees, {}, nullptr};
+        return ServoSpec{QString::fromLatin1(model), 1, {}, volts, degrees, {}, nullptr};
     };
     return {fresh("STS3215", 7.4, 180), fresh("STS3215", 7.4, 135), fresh("STS3250", 12.0, 200),
             fresh("STS3215", 7.4, 90),  fresh("SCS15", 7.4, 110),   fresh("STS3215", 7.4, 175)};
@@ -165,7 +165,7 @@ Scene line()
 
 // One from another rate, one with an alarm, one that has been in use, one of another family, one
 // that speaks another language, and a healthy one.
-Scene lineTrouble()
+ServoList lineTrouble()
 {
     return {
         {QStringLiteral("STS3215"), 1, 115'200, 7.4, 180, {}, nullptr},
@@ -179,8 +179,8 @@ Scene lineTrouble()
 
 struct Preset {
     const char* name;
-    Scene (*scene)();
-    bool bag = false; ///< nobody is plugged in yet
+    ServoList (*servos)();
+    bool hotplug = false; ///< nobody is plugged in yet
 };
 constexpr Preset presets[] = {{"demo", demo},
                               {"trouble", trouble},
@@ -189,10 +189,10 @@ constexpr Preset presets[] = {{"demo", demo},
                               {"sweep", sweep},
                               {"line", line, true},
                               {"line-trouble", lineTrouble, true}};
-base::Result<void> addToAll(Scene& scene, const QStringList& words)
+base::Result<void> addToAll(ServoList& servos, const QStringList& words)
 {
-    for (ServoRecipe& recipe : scene) {
-        if (auto added = addDefects(recipe, words); !added)
+    for (ServoSpec& servoSpec : servos) {
+        if (auto added = addDefects(servoSpec, words); !added)
             return added;
     }
     return {};
@@ -220,14 +220,14 @@ makePreset(const QString& text, const catalog::Catalog& catalog, const WireConfi
         return base::fail(base::ErrorCode::BadArgument, QStringLiteral("simulate"),
                           QStringLiteral("%1: no such preset; known are %2")
                               .arg(name, presetNames().join(QLatin1String(", "))));
-    Scene scene = preset->scene();
-    if (auto added = addToAll(scene, words); !added)
+    ServoList servos = preset->servos();
+    if (auto added = addToAll(servos, words); !added)
         return tl::unexpected(added.error());
-    for (ServoRecipe& recipe : scene)
-        recipe.baud = baud.has_value() ? baud : recipe.baud;
-    auto bus = makeBus(scene, catalog, wire, epromTime);
-    if (bus && preset->bag)
-        (*bus)->makeBag();
+    for (ServoSpec& servoSpec : servos)
+        servoSpec.baud = baud.has_value() ? baud : servoSpec.baud;
+    auto bus = makeBus(servos, catalog, wire, epromTime);
+    if (bus && preset->hotplug)
+        (*bus)->makeHotplugQueue();
     return bus;
 }
 } // namespace sim

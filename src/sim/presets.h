@@ -3,7 +3,7 @@
 // models, one rate, one alarmed. trouble: mixed rates, twin IDs, an open lock, an overload. modbus:
 // one servo, station 1. lx: five servos, one with an offset, one too warm. sweep: a healthy, a worn
 // and a badly damped servo, for whoever tests servos. line, line-trouble: six servos fresh from
-// their boxes, not plugged in yet (VirtualBus::plugNext).
+// their boxes, not plugged in yet (VirtualBus::connectNext).
 #pragma once
 
 #include "base/error.h"

@@ -5,11 +5,11 @@
 #include <cmath>
 
 namespace sim {
-void Protection::mark(const Settings& s, StatusBit bit, bool present)
+void Protection::setFault(const Settings& s, StatusBit bit, bool present)
 {
     if (present) {
         m_faults = std::uint8_t(m_faults | bit);
-    } else if (s.release != Release::Cleared) {
+    } else if (s.release != FaultRelease::Cleared) {
         m_faults = std::uint8_t(m_faults & ~bit);
     }
 }
@@ -23,18 +23,19 @@ void Protection::watchOverload(const Settings& s, double duty)
         m_overload = true;
         m_stallDirection = duty > 0.0 ? 1.0 : -1.0;
     }
-    mark(s, OverloadBit, m_overload || tooLong);
+    setFault(s, OverloadBit, m_overload || tooLong);
 }
 
 void Protection::watchCurrent(const Settings& s, const Measured& now)
 {
-    m_overcurrentTicks = s.senseCurrent && now.current > s.overcurrent ? m_overcurrentTicks + 1 : 0;
+    m_overcurrentTicks =
+        s.hasCurrentSensing && now.current > s.overcurrent ? m_overcurrentTicks + 1 : 0;
     const bool tooLong = m_overcurrentTicks > s.overcurrentTime;
     if (tooLong && (s.unloadCondition & CurrentBit) != 0 && !m_overcurrent) {
         m_overcurrent = true;
         m_stallDirection = now.duty > 0.0 ? 1.0 : -1.0;
     }
-    mark(s, CurrentBit, m_overcurrent || tooLong);
+    setFault(s, CurrentBit, m_overcurrent || tooLong);
 }
 
 void Protection::update(const Settings& s, const Measured& now, bool watchVoltage)
@@ -43,25 +44,25 @@ void Protection::update(const Settings& s, const Measured& now, bool watchVoltag
     watchCurrent(s, now);
     // What is judged is what is shown.
     const long volts = std::lround(now.volts);
-    mark(s, VoltageBit, watchVoltage && (volts > s.maxVoltage || volts < s.minVoltage));
-    mark(s, TemperatureBit, std::lround(now.celsius) > s.maxTemperature);
+    setFault(s, VoltageBit, watchVoltage && (volts > s.maxVoltage || volts < s.minVoltage));
+    setFault(s, TemperatureBit, std::lround(now.celsius) > s.maxTemperature);
 }
 
-bool Protection::commanded(const Settings& s, double direction)
+bool Protection::newCommand(const Settings& s, double direction)
 {
-    if (s.release == Release::Cleared) {
+    if (s.release == FaultRelease::Cleared) {
         return false;
     }
-    const bool turnsBack = direction * m_stallDirection < 0.0;
-    const bool current = m_overcurrent && (turnsBack || s.release == Release::Command);
-    const bool overload = m_overload && turnsBack;
-    release(current || s.release == Release::Command, overload);
+    const bool isTurningBack = direction * m_stallDirection < 0.0;
+    const bool current = m_overcurrent && (isTurningBack || s.release == FaultRelease::Command);
+    const bool overload = m_overload && isTurningBack;
+    release(current || s.release == FaultRelease::Command, overload);
     return current || overload;
 }
 
 void Protection::torqueOff(const Settings& s)
 {
-    const bool released = s.release == Release::TurnBack;
+    const bool released = s.release == FaultRelease::TurnBack;
     release(released, released);
 }
 
@@ -84,7 +85,7 @@ void Protection::release(bool current, bool overload)
     }
 }
 
-bool Protection::unloads(const Settings& s) const
+bool Protection::mustUnload(const Settings& s) const
 {
     constexpr int unloading = VoltageBit | SensorBit | TemperatureBit;
     return m_overcurrent || (status() & s.unloadCondition & unloading) != 0;

@@ -30,7 +30,7 @@ public:
 
     /// A new command that would turn the servo this way (sign) has been written. True when that
     /// released it.
-    bool commanded(const Settings& s, double direction);
+    bool newCommand(const Settings& s, double direction);
     void torqueOff(const Settings& s); ///< on the host's word
     void clear(std::uint8_t bits);     ///< by command; a cause that lasts brings them back
     void inject(std::uint8_t bits) { m_injected = bits; }
@@ -38,15 +38,15 @@ public:
 
     std::uint8_t status() const { return std::uint8_t(m_faults | m_injected); }
     /// A fault that 19 tells to unload the motor for; overload only weakens it.
-    bool unloads(const Settings& s) const;
-    bool overcurrentTripped() const { return m_overcurrent; }
+    bool mustUnload(const Settings& s) const;
+    bool isOvercurrentTripped() const { return m_overcurrent; }
     double dutyLimit(const Settings& s) const;
 
 private:
     void watchOverload(const Settings& s, double duty);
     void watchCurrent(const Settings& s, const Measured& now);
     void release(bool current, bool overload);
-    void mark(const Settings& s, StatusBit bit, bool present);
+    void setFault(const Settings& s, StatusBit bit, bool present);
 
     std::uint8_t m_faults = 0;
     std::uint8_t m_injected = 0;

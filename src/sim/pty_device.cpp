@@ -25,7 +25,7 @@
 
 namespace sim {
 namespace {
-tl::unexpected<base::Error> systemFailure(const QString& what)
+tl::unexpected<base::Error> systemError(const QString& what)
 {
     return base::fail(base::ErrorCode::PortFailed, QStringLiteral("open"),
                       QStringLiteral("%1: %2").arg(what, QString::fromLocal8Bit(strerror(errno))));
@@ -59,23 +59,23 @@ base::Result<std::unique_ptr<PtyDevice>> PtyDevice::open(const QString& link, in
 
 base::Result<void> PtyDevice::openTerminal(int baud)
 {
-    int ends[2] = {-1, -1};
-    if (pipe(ends) != 0)
-        return systemFailure(QStringLiteral("pipe"));
-    m_wakeRead = ends[0];
-    m_wakeWrite = ends[1];
+    int descriptors[2] = {-1, -1};
+    if (pipe(descriptors) != 0)
+        return systemError(QStringLiteral("pipe"));
+    m_wakeRead = descriptors[0];
+    m_wakeWrite = descriptors[1];
     m_master = posix_openpt(O_RDWR | O_NOCTTY);
     if (m_master < 0 || grantpt(m_master) != 0 || unlockpt(m_master) != 0)
-        return systemFailure(QStringLiteral("pseudo-terminal"));
+        return systemError(QStringLiteral("pseudo-terminal"));
     const char* name = ptsname(m_master);
     m_slave = name != nullptr ? ::open(name, O_RDWR | O_NOCTTY | O_CLOEXEC) : -1;
     termios settings{};
     if (m_slave < 0 || tcgetattr(m_slave, &settings) != 0)
-        return systemFailure(QStringLiteral("pseudo-terminal"));
+        return systemError(QStringLiteral("pseudo-terminal"));
     cfmakeraw(&settings);
     if (tcsetattr(m_slave, TCSANOW, &settings) != 0 || !setFlags(m_master) ||
         !setFlags(m_wakeRead) || !setFlags(m_wakeWrite))
-        return systemFailure(QStringLiteral("pseudo-terminal"));
+        return systemError(QStringLiteral("pseudo-terminal"));
     transport::setTtySpeed(m_slave, baud);
     m_path = QString::fromLocal8Bit(name);
     return {};
@@ -92,12 +92,12 @@ base::Result<void> PtyDevice::makeLink(const QString& link)
                           QStringLiteral("%1: exists and is no symbolic link").arg(link));
     const QByteArray target = QFile::encodeName(m_path);
     const QByteArray name = QFile::encodeName(link);
-    const QByteArray aside = name + '.' + QByteArray::number(qint64{getpid()});
-    if (symlink(target.constData(), aside.constData()) != 0)
-        return systemFailure(link);
-    if (rename(aside.constData(), name.constData()) != 0) {
-        const auto failure = systemFailure(link);
-        unlink(aside.constData());
+    const QByteArray temporaryLink = name + '.' + QByteArray::number(qint64{getpid()});
+    if (symlink(target.constData(), temporaryLink.constData()) != 0)
+        return systemError(link);
+    if (rename(temporaryLink.constData(), name.constData()) != 0) {
+        const auto failure = systemError(link);
+        unlink(temporaryLink.constData());
         return failure;
     }
     m_link = link;
@@ -141,7 +141,7 @@ void PtyDevice::wait(base::Duration span)
 #endif
     if (ready <= 0)
         return;
-    m_woken = m_woken || states[2].revents != 0;
+    m_isWoken = m_isWoken || states[2].revents != 0;
     if (states[1].revents != 0)
         countClients();
 }
@@ -158,7 +158,7 @@ void PtyDevice::countClients()
             const auto* event = reinterpret_cast<const inotify_event*>(events + at);
             m_clients += (event->mask & IN_OPEN) != 0 ? 1 : -1;
             if (m_clients <= 0)
-                forgetLastClient();
+                resetForNextClient();
             at += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
         }
     }
@@ -167,7 +167,7 @@ void PtyDevice::countClients()
 
 // What a closing port does by itself: unread bytes are gone and the next client may open it, even
 // if this one died while it had it for itself.
-void PtyDevice::forgetLastClient()
+void PtyDevice::resetForNextClient()
 {
     m_clients = 0;
     tcflush(m_slave, TCIFLUSH);
@@ -183,8 +183,8 @@ void PtyDevice::wake()
 base::Bytes PtyDevice::read()
 {
     base::Bytes bytes(4096);
-    const ssize_t got = ::read(m_master, bytes.data(), bytes.size());
-    bytes.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+    const ssize_t count = ::read(m_master, bytes.data(), bytes.size());
+    bytes.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
     return bytes;
 }
 

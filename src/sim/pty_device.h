@@ -27,7 +27,7 @@ public:
     /// Waits for bytes, a client's coming or going, or wake(), at most `span`.
     void wait(base::Duration span);
     void wake(); ///< any thread, also from a signal handler; stays in effect
-    bool woken() const { return m_woken; }
+    bool isWoken() const { return m_isWoken; }
 
     /// What the client has sent and not yet been read.
     base::Bytes read();
@@ -40,7 +40,7 @@ private:
     base::Result<void> makeLink(const QString& link);
     void watchClients();
     void countClients();
-    void forgetLastClient();
+    void resetForNextClient();
 
     int m_master = -1;
     int m_slave = -1; ///< held open, so that a client's leaving does not hang the line up
@@ -48,7 +48,7 @@ private:
     int m_wakeRead = -1;
     int m_wakeWrite = -1;
     int m_clients = 0;
-    bool m_woken = false;
+    bool m_isWoken = false;
     QString m_path;
     QString m_link;
 };

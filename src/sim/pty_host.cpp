@@ -10,12 +10,12 @@
 namespace sim {
 namespace {
 constexpr base::Duration tick = std::chrono::milliseconds(20);
-constexpr base::Duration headStart = std::chrono::milliseconds(2);
+constexpr base::Duration maxLead = std::chrono::milliseconds(2);
 /// The system wakes a sleeper some ten microseconds late; the rest of the way is spun.
-constexpr base::Duration spinSpan{60};
+constexpr base::Duration spinTime{60};
 
 // By default the kernel may put a wake-up off by 50 µs to save power.
-void demandPunctualWakeUps()
+void setMinTimerSlack()
 {
 #ifdef __linux__
     prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
@@ -23,10 +23,10 @@ void demandPunctualWakeUps()
 }
 
 /// Delays that are asked for are kept; only the wire's own time may be cut short.
-base::Duration leadFor(const WireConfig& wire, bool wireTime)
+base::Duration leadTime(const WireConfig& wire, bool wireTime)
 {
     const bool delays = wire.adapterLatency > base::Duration{} || wire.faults.late > 0;
-    return wireTime || delays ? base::Duration{} : headStart;
+    return wireTime || delays ? base::Duration{} : maxLead;
 }
 } // namespace
 
@@ -34,16 +34,16 @@ PtyHost::PtyHost(VirtualBus& bus, PtyDevice& device, bool wireTime)
     : m_bus(bus)
     , m_device(device)
     , m_wireTime(wireTime)
-    , m_lead(leadFor(bus.config(), wireTime))
+    , m_lead(leadTime(bus.config(), wireTime))
 {}
 
 void PtyHost::serve(std::optional<base::Duration> until, const std::function<void()>& housekeeping)
 {
     if (m_wireTime)
-        demandPunctualWakeUps();
+        setMinTimerSlack();
     m_bus.hostReads(m_clock.now());
     base::Duration nextTick = m_clock.now() + tick;
-    while (!m_device.woken()) {
+    while (!m_device.isWoken()) {
         const base::Duration now = m_clock.now();
         if (until && now >= *until)
             break;
@@ -71,7 +71,7 @@ void PtyHost::waitFor(std::optional<base::Duration> due, base::Duration latest)
         return;
     }
     const base::Duration instant = *due - m_lead;
-    const base::Duration spin = m_wireTime ? spinSpan : base::Duration{};
+    const base::Duration spin = m_wireTime ? spinTime : base::Duration{};
     m_device.wait(std::min(instant - spin, latest) - m_clock.now());
     if (instant - m_clock.now() > spin)
         return;

@@ -6,7 +6,7 @@
 
 namespace sim {
 namespace {
-constexpr int widest = 2; ///< bytes
+constexpr int maxFieldSize = 2; ///< bytes
 
 int decode(int word, const Field& field)
 {
@@ -46,7 +46,7 @@ Field fieldOf(const catalog::Register& reg)
 {
     Field field{reg.offset, reg.size};
     field.scale = reg.scale;
-    if (reg.size > widest || reg.offset + reg.size > Memory::size) {
+    if (reg.size > maxFieldSize || reg.offset + reg.size > Memory::size) {
         return {};
     }
     if (reg.encoding == catalog::Encoding::SignBit) {

@@ -16,7 +16,7 @@ struct Field {
     bool twosComplement = false; ///< Modbus, LX
     double scale = 1;            ///< of one raw step, in the unit of the sheet
     bool exists() const { return address >= 0; }
-    bool touches(int from, int count) const
+    bool overlaps(int from, int count) const
     {
         return exists() && address < from + count && from < address + size;
     }

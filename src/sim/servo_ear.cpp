@@ -4,7 +4,7 @@
 namespace sim {
 namespace {
 constexpr Nanos frameTimeout = 10'000'000;
-constexpr std::size_t longestModbus = 256;
+constexpr std::size_t maxModbusFrame = 256;
 
 protocol::RequestScan scanRequest(base::Protocol protocol, base::ByteView buffer)
 {
@@ -25,55 +25,55 @@ Nanos modbusSilence(int baud)
     return Nanos(3.5 * bitsPerByte * 1e9 / baud);
 }
 
-ServoEar::ServoEar(base::Protocol protocol, int baud, Nanos from)
+RequestReceiver::RequestReceiver(base::Protocol protocol, int baud, Nanos from)
     : m_protocol(protocol)
-    , m_receiver(Listens::Host, baud, from)
+    , m_receiver(RxFilter::Host, baud, from)
     , m_lastEnd(from)
 {}
 
-std::optional<Nanos> ServoEar::silenceDue() const
+std::optional<Nanos> RequestReceiver::silenceEnd() const
 {
-    if (m_protocol != base::Protocol::Modbus || (m_buffer.empty() && !m_spoiled))
+    if (m_protocol != base::Protocol::Modbus || (m_buffer.empty() && !m_framingError))
         return std::nullopt;
     return m_lastEnd + modbusSilence(baud());
 }
 
-std::optional<ServoEar::Event> ServoEar::peek(const WireLine& line) const
+std::optional<RequestReceiver::Event> RequestReceiver::peek(const WireLine& line) const
 {
-    const auto heard = m_receiver.peek(line);
-    const auto due = silenceDue();
-    if (due && (!heard || heard->start >= *due))
+    const auto received = m_receiver.peek(line);
+    const auto due = silenceEnd();
+    if (due && (!received || received->start >= *due))
         return Event{*due, std::nullopt};
-    if (!heard)
+    if (!received)
         return std::nullopt;
-    return Event{heard->end, heard};
+    return Event{received->end, received};
 }
 
-std::optional<HeardFrame> ServoEar::take(const Event& event)
+std::optional<ReceivedFrame> RequestReceiver::take(const Event& event)
 {
     if (!event.byte)
         return endFrame(event.at);
-    hear(*event.byte);
+    addByte(*event.byte);
     return m_protocol == base::Protocol::Modbus ? std::nullopt : scanStream(event.at);
 }
 
-void ServoEar::hear(const Heard& heard)
+void RequestReceiver::addByte(const ReceivedByte& received)
 {
-    m_receiver.take(heard);
+    m_receiver.take(received);
     const bool modbus = m_protocol == base::Protocol::Modbus;
-    const bool tooLate = !modbus && heard.start - m_lastEnd > frameTimeout;
-    if (!heard.framed || tooLate || m_buffer.size() == longestModbus)
+    const bool timedOut = !modbus && received.start - m_lastEnd > frameTimeout;
+    if (!received.framed || timedOut || m_buffer.size() == maxModbusFrame)
         clear();
-    m_lastEnd = heard.end;
-    if (!heard.framed) {
-        m_spoiled = modbus;
+    m_lastEnd = received.end;
+    if (!received.framed) {
+        m_framingError = modbus;
         return;
     }
-    m_buffer.push_back(heard.value);
-    m_starts.push_back(heard.start);
+    m_buffer.push_back(received.value);
+    m_starts.push_back(received.start);
 }
 
-std::optional<HeardFrame> ServoEar::scanStream(Nanos end)
+std::optional<ReceivedFrame> RequestReceiver::scanStream(Nanos end)
 {
     while (!m_buffer.empty()) {
         auto scan = scanRequest(m_protocol, m_buffer);
@@ -81,7 +81,7 @@ std::optional<HeardFrame> ServoEar::scanStream(Nanos end)
         case protocol::ScanKind::Incomplete:
             return std::nullopt;
         case protocol::ScanKind::Reply: {
-            HeardFrame frame = frameOf(std::move(scan), end);
+            ReceivedFrame frame = frameOf(std::move(scan), end);
             clear();
             return frame;
         }
@@ -89,7 +89,7 @@ std::optional<HeardFrame> ServoEar::scanStream(Nanos end)
             drop(scan.consumed);
             break;
         case protocol::ScanKind::Foreign:
-        case protocol::ScanKind::BadCheck:
+        case protocol::ScanKind::BadChecksum:
             clear();
             break;
         }
@@ -97,31 +97,31 @@ std::optional<HeardFrame> ServoEar::scanStream(Nanos end)
     return std::nullopt;
 }
 
-std::optional<HeardFrame> ServoEar::endFrame(Nanos end)
+std::optional<ReceivedFrame> RequestReceiver::endFrame(Nanos end)
 {
-    std::optional<HeardFrame> frame;
-    if (!m_spoiled) {
+    std::optional<ReceivedFrame> frame;
+    if (!m_framingError) {
         auto scan = scanRequest(m_protocol, m_buffer);
         if (scan.kind == protocol::ScanKind::Reply && scan.consumed == m_buffer.size())
             frame = frameOf(std::move(scan), end);
     }
     clear();
-    m_spoiled = false;
+    m_framingError = false;
     return frame;
 }
 
-HeardFrame ServoEar::frameOf(protocol::RequestScan scan, Nanos end) const
+ReceivedFrame RequestReceiver::frameOf(protocol::RequestScan scan, Nanos end) const
 {
     return {std::move(scan), m_protocol, baud(), m_starts.front(), end};
 }
 
-void ServoEar::clear()
+void RequestReceiver::clear()
 {
     m_buffer.clear();
     m_starts.clear();
 }
 
-void ServoEar::drop(std::size_t count)
+void RequestReceiver::drop(std::size_t count)
 {
     const auto n = static_cast<std::ptrdiff_t>(count);
     m_buffer.erase(m_buffer.begin(), m_buffer.begin() + n);

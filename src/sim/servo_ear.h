@@ -11,7 +11,7 @@
 
 namespace sim {
 /// A request as the servos have understood it.
-struct HeardFrame {
+struct ReceivedFrame {
     protocol::RequestScan content;
     base::Protocol protocol = base::Protocol::Feetech;
     int baud = 0;
@@ -23,9 +23,9 @@ struct HeardFrame {
 /// longer; servos that answer after 0.3 ms at 115200 show that they do not wait for it.
 Nanos modbusSilence(int baud);
 
-class ServoEar {
+class RequestReceiver {
 public:
-    ServoEar(base::Protocol protocol, int baud, Nanos from);
+    RequestReceiver(base::Protocol protocol, int baud, Nanos from);
 
     base::Protocol protocol() const { return m_protocol; }
     int baud() const { return m_receiver.baud(); }
@@ -33,21 +33,21 @@ public:
     /// The next byte, or the silence (without a byte) that ends a Modbus frame before it.
     struct Event {
         Nanos at = 0;
-        std::optional<Heard> byte;
+        std::optional<ReceivedByte> byte;
     };
     std::optional<Event> peek(const WireLine& line) const;
 
     /// Takes what was just peeked; the frame, if this completes one.
-    std::optional<HeardFrame> take(const Event& event);
+    std::optional<ReceivedFrame> take(const Event& event);
 
     /// When the silence after what was heard so far will have ended a frame, if nothing follows.
-    std::optional<Nanos> silenceDue() const;
+    std::optional<Nanos> silenceEnd() const;
 
 private:
-    void hear(const Heard& heard);
-    std::optional<HeardFrame> scanStream(Nanos end);
-    std::optional<HeardFrame> endFrame(Nanos end);
-    HeardFrame frameOf(protocol::RequestScan scan, Nanos end) const;
+    void addByte(const ReceivedByte& received);
+    std::optional<ReceivedFrame> scanStream(Nanos end);
+    std::optional<ReceivedFrame> endFrame(Nanos end);
+    ReceivedFrame frameOf(protocol::RequestScan scan, Nanos end) const;
     void clear();
     void drop(std::size_t count);
 
@@ -56,6 +56,6 @@ private:
     base::Bytes m_buffer;
     std::vector<Nanos> m_starts; ///< of the bytes in the buffer
     Nanos m_lastEnd;
-    bool m_spoiled = false; ///< Modbus: a byte of this frame was none
+    bool m_framingError = false; ///< Modbus: a byte of this frame was none
 };
 } // namespace sim

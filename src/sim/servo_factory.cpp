@@ -26,7 +26,8 @@ std::optional<int> baudCode(const catalog::Profile& profile, int rate)
 }
 
 /// Values that make this servo this servo, whatever the sheet's default is.
-std::optional<int> ownValue(Role role, const catalog::Profile& profile, const ServoConfig& config)
+std::optional<int> configuredValue(Role role, const catalog::Profile& profile,
+                                   const ServoConfig& config)
 {
     switch (role) {
     case Role::FirmwareMajor:
@@ -113,8 +114,8 @@ int typicalValue(const catalog::Register& reg, const catalog::Profile& profile,
 }
 
 /// A sheet's default that cannot be this servo's: some are one list for all models.
-bool cannotBe(const catalog::Register& reg, std::int64_t value, const catalog::Profile& profile,
-              const ServoType& type)
+bool isImplausible(const catalog::Register& reg, std::int64_t value,
+                   const catalog::Profile& profile, const ServoType& type)
 {
     const double physical = double(value) * reg.scale;
     switch (reg.role) {
@@ -133,7 +134,7 @@ bool cannotBe(const catalog::Register& reg, std::int64_t value, const catalog::P
 
 /// Figures without a role, most of the factory area: shown but, but for the start values of the
 /// Modbus servo, not used by the simulation.
-int figureOf(const catalog::Register& reg, const catalog::Profile& profile, int maxSpeed)
+int miscDefault(const catalog::Register& reg, const catalog::Profile& profile, int maxSpeed)
 {
     const QString& key = reg.key;
     if (key == QLatin1String("speed_default")) {
@@ -164,10 +165,10 @@ int factoryValue(const catalog::Register& reg, const catalog::Profile& profile,
                  const ServoType& type, int maxSpeed)
 {
     const auto fallback = [&] {
-        return reg.role == Role::None ? figureOf(reg, profile, maxSpeed)
+        return reg.role == Role::None ? miscDefault(reg, profile, maxSpeed)
                                       : typicalValue(reg, profile, type);
     };
-    if (!reg.defaultRaw || cannotBe(reg, *reg.defaultRaw, profile, type)) {
+    if (!reg.defaultRaw || isImplausible(reg, *reg.defaultRaw, profile, type)) {
         return fallback();
     }
     return int(*reg.defaultRaw);
@@ -178,10 +179,10 @@ void VirtualServo::State::fillFactoryValues()
 {
     const int maxSpeed = maximumSpeed(type, traits);
     for (const catalog::Register& reg : profile->registers) {
-        const int usual = factoryValue(reg, *profile, type, maxSpeed);
+        const int defaultValue = factoryValue(reg, *profile, type, maxSpeed);
         const int value = reg.key == QLatin1String("secondary_id")
                               ? config.id
-                              : ownValue(reg.role, *profile, config).value_or(usual);
+                              : configuredValue(reg.role, *profile, config).value_or(defaultValue);
         const base::Bytes bytes = base::writeUnsigned(std::uint64_t(std::max(0, value)),
                                                       std::size_t(reg.size), profile->byteOrder);
         for (std::size_t i = 0; i < bytes.size() && reg.offset + int(i) < Memory::size; ++i) {

@@ -12,7 +12,7 @@
 
 namespace sim {
 namespace {
-tl::unexpected<base::Error> badServo(const QString& item, const QString& why)
+tl::unexpected<base::Error> invalidServo(const QString& item, const QString& why)
 {
     return base::fail(base::ErrorCode::BadArgument, QStringLiteral("simulate"),
                       QStringLiteral("%1: %2").arg(item, why));
@@ -24,18 +24,17 @@ struct Firmware {
     int major;
     int minor;
 };
-constexpr Firmware firmwares[] = {
+constexpr Firmware defaultFirmwares[] = {
     {"STS", 3, 10}, {"SMS", 2, 53},  {"SCS", 0, 4},    {"HLS", 3, 46},
     {"SMCL", 1, 6}, {"SCS2", 3, 24}, {"SMSMB", 20, 9}, {"LX", -1, -1},
 };
 
 const Firmware* firmwareOf(const QString& series)
 {
-    const auto* found =
-        std::find_if(std::begin(firmwares), std::end(firmwares), [&](const Firmware& firmware) {
-            return series == QLatin1String(firmware.series);
-        });
-    return found == std::end(firmwares) ? nullptr : found;
+    const auto* found = std::find_if(
+        std::begin(defaultFirmwares), std::end(defaultFirmwares),
+        [&](const Firmware& firmware) { return series == QLatin1String(firmware.series); });
+    return found == std::end(defaultFirmwares) ? nullptr : found;
 }
 
 /// Shops add an M to the HLS models of the vendor's list.
@@ -48,7 +47,7 @@ const catalog::ModelEntry* findModel(const catalog::Catalog& catalog, const QStr
     return model != nullptr && model->series == QLatin1String("HLS") ? model : nullptr;
 }
 
-bool knowsRate(const catalog::Profile& profile, int baud)
+bool supportsBaud(const catalog::Profile& profile, int baud)
 {
     const catalog::Register* rate = profile.byRole(catalog::Role::BaudRate);
     if (rate == nullptr)
@@ -66,82 +65,82 @@ double supplyOf(const catalog::Profile& profile)
 }
 
 /// Stations are counted from 1, and end where Modbus ends them.
-bool knowsId(const catalog::Profile& profile, int id)
+bool supportsId(const catalog::Profile& profile, int id)
 {
     const catalog::Register* reg = profile.byRole(catalog::Role::Id);
     return reg != nullptr && id >= reg->min.value_or(0) && id <= reg->max.value_or(protocol::maxId);
 }
 
-base::Result<VirtualServo> makeServo(const ServoRecipe& recipe, const catalog::Catalog& catalog,
+base::Result<VirtualServo> makeServo(const ServoSpec& servoSpec, const catalog::Catalog& catalog,
                                      std::optional<base::Duration> epromTime, std::uint64_t seed)
 {
-    const QString item = QStringLiteral("%1@%2").arg(recipe.model).arg(recipe.id);
-    const catalog::ModelEntry* model = findModel(catalog, recipe.model);
+    const QString item = QStringLiteral("%1@%2").arg(servoSpec.model).arg(servoSpec.id);
+    const catalog::ModelEntry* model = findModel(catalog, servoSpec.model);
     if (model == nullptr)
-        return badServo(item, QStringLiteral("no such model"));
+        return invalidServo(item, QStringLiteral("no such model"));
     const Firmware* firmware = firmwareOf(model->series);
     if (firmware == nullptr || !model->supported)
-        return badServo(item, QStringLiteral("this series cannot be simulated"));
+        return invalidServo(item, QStringLiteral("this series cannot be simulated"));
     const auto profile = catalog.profileFor(*model, firmware->major, firmware->minor);
-    if (!knowsId(*profile, recipe.id))
-        return badServo(item, QStringLiteral("this model has no ID %1").arg(recipe.id));
-    if (recipe.baud && !knowsRate(*profile, *recipe.baud))
-        return badServo(item, QStringLiteral("this model has no rate %1").arg(*recipe.baud));
+    if (!supportsId(*profile, servoSpec.id))
+        return invalidServo(item, QStringLiteral("this model has no ID %1").arg(servoSpec.id));
+    if (servoSpec.baud && !supportsBaud(*profile, *servoSpec.baud))
+        return invalidServo(item, QStringLiteral("this model has no rate %1").arg(*servoSpec.baud));
     ServoConfig config;
-    config.id = recipe.id;
-    config.baud = recipe.baud;
-    config.load = recipe.load;
-    config.surroundings.supplyVolts = recipe.supplyVolts.value_or(supplyOf(*profile));
-    config.surroundings.supplyOhms = recipe.supplyOhms.value_or(config.surroundings.supplyOhms);
-    config.surroundings.ambientCelsius =
-        recipe.ambientCelsius.value_or(config.surroundings.ambientCelsius);
-    config.defects = recipe.defects;
-    config.initialDegrees = recipe.initialDegrees;
-    config.epromTime = recipe.epromTime.value_or(epromTime.value_or(config.epromTime));
-    config.behavior = recipe.behavior;
+    config.id = servoSpec.id;
+    config.baud = servoSpec.baud;
+    config.load = servoSpec.load;
+    config.environment.supplyVolts = servoSpec.supplyVolts.value_or(supplyOf(*profile));
+    config.environment.supplyOhms = servoSpec.supplyOhms.value_or(config.environment.supplyOhms);
+    config.environment.ambientCelsius =
+        servoSpec.ambientCelsius.value_or(config.environment.ambientCelsius);
+    config.defects = servoSpec.defects;
+    config.initialDegrees = servoSpec.initialDegrees;
+    config.epromTime = servoSpec.epromTime.value_or(epromTime.value_or(config.epromTime));
+    config.behavior = servoSpec.behavior;
     config.seed = seed;
     VirtualServo servo(profile, config);
-    if (recipe.prepare)
-        recipe.prepare(servo);
+    if (servoSpec.prepare)
+        servoSpec.prepare(servo);
     return servo;
 }
 
-base::Result<ServoRecipe> parseServo(const QString& item)
+base::Result<ServoSpec> parseServo(const QString& item)
 {
     const QString form = QStringLiteral("expected MODEL@ID or MODEL@ID:BAUD, +NAME=VALUE behind");
     QStringList words = item.split(QLatin1Char('+'));
-    const QStringList halves = words.takeFirst().split(QLatin1Char('@'));
-    if (halves.size() != 2 || halves[0].isEmpty())
-        return badServo(item, form);
-    const QStringList place = halves[1].split(QLatin1Char(':'));
+    const QStringList modelAndRest = words.takeFirst().split(QLatin1Char('@'));
+    if (modelAndRest.size() != 2 || modelAndRest[0].isEmpty())
+        return invalidServo(item, form);
+    const QStringList idAndBaud = modelAndRest[1].split(QLatin1Char(':'));
     bool ok = false;
-    ServoRecipe recipe;
-    recipe.model = halves[0];
-    recipe.id = place[0].toInt(&ok);
-    if (!ok || place.size() > 2)
-        return badServo(item, form);
-    if (recipe.id < 0 || recipe.id > protocol::maxId)
-        return badServo(item, QStringLiteral("an ID is 0 to 253"));
-    if (place.size() == 2) {
-        recipe.baud = place[1].toInt(&ok);
+    ServoSpec servoSpec;
+    servoSpec.model = modelAndRest[0];
+    servoSpec.id = idAndBaud[0].toInt(&ok);
+    if (!ok || idAndBaud.size() > 2)
+        return invalidServo(item, form);
+    if (servoSpec.id < 0 || servoSpec.id > protocol::maxId)
+        return invalidServo(item, QStringLiteral("an ID is 0 to 253"));
+    if (idAndBaud.size() == 2) {
+        servoSpec.baud = idAndBaud[1].toInt(&ok);
         if (!ok)
-            return badServo(item, form);
+            return invalidServo(item, form);
     }
-    if (auto added = addDefects(recipe, words); !added)
+    if (auto added = addDefects(servoSpec, words); !added)
         return tl::unexpected(added.error());
-    return recipe;
+    return servoSpec;
 }
 } // namespace
 
-base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoRecipe>& recipes,
+base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoSpec>& servoSpecs,
                                                   const catalog::Catalog& catalog,
                                                   const WireConfig& wire,
                                                   std::optional<base::Duration> epromTime)
 {
     auto bus = std::make_unique<VirtualBus>(wire);
     std::uint64_t seed = wire.seed;
-    for (const ServoRecipe& recipe : recipes) {
-        auto servo = makeServo(recipe, catalog, epromTime, seed++);
+    for (const ServoSpec& servoSpec : servoSpecs) {
+        auto servo = makeServo(servoSpec, catalog, epromTime, seed++);
         if (!servo)
             return tl::unexpected(servo.error());
         bus->add(std::move(*servo));
@@ -153,15 +152,15 @@ base::Result<std::unique_ptr<VirtualBus>>
 makeServos(const QString& list, const catalog::Catalog& catalog, std::optional<int> baud,
            const WireConfig& wire, std::optional<base::Duration> epromTime)
 {
-    std::vector<ServoRecipe> recipes;
+    std::vector<ServoSpec> servoSpecs;
     for (const QString& part : list.split(QLatin1Char(','))) {
-        auto recipe = parseServo(part.trimmed());
-        if (!recipe)
-            return tl::unexpected(recipe.error());
-        if (!recipe->baud)
-            recipe->baud = baud;
-        recipes.push_back(std::move(*recipe));
+        auto servoSpec = parseServo(part.trimmed());
+        if (!servoSpec)
+            return tl::unexpected(servoSpec.error());
+        if (!servoSpec->baud)
+            servoSpec->baud = baud;
+        servoSpecs.push_back(std::move(*servoSpec));
     }
-    return makeBus(recipes, catalog, wire, epromTime);
+    return makeBus(servoSpecs, catalog, wire, epromTime);
 }
 } // namespace sim

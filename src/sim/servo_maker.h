@@ -11,7 +11,7 @@
 #include <functional>
 
 namespace sim {
-struct ServoRecipe {
+struct ServoSpec {
     QString model;
     int id = 1;
     std::optional<int> baud; ///< the model's factory rate if not given
@@ -26,7 +26,7 @@ struct ServoRecipe {
     std::optional<base::Duration> epromTime{};
 };
 
-base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoRecipe>& recipes,
+base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoSpec>& servoSpecs,
                                                   const catalog::Catalog& catalog,
                                                   const WireConfig& wire,
                                                   std::optional<base::Duration> epromTime);

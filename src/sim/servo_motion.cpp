@@ -9,11 +9,11 @@ namespace sim {
 namespace {
 constexpr base::Duration tickTime = std::chrono::milliseconds(1);
 constexpr double tickSeconds = Controller::tick;
-constexpr double speedShare = 0.2;      ///< smoothing over 5 ms
-constexpr double shownShare = 1.0 / 15; ///< and 15 ms more for the register
-constexpr double voltShare = 0.05;      ///< 20 ms
-constexpr int stillTime = 50;           ///< ms until the moving flag falls
-constexpr int restTime = 200;           ///< ms until an idle servo is left alone
+constexpr double speedFilterShare = 0.2;    ///< smoothing over 5 ms
+constexpr double reportedShare = 1.0 / 15;  ///< and 15 ms more for the register
+constexpr double voltageFilterShare = 0.05; ///< 20 ms
+constexpr int stillTime = 50;               ///< ms until the moving flag falls
+constexpr int restTime = 200;               ///< ms until an idle servo is left alone
 } // namespace
 
 void VirtualServo::State::advance(base::Duration dt)
@@ -31,7 +31,7 @@ void VirtualServo::State::advance(base::Duration dt)
 }
 
 /// An idle servo at rest under the load it came to rest under cannot move; only time and heat pass.
-bool VirtualServo::State::sleeps() const
+bool VirtualServo::State::isIdle() const
 {
     return restTicks > restTime && settings.torqueSwitch != 1 && config.load == restLoad;
 }
@@ -39,26 +39,26 @@ bool VirtualServo::State::sleeps() const
 void VirtualServo::State::tick()
 {
     ++ticks;
-    if (!sleeps()) {
+    if (!isIdle()) {
         measure();
         control();
-        mechanics.stiffen(config.defects.bendGoal());
+        mechanics.setRigid(config.defects.affectsPosition());
         mechanics.step(bridge,
                        bridge == Bridge::Driven ? duty / 1000.0 * settings.driveSign
                                                 : settings.torqueLimit / 1000.0,
-                       config.load, config.surroundings, tickSeconds);
-        restTicks = mechanics.atRest() && bridge != Bridge::Driven ? restTicks + 1 : 0;
+                       config.load, config.environment, tickSeconds);
+        restTicks = mechanics.isAtRest() && bridge != Bridge::Driven ? restTicks + 1 : 0;
         if (restTicks > restTime) {
             restLoad = config.load;
-            speed = shownSpeed = 0;
+            speed = reportedSpeed = 0;
         }
     }
-    watch();
+    updateProtection();
 }
 
-void VirtualServo::State::rebase()
+void VirtualServo::State::resetTurnBase()
 {
-    if (!encoder.endless()) {
+    if (!encoder.isContinuous()) {
         position = readPosition();
         return;
     }
@@ -70,25 +70,26 @@ void VirtualServo::State::rebase()
     if (restGoal) {
         restGoal = position;
     }
-    controller.energise(position);
+    controller.energize(position);
 }
 
 double VirtualServo::State::readPosition() const
 {
-    if (!encoder.endless()) {
-        return encoder.withinTurn(counted) - settings.offset;
+    if (!encoder.isContinuous()) {
+        return encoder.withinTurn(encoderCount) - settings.offset;
     }
-    const std::int64_t steps = settings.reversed ? traits.turnSteps - 1 - counted : counted;
+    const std::int64_t steps =
+        settings.reversed ? traits.turnSteps - 1 - encoderCount : encoderCount;
     return double(steps - settings.offset - turnBase);
 }
 
 void VirtualServo::State::measure()
 {
-    const std::int64_t before = counted;
-    counted = encoder.sample(mechanics.angle(), ticks);
+    const std::int64_t before = encoderCount;
+    encoderCount = encoder.sample(mechanics.angle(), ticks);
     const double direction = settings.reversed ? -1.0 : 1.0;
-    speed += (direction * double(counted - before) / tickSeconds - speed) * speedShare;
-    shownSpeed += (speed - shownSpeed) * shownShare;
+    speed += (direction * double(encoderCount - before) / tickSeconds - speed) * speedFilterShare;
+    reportedSpeed += (speed - reportedSpeed) * reportedShare;
     position = readPosition();
 }
 
@@ -111,24 +112,24 @@ double VirtualServo::State::positionGoal() const
 
 double VirtualServo::State::topSpeed() const
 {
-    return worn(wantedSpeed(), positionGoal() - controller.path().position);
+    return limitByWear(requestedSpeed(), positionGoal() - controller.path().position);
 }
 
 /// What is left of a speed; the direction is that of the position's growth.
-double VirtualServo::State::worn(double wanted, double direction) const
+double VirtualServo::State::limitByWear(double requested, double direction) const
 {
     const Defects& defects = config.defects;
     if (defects.speedFactor == 1.0 && defects.speedPerLoad == 0.0) {
-        return wanted;
+        return requested;
     }
-    constexpr double least = 0.02;
-    const double load = mechanics.opposed(direction * senseOfSensor(), config.load);
+    constexpr double minFraction = 0.02;
+    const double load = mechanics.opposingTorque(direction * sensorSign(), config.load);
     const double left = 1.0 - defects.speedPerLoad * load / type.stallTorque;
-    const double most = settings.maxSpeed * std::max(least, defects.speedFactor * left);
-    return std::clamp(wanted, -most, most);
+    const double limit = settings.maxSpeed * std::max(minFraction, defects.speedFactor * left);
+    return std::clamp(requested, -limit, limit);
 }
 
-double VirtualServo::State::wantedSpeed() const
+double VirtualServo::State::requestedSpeed() const
 {
     if (settings.goalSpeed != 0) {
         return std::abs(settings.goalSpeed);
@@ -140,73 +141,79 @@ double VirtualServo::State::wantedSpeed() const
 }
 
 /// What 44 allows through the winding at the present speed.
-double VirtualServo::State::withinCurrentLimit(double wanted) const
+double VirtualServo::State::limitCurrent(double requested) const
 {
     const double sign = settings.driveSign;
     const double low =
-        sign * 1000.0 * mechanics.dutyFor(-sign * settings.currentLimit, config.surroundings);
+        sign * 1000.0 * mechanics.dutyFor(-sign * settings.currentLimit, config.environment);
     const double high =
-        sign * 1000.0 * mechanics.dutyFor(sign * settings.currentLimit, config.surroundings);
-    return std::clamp(wanted, low, high);
+        sign * 1000.0 * mechanics.dutyFor(sign * settings.currentLimit, config.environment);
+    return std::clamp(requested, low, high);
 }
 
 double VirtualServo::State::holdGoal(double limit)
 {
-    return config.defects.bendGoal()
-               ? holdBentGoal(limit)
+    return config.defects.affectsPosition()
+               ? holdDefectGoal(limit)
                : controller.holdPosition(settings, positionGoal(), topSpeed(), position, limit);
 }
 
 /// Friction, load and gear play are taken off the loop's shoulders, so that the shaft is where its
 /// defects say and nowhere else.
-double VirtualServo::State::holdBentGoal(double limit)
+double VirtualServo::State::holdDefectGoal(double limit)
 {
-    constexpr double fullPush = 0.25; // steps of error
-    const double sense = senseOfSensor();
-    const Shaft shaft{position + sense * (encoder.fine() - double(counted)),
-                      sense * mechanics.speed() * traits.stepsPerRadian};
-    Aim aim = controller.bend(settings, config.defects, positionGoal(), topSpeed(), shaft);
+    constexpr double fullPushError = 0.25; // steps of error
+    const double sign = sensorSign();
+    const Shaft shaft{position + sign * (encoder.unrounded() - double(encoderCount)),
+                      sign * mechanics.speed() * traits.stepsPerRadian};
+    Setpoint setpoint =
+        controller.defectSetpoint(settings, config.defects, positionGoal(), topSpeed(), shaft);
     if (traits.sensor == Sensor::Potentiometer) {
         // Behind its ends the sensor does not tell the way back.
-        aim.position = std::clamp(aim.position, 0.0 - settings.offset,
-                                  profile->stepsPerTurn - 1.0 - settings.offset);
+        setpoint.position = std::clamp(setpoint.position, 0.0 - settings.offset,
+                                       profile->stepsPerTurn - 1.0 - settings.offset);
     }
-    const double push = std::clamp((aim.position - shaft.position) / fullPush, -1.0, 1.0);
-    const double perStep = sense / traits.stepsPerRadian;
-    const double effort = mechanics.effortFor(aim.acceleration * perStep, aim.speed * perStep,
-                                              sense * push, config.load, config.surroundings);
+    const double pushShare =
+        std::clamp((setpoint.position - shaft.position) / fullPushError, -1.0, 1.0);
+    const double perStep = sign / traits.stepsPerRadian;
+    const double effort =
+        mechanics.effortFor(setpoint.acceleration * perStep, setpoint.speed * perStep,
+                            sign * pushShare, config.load, config.environment);
     const double support = settings.positionP > 0.0 ? 1000.0 * settings.driveSign * effort : 0.0;
-    return controller.holdBent(settings, aim, shaft.position, support, limit);
+    return controller.holdDefectSetpoint(settings, setpoint, shaft.position, support, limit);
 }
 
 double VirtualServo::State::drive(double limit)
 {
-    double wanted = 0;
+    double requested = 0;
     switch (settings.mode) {
     case DriveMode::Pwm:
         return std::clamp<double>(-settings.pwm, -limit, limit);
     case DriveMode::Current: {
         const double sign = settings.driveSign;
-        wanted = sign * 1000.0 * mechanics.dutyFor(-sign * settings.goalAmps, config.surroundings);
-        return std::clamp(wanted, -limit, limit);
+        requested =
+            sign * 1000.0 * mechanics.dutyFor(-sign * settings.goalAmps, config.environment);
+        return std::clamp(requested, -limit, limit);
     }
     case DriveMode::Direct:
         return holdGoal(limit);
     case DriveMode::Speed:
-        wanted = controller.holdSpeed(settings, worn(settings.goalSpeed, settings.goalSpeed), speed,
-                                      limit);
+        requested = controller.holdSpeed(
+            settings, limitByWear(settings.goalSpeed, settings.goalSpeed), speed, limit);
         break;
     default:
-        wanted = holdGoal(limit);
+        requested = holdGoal(limit);
     }
-    return traits.currentLimited ? withinCurrentLimit(wanted) : wanted;
+    return traits.currentLimited ? limitCurrent(requested) : requested;
 }
 
 void VirtualServo::State::control()
 {
-    const bool output = alive() && settings.torqueSwitch == 1 && !protection.unloads(settings);
-    if (!output) {
-        const bool damping = alive() && settings.torqueSwitch == 2 && !protection.unloads(settings);
+    const bool isDriven =
+        isRunning() && settings.torqueSwitch == 1 && !protection.mustUnload(settings);
+    if (!isDriven) {
+        const bool damping =
+            isRunning() && settings.torqueSwitch == 2 && !protection.mustUnload(settings);
         bridge = damping ? Bridge::Shorted : Bridge::Open;
         duty = 0;
         moving = false;
@@ -218,12 +225,12 @@ void VirtualServo::State::control()
         bridge = Bridge::Driven;
         if (settings.mode == DriveMode::Direct ||
             (!settings.limitsZero && settings.mode == DriveMode::Position)) {
-            rebase();
+            resetTurnBase();
         }
-        controller.energise(position);
+        controller.energize(position);
     }
     duty = drive(protection.dutyLimit(settings));
-    const bool still = std::abs(shownSpeed) < slowestShown && controller.rests();
+    const bool still = std::abs(reportedSpeed) < minReportedSpeed && controller.isAtRest();
     stillTicks = still ? stillTicks + 1 : 0;
     const bool drivesGoal = settings.mode == DriveMode::Position ||
                             settings.mode == DriveMode::Direct || settings.mode == DriveMode::Step;
@@ -234,18 +241,19 @@ void VirtualServo::State::control()
     }
 }
 
-void VirtualServo::State::watch()
+void VirtualServo::State::updateProtection()
 {
-    celsius += (config.surroundings.ambientCelsius +
+    celsius += (config.environment.ambientCelsius +
                 mechanics.copperWatts() * type.thermalResistance - celsius) *
                (tickSeconds / type.thermalTime);
-    if (!alive()) {
+    if (!isRunning()) {
         return;
     }
-    volts += (mechanics.supplyVolts(config.surroundings) * traits.rawPerVolt - volts) * voltShare;
+    volts += (mechanics.supplyVolts(config.environment) * traits.rawPerVolt - volts) *
+             voltageFilterShare;
     const bool watchVoltage = settings.maxVoltage != 0 || settings.minVoltage != 0;
     protection.update(settings, {duty, std::abs(sensedCurrent()), volts, celsius}, watchVoltage);
-    if (settings.release == Release::Command && protection.overcurrentTripped() &&
+    if (settings.release == FaultRelease::Command && protection.isOvercurrentTripped() &&
         settings.torqueSwitch != 0) {
         setTorque(0);
     }

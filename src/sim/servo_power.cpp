@@ -31,8 +31,8 @@ constexpr StartLoad speedGains[] = {
 };
 
 template <std::size_t count>
-void carryOut(const StartLoad (&loads)[count], const catalog::Profile& profile,
-              const RegisterMap& map, Memory& memory)
+void copyRegisters(const StartLoad (&loads)[count], const catalog::Profile& profile,
+                   const RegisterMap& map, Memory& memory)
 {
     for (const StartLoad& load : loads) {
         const Field from = fieldOf(profile, QString::fromLatin1(load.from));
@@ -49,33 +49,33 @@ double midRange(const catalog::Profile& profile, const ServoTraits& traits)
 }
 } // namespace
 
-VirtualServo::State::State(catalog::ProfilePtr ownProfile, const ServoConfig& ownConfig)
-    : profile(std::move(ownProfile))
-    , config(ownConfig)
+VirtualServo::State::State(catalog::ProfilePtr servoProfile, const ServoConfig& servoConfig)
+    : profile(std::move(servoProfile))
+    , config(servoConfig)
     , traits(traitsOf(*profile))
     , type(servoType(*profile))
     , map(*profile)
     , secondaryId(fieldOf(*profile, QStringLiteral("secondary_id")))
     , memory(*profile)
-    , mechanics(driveOf(type), config.gearPlayDegrees * std::numbers::pi / 180.0,
+    , mechanics(motorModelOf(type), config.gearPlayDegrees * std::numbers::pi / 180.0,
                 config.initialDegrees * std::numbers::pi / 180.0, midRange(*profile, traits))
     , encoder(traits, config.seed)
     , baud(profile->defaultBaud.value_or(1000000))
-    , celsius(config.surroundings.ambientCelsius)
+    , celsius(config.environment.ambientCelsius)
 {
     fillFactoryValues();
     switchOn();
 }
 
-std::optional<ServoAnswer> VirtualServo::State::handle(const ServoRequest& request)
+std::optional<ServoReply> VirtualServo::State::handle(const ServoRequest& request)
 {
     epromWritten = false;
-    if (!alive() || deafLeft.count() > 0) {
+    if (!isRunning() || deafLeft.count() > 0) {
         return std::nullopt;
     }
     // A deaf one speaks before it writes; the shortest reply has six bytes of ten bits.
-    const base::Duration answerTime = replyDelay() + base::Duration(60'000'000 / baud);
-    std::optional<ServoAnswer> reply;
+    const base::Duration replyTime = replyDelay() + base::Duration(60'000'000 / baud);
+    std::optional<ServoReply> reply;
     switch (profile->protocol) {
     case base::Protocol::Feetech:
         reply = handleFeetech(request);
@@ -88,7 +88,7 @@ std::optional<ServoAnswer> VirtualServo::State::handle(const ServoRequest& reque
         break;
     }
     if (epromWritten && config.behavior.deafWhileWriting) {
-        deafLeft = config.epromTime + (reply ? answerTime : base::Duration());
+        deafLeft = config.epromTime + (reply ? replyTime : base::Duration());
     }
     return reply;
 }
@@ -102,7 +102,7 @@ void VirtualServo::State::switchOff()
 {
     settings.torqueSwitch = 0;
     duty = 0;
-    held.reset();
+    pendingWrite.reset();
     moveStored = false;
     moving = false;
     deafLeft = {};
@@ -122,7 +122,7 @@ void VirtualServo::State::loadDefaults()
         settings = readSettings(memory, map, *profile, traits, type);
         map.put(memory, Role::GoalSpeed, settings.maxSpeed / settings.speedUnit);
     }
-    carryOut(startLoads, *profile, map, memory);
+    copyRegisters(startLoads, *profile, map, memory);
     loadGains();
     settings = readSettings(memory, map, *profile, traits, type);
 }
@@ -134,9 +134,9 @@ void VirtualServo::State::loadGains()
         return;
     }
     if (settings.mode == DriveMode::Speed) {
-        carryOut(speedGains, *profile, map, memory);
+        copyRegisters(speedGains, *profile, map, memory);
     } else {
-        carryOut(positionGains, *profile, map, memory);
+        copyRegisters(positionGains, *profile, map, memory);
     }
 }
 
@@ -144,22 +144,22 @@ void VirtualServo::State::switchOn()
 {
     memory.powerOn();
     loadDefaults();
-    takeBaud();
+    loadBaud();
     protection.reset();
-    volts = mechanics.supplyVolts(config.surroundings) * traits.rawPerVolt;
-    encoder.settle(mechanics.angle());
-    counted = encoder.sample(mechanics.angle(), ticks);
-    speed = shownSpeed = 0;
+    volts = mechanics.supplyVolts(config.environment) * traits.rawPerVolt;
+    encoder.reset(mechanics.angle());
+    encoderCount = encoder.sample(mechanics.angle(), ticks);
+    speed = reportedSpeed = 0;
     restTicks = stillTicks = 0;
-    rebase();
-    controller.energise(position);
+    resetTurnBase();
+    controller.energize(position);
     stepGoal = position;
     restGoal.reset();
     goalWritten = false;
 }
 
 /// A family without a baud register has one rate.
-void VirtualServo::State::takeBaud()
+void VirtualServo::State::loadBaud()
 {
     const catalog::Register* codes = profile->byRole(Role::BaudRate);
     if (codes == nullptr) {
@@ -177,7 +177,7 @@ void VirtualServo::State::takeBaud()
 /// after the request on. The turn-around of an LX servo is not published.
 base::Duration VirtualServo::State::replyDelay() const
 {
-    constexpr base::Duration shortest(40);
+    constexpr base::Duration minReplyDelay(40);
     constexpr base::Duration lxTurnAround(300);
     const Field& field = map.at(Role::ReturnDelay);
     if (traits.modbus) {
@@ -185,7 +185,7 @@ base::Duration VirtualServo::State::replyDelay() const
     }
     const int raw = field.exists() ? map.read(memory, field) : 0;
     if (raw == 0) {
-        return traits.lx ? lxTurnAround : shortest;
+        return traits.lx ? lxTurnAround : minReplyDelay;
     }
     return base::Duration(2 * std::max(raw, 50));
 }

@@ -10,7 +10,7 @@
 #include "sim/virtual_servo.h"
 
 namespace sim {
-constexpr double slowestShown = 50; ///< step/s, the resolution of the measured speed
+constexpr double minReportedSpeed = 50; ///< step/s, the resolution of the measured speed
 
 struct VirtualServo::State {
     State(catalog::ProfilePtr profile, const ServoConfig& config);
@@ -19,39 +19,39 @@ struct VirtualServo::State {
     void fillFactoryValues();
 
     // servo_power.cpp
-    std::optional<ServoAnswer> handle(const ServoRequest& request);
+    std::optional<ServoReply> handle(const ServoRequest& request);
     void switchOff();
     void switchOn();
     void restart(); ///< by request: deaf for the reboot time
     void loadDefaults();
     void loadGains();
-    void takeBaud();
-    bool alive() const { return powered && rebootLeft.count() == 0; }
+    void loadBaud();
+    bool isRunning() const { return powered && rebootLeft.count() == 0; }
     base::Duration replyDelay() const;
     base::Duration writeTime() const;
 
     // feetech_front.cpp
-    Hears hears(int id, std::uint8_t instruction) const;
-    std::optional<ServoAnswer> handleFeetech(const ServoRequest& request);
-    std::optional<ServoAnswer> answer(base::ByteView data = {}) const;
-    std::optional<ServoAnswer> acknowledge(const ServoRequest& request, int oldId, int oldLevel);
-    std::optional<ServoAnswer> ping(const ServoRequest& request) const;
-    std::optional<ServoAnswer> readTable(base::ByteView params);
+    AddressMatch addressMatch(int id, std::uint8_t instruction) const;
+    std::optional<ServoReply> handleFeetech(const ServoRequest& request);
+    std::optional<ServoReply> makeReply(base::ByteView data = {}) const;
+    std::optional<ServoReply> acknowledge(const ServoRequest& request, int oldId, int oldLevel);
+    std::optional<ServoReply> ping(const ServoRequest& request) const;
+    std::optional<ServoReply> readTable(base::ByteView params);
     bool execute(const ServoRequest& request);
     void syncWrite(base::ByteView params);
-    bool hold(base::ByteView params);
-    void carryOutHeld();
+    bool storePendingWrite(base::ByteView params);
+    void executePendingWrite();
     bool calibrate(base::ByteView params);
 
     // modbus_front.cpp
-    std::optional<ServoAnswer> handleModbus(const ServoRequest& request);
+    std::optional<ServoReply> handleModbus(const ServoRequest& request);
     std::optional<std::uint8_t> refusal(const ServoRequest& request) const;
-    std::optional<std::uint8_t> refusesWrite(const ServoRequest& request) const;
-    bool withinSheet(int address, base::ByteView data) const;
+    std::optional<std::uint8_t> writeException(const ServoRequest& request) const;
+    bool isWithinLimits(int address, base::ByteView data) const;
 
     // lx_front.cpp
-    std::optional<ServoAnswer> handleLx(const ServoRequest& request);
-    std::optional<ServoAnswer> readLx(const ServoRequest& request);
+    std::optional<ServoReply> handleLx(const ServoRequest& request);
+    std::optional<ServoReply> readLx(const ServoRequest& request);
     void writeLx(std::uint8_t command, base::ByteView params);
     bool acceptsLx(const catalog::Block& block, base::ByteView params) const;
     void startStored();
@@ -59,16 +59,16 @@ struct VirtualServo::State {
 
     // servo_writes.cpp
     void write(int address, base::ByteView data);
-    base::Bytes taken(int address, base::ByteView data) const;
+    base::Bytes acceptedBytes(int address, base::ByteView data) const;
     void restore();
     void backup();
-    void makePresent(int position);
+    void setPresentPosition(int position);
     void applyChanges(int address, int count);
-    void followId();
+    void copyIdToSecondary();
     void changeMode(DriveMode before);
     void switchTorque(int before);
     void resetFaults();
-    void command(bool energise);
+    void command(bool energize);
     void setTorque(int value);
     double commandDirection() const;
 
@@ -77,27 +77,27 @@ struct VirtualServo::State {
     void tick();
     void measure();
     void control();
-    void watch();
-    bool sleeps() const;
+    void updateProtection();
+    bool isIdle() const;
     double readPosition() const;
-    void rebase();
+    void resetTurnBase();
     double positionGoal() const;
     double topSpeed() const;
-    double wantedSpeed() const;
-    double worn(double topSpeed, double direction) const;
+    double requestedSpeed() const;
+    double limitByWear(double topSpeed, double direction) const;
     double drive(double limit);
     double holdGoal(double limit);
-    double holdBentGoal(double limit);
-    double senseOfSensor() const { return encoder.endless() && settings.reversed ? -1.0 : 1.0; }
-    double withinCurrentLimit(double wanted) const;
-    void holdHere();
+    double holdDefectGoal(double limit);
+    double sensorSign() const { return encoder.isContinuous() && settings.reversed ? -1.0 : 1.0; }
+    double limitCurrent(double wanted) const;
+    void holdPresentPosition();
 
     // servo_feedback.cpp
-    void publish();
+    void updateFeedback();
     double readingNoise() const;
     double sensedCurrent() const; ///< 6.5 mA units
-    int shownStatus() const;
-    int shownMoving() const;
+    int reportedStatus() const;
+    int reportedMoving() const;
     bool led() const;
 
     catalog::ProfilePtr profile;
@@ -121,12 +121,12 @@ struct VirtualServo::State {
     std::uint64_t ticks = 0;
     bool epromWritten = false; ///< by the request being handled
 
-    std::int64_t counted = 0;  ///< encoder steps through all turns
-    std::int64_t turnBase = 0; ///< multiple of a turn: position counts from here since power-on
-    double position = 0;       ///< steps, in the servo's own coordinate
-    double speed = 0;          ///< step/s, smoothed for the loops
-    double shownSpeed = 0;     ///< step/s, smoothed for register 58
-    double duty = 0;           ///< towards larger positions positive
+    std::int64_t encoderCount = 0; ///< encoder steps through all turns
+    std::int64_t turnBase = 0;     ///< multiple of a turn: position counts from here since power-on
+    double position = 0;           ///< steps, in the servo's own coordinate
+    double speed = 0;              ///< step/s, smoothed for the loops
+    double reportedSpeed = 0;      ///< step/s, smoothed for register 58
+    double duty = 0;               ///< towards larger positions positive
     Bridge bridge = Bridge::Open;
     double celsius = 25;
     double volts = 0; ///< as the voltage registers count
@@ -140,11 +140,11 @@ struct VirtualServo::State {
     int restTicks = 0;  ///< mechanics at rest with an open bridge
     Load restLoad;      ///< the load it came to rest under
 
-    struct Held {
+    struct PendingWrite {
         int address = 0;
         base::Bytes data;
     };
-    std::optional<Held> held; ///< REG WRITE waiting for ACTION
-    bool moveStored = false;  ///< LX: 7 waiting for 11
+    std::optional<PendingWrite> pendingWrite; ///< REG WRITE waiting for ACTION
+    bool moveStored = false;                  ///< LX: 7 waiting for 11
 };
 } // namespace sim

@@ -38,7 +38,7 @@ PhaseMasks phaseMasks(const catalog::Profile& profile)
     return masks;
 }
 
-DriveMode driveOf(const QString& modeKey)
+DriveMode driveModeOf(const QString& modeKey)
 {
     static const QHash<QString, DriveMode> drives{
         {QStringLiteral("position-pd"), DriveMode::Direct},
@@ -55,7 +55,7 @@ std::vector<ModeRule> modesOf(const catalog::Profile& profile)
 {
     std::vector<ModeRule> rules;
     for (const catalog::Mode& mode : profile.modes) {
-        rules.push_back({mode.operatingMode, mode.limitsZero, driveOf(mode.key), mode.command,
+        rules.push_back({mode.operatingMode, mode.limitsZero, driveModeOf(mode.key), mode.command,
                          mode.key == QLatin1String("release")});
     }
     if (rules.empty()) {
@@ -79,7 +79,7 @@ Sensor sensorOf(const catalog::Profile& profile)
     if (profile.protocol == base::Protocol::Lx) {
         return Sensor::OneTurn;
     }
-    return profile.stepsPerTurn < 4096 ? Sensor::Potentiometer : Sensor::Endless;
+    return profile.stepsPerTurn < 4096 ? Sensor::Potentiometer : Sensor::Continuous;
 }
 } // namespace
 

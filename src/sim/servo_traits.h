@@ -9,7 +9,7 @@
 
 namespace sim {
 enum class Sensor : std::uint8_t {
-    Endless,       ///< magnetic, counts turns
+    Continuous,    ///< magnetic, counts turns
     Potentiometer, ///< a dead sector behind its range
     OneTurn,       ///< LX: a range of 240°, but readings all the way round
 };
@@ -44,7 +44,7 @@ struct PhaseMasks {
 };
 
 struct ServoTraits {
-    Sensor sensor = Sensor::Endless;
+    Sensor sensor = Sensor::Continuous;
     double stepsPerRadian = 0;
     int turnSteps = 4096;
     double rawPerVolt = 10;

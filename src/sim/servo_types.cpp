@@ -8,11 +8,11 @@
 namespace sim {
 namespace {
 constexpr double radPerSecondPerRpm = 2.0 * std::numbers::pi / 60.0;
-constexpr double newtonMetresPerKgCm = 0.0980665;
+constexpr double newtonMetersPerKgCm = 0.0980665;
 
 /// Data-sheet figures of models a bench is likely to see. Currents of LX servos are typical values
 /// for their size.
-struct Known {
+struct KnownModel {
     const char* model;
     double volts;
     double stallKgCm;
@@ -20,7 +20,7 @@ struct Known {
     double stallAmps;
     double noLoadAmps;
 };
-constexpr Known knownTypes[] = {
+constexpr KnownModel knownTypes[] = {
     {"STS3215", 7.4, 19.5, 55.0, 2.4, 0.15},   {"STS3250", 12.0, 50.0, 75.0, 4.6, 0.25},
     {"STS3032", 6.0, 4.5, 110.0, 1.2, 0.12},   {"SM40BLHV", 12.0, 40.0, 65.0, 3.8, 0.25},
     {"SM45BLHV", 24.0, 45.0, 60.0, 2.2, 0.15}, {"SCS15", 6.0, 15.0, 62.0, 1.6, 0.13},
@@ -33,7 +33,7 @@ constexpr Known knownTypes[] = {
 /// What a series is like, and the factory values its sheet leaves open: seen on one of its servos
 /// where there are reports, typical otherwise. Of SMCL and SCS2 no bit of the phase is known, of
 /// Modbus no factory value at all.
-struct Series {
+struct SeriesData {
     const char* key;
     double stallTorque; ///< N·m
     double noLoadRpm;
@@ -47,19 +47,19 @@ struct Series {
     int ledCondition;
     int startupForce; ///< so much that a servo without I overcomes its friction
 };
-constexpr Series seriesFigures[] = {
+constexpr SeriesData seriesData[] = {
     {"STS", 1.91, 55.0, 2.4, 0.15, 4.0, 12, 32, 32, 44, 45, 0},
-    {"SCS", 15.0 * newtonMetresPerKgCm, 60.0, 1.6, 0.13, 2.5, 8, 32, 0, 37, 37, 50},
-    {"SCS2", 15.0 * newtonMetresPerKgCm, 60.0, 1.6, 0.13, 4.0, 0, 32, 0, 37, 37, 0},
-    {"SMS", 40.0 * newtonMetresPerKgCm, 65.0, 3.8, 0.25, 7.0, 44, 32, 32, 44, 45, 0},
-    {"SMCL", 60.0 * newtonMetresPerKgCm, 45.0, 4.0, 0.25, 8.0, 0, 32, 0, 37, 37, 0},
-    {"SMSMB", 40.0 * newtonMetresPerKgCm, 65.0, 3.8, 0.25, 7.0, 0, 32, 32, 47, 47, 0},
-    {"HLS", 25.0 * newtonMetresPerKgCm, 60.0, 3.0, 0.18, 4.0, 0, 32, 40, 13, 13, 0},
-    {"LX", 17.0 * newtonMetresPerKgCm, 60.0, 2.4, 0.12, 4.5, 0, 60, 8, 0, 7, 0},
+    {"SCS", 15.0 * newtonMetersPerKgCm, 60.0, 1.6, 0.13, 2.5, 8, 32, 0, 37, 37, 50},
+    {"SCS2", 15.0 * newtonMetersPerKgCm, 60.0, 1.6, 0.13, 4.0, 0, 32, 0, 37, 37, 0},
+    {"SMS", 40.0 * newtonMetersPerKgCm, 65.0, 3.8, 0.25, 7.0, 44, 32, 32, 44, 45, 0},
+    {"SMCL", 60.0 * newtonMetersPerKgCm, 45.0, 4.0, 0.25, 8.0, 0, 32, 0, 37, 37, 0},
+    {"SMSMB", 40.0 * newtonMetersPerKgCm, 65.0, 3.8, 0.25, 7.0, 0, 32, 32, 47, 47, 0},
+    {"HLS", 25.0 * newtonMetersPerKgCm, 60.0, 3.0, 0.18, 4.0, 0, 32, 40, 13, 13, 0},
+    {"LX", 17.0 * newtonMetersPerKgCm, 60.0, 2.4, 0.12, 4.5, 0, 60, 8, 0, 7, 0},
 };
 
 /// LX servos of the 11.1 V class carry it in their names only.
-bool highVoltageName(const catalog::Profile& profile)
+bool hasHighVoltageName(const catalog::Profile& profile)
 {
     const QString& name = profile.modelName;
     return profile.protocol == base::Protocol::Lx &&
@@ -68,7 +68,7 @@ bool highVoltageName(const catalog::Profile& profile)
 
 double nominalVolts(const catalog::Profile& profile)
 {
-    const bool high = profile.line == catalog::Line::Rs485 || highVoltageName(profile);
+    const bool high = profile.line == catalog::Line::Rs485 || hasHighVoltageName(profile);
     const double top = profile.maxVoltage.value_or(high ? 12.6 : 7.4);
     if (top > 16.0) {
         return 24.0;
@@ -79,7 +79,7 @@ double nominalVolts(const catalog::Profile& profile)
     return top < 6.5 ? 6.0 : 7.4;
 }
 
-double highestVoltage(double nominal, const catalog::Profile& profile)
+double maxSupplyVoltage(double nominal, const catalog::Profile& profile)
 {
     if (nominal > 16.0) {
         return 25.4;
@@ -100,7 +100,7 @@ bool sensesCurrent(const catalog::Profile& profile)
 ServoType seriesType(const catalog::Profile& profile)
 {
     ServoType type;
-    for (const Series& series : seriesFigures) {
+    for (const SeriesData& series : seriesData) {
         if (profile.series == QLatin1String(series.key)) {
             type.stallTorque = series.stallTorque;
             type.noLoadRpm = series.noLoadRpm;
@@ -118,7 +118,7 @@ ServoType seriesType(const catalog::Profile& profile)
     type.nominalVolts = nominalVolts(profile);
     type.currentSensing = sensesCurrent(profile);
     if (const catalog::Register* limit = profile.byRole(catalog::Role::ProtectionCurrent)) {
-        type.largestCurrent = int(limit->max.value_or(type.largestCurrent));
+        type.maxCurrent = int(limit->max.value_or(type.maxCurrent));
     }
     if (const catalog::Register* moving = profile.byRole(catalog::Role::Moving)) {
         type.movingBits = moving->encoding == catalog::Encoding::Bits;
@@ -137,39 +137,39 @@ double ServoType::noLoadSpeed() const
 ServoType servoType(const catalog::Profile& profile)
 {
     ServoType type = seriesType(profile);
-    for (const Known& known : knownTypes) {
+    for (const KnownModel& known : knownTypes) {
         if (profile.modelName.compare(QLatin1String(known.model), Qt::CaseInsensitive) == 0) {
             type.nominalVolts = known.volts;
-            type.stallTorque = known.stallKgCm * newtonMetresPerKgCm;
+            type.stallTorque = known.stallKgCm * newtonMetersPerKgCm;
             type.noLoadRpm = known.noLoadRpm;
             type.stallAmps = known.stallAmps;
             type.noLoadAmps = known.noLoadAmps;
         }
     }
-    type.maxVoltage = highestVoltage(type.nominalVolts, profile);
+    type.maxVoltage = maxSupplyVoltage(type.nominalVolts, profile);
     // A small case sheds less heat: scale with the copper loss it was built for.
     const double stallWatts = type.nominalVolts * type.stallAmps;
     type.thermalResistance = 14.0 * std::sqrt(18.0 / stallWatts);
     return type;
 }
 
-Drive driveOf(const ServoType& type)
+MotorModel motorModelOf(const ServoType& type)
 {
     // Half of the no-load loss is friction that does not depend on speed, half grows with it.
-    Drive drive;
+    MotorModel model;
     const double speed = type.noLoadSpeed();
-    drive.resistance = type.nominalVolts / type.stallAmps;
-    drive.torqueConstant = type.stallTorque / (type.stallAmps - 0.5 * type.noLoadAmps);
-    const double loss = drive.torqueConstant * type.noLoadAmps;
-    drive.emfConstant = (type.nominalVolts - type.noLoadAmps * drive.resistance) / speed;
-    drive.coulomb = 0.45 * loss;
-    drive.shaftFriction = 0.05 * loss;
-    drive.stiction = 1.3 * drive.coulomb;
-    drive.viscous = 0.5 * loss / speed;
-    drive.inertia = type.mechanicalTime * type.stallTorque / speed;
-    drive.shaftInertia = 0.01 * drive.inertia;
-    drive.idleAmps = 0.02;
-    return drive;
+    model.resistance = type.nominalVolts / type.stallAmps;
+    model.torqueConstant = type.stallTorque / (type.stallAmps - 0.5 * type.noLoadAmps);
+    const double loss = model.torqueConstant * type.noLoadAmps;
+    model.emfConstant = (type.nominalVolts - type.noLoadAmps * model.resistance) / speed;
+    model.coulomb = 0.45 * loss;
+    model.shaftFriction = 0.05 * loss;
+    model.stiction = 1.3 * model.coulomb;
+    model.viscous = 0.5 * loss / speed;
+    model.inertia = type.mechanicalTime * type.stallTorque / speed;
+    model.shaftInertia = 0.01 * model.inertia;
+    model.idleAmps = 0.02;
+    return model;
 }
 
 int maximumSpeed(const ServoType& type, const ServoTraits& traits)

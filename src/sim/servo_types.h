@@ -19,9 +19,9 @@ struct ServoType {
     double thermalResistance = 14.0; ///< K/W, winding to air
     double thermalTime = 240.0;      ///< s
     bool currentSensing = true;
-    int largestCurrent = 511; ///< what its current register can show
-    bool movingBits = false;  ///< the moving register has a flag for each sense of the word
-    double maxVoltage = 8.0;  ///< limits it leaves the factory with
+    int maxCurrent = 511;    ///< what its current register can show
+    bool movingBits = false; ///< the moving register has a flag for each sense of the word
+    double maxVoltage = 8.0; ///< limits it leaves the factory with
     double minVoltage = 4.0;
     int phase = 12; ///< register 18: step/s, goal speed 0 = maximum
     int positionP = 32;
@@ -39,7 +39,7 @@ struct ServoType {
 ServoType servoType(const catalog::Profile& profile);
 
 /// The electric motor and its gear, from the data-sheet figures.
-struct Drive {
+struct MotorModel {
     double torqueConstant = 0; ///< N·m/A at the output
     double emfConstant = 0;    ///< V·s/rad at the output
     double resistance = 0;     ///< ohm
@@ -52,7 +52,7 @@ struct Drive {
     double shaftFriction = 0;  ///< N·m, its bearing
 };
 
-Drive driveOf(const ServoType& type);
+MotorModel motorModelOf(const ServoType& type);
 
 /// Fastest goal speed the firmware accepts, step/s: what it can keep up at nominal volts with a
 /// duty below the usual overload threshold.

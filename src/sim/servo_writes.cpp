@@ -10,7 +10,7 @@ using catalog::Role;
 
 namespace {
 /// What the register can stand for. Ranges of plain numbers are the host's business.
-bool known(const catalog::Register& reg, int value)
+bool isKnownValue(const catalog::Register& reg, int value)
 {
     if (reg.role == Role::Id) {
         return value <= reg.max.value_or(253);
@@ -23,7 +23,7 @@ bool known(const catalog::Register& reg, int value)
 
 void VirtualServo::State::write(int address, base::ByteView data)
 {
-    const base::Bytes bytes = taken(address, data);
+    const base::Bytes bytes = acceptedBytes(address, data);
     epromWritten = memory.write(address, bytes, settings.unlocked) || epromWritten;
     applyChanges(address, int(bytes.size()));
 }
@@ -32,7 +32,7 @@ void VirtualServo::State::write(int address, base::ByteView data)
 /// stored" (register sheets). What a servo does when it is told to, or to use a rate or mode that
 /// its sheet does not list, is in no source; chosen here: that byte keeps its value, and the write
 /// is acknowledged all the same, since the error byte has no "rejected" (protocol notes, 2.2).
-base::Bytes VirtualServo::State::taken(int address, base::ByteView data) const
+base::Bytes VirtualServo::State::acceptedBytes(int address, base::ByteView data) const
 {
     base::Bytes bytes(data.begin(), data.end());
     if (profile->protocol != base::Protocol::Feetech) {
@@ -44,7 +44,7 @@ base::Bytes VirtualServo::State::taken(int address, base::ByteView data) const
             continue;
         }
         std::uint8_t& byte = bytes[std::size_t(reg->offset - address)];
-        byte = known(*reg, byte) ? byte : memory.at(reg->offset);
+        byte = isKnownValue(*reg, byte) ? byte : memory.at(reg->offset);
     }
     return bytes;
 }
@@ -53,7 +53,7 @@ base::Bytes VirtualServo::State::taken(int address, base::ByteView data) const
 /// so it is acknowledged without effect.
 void VirtualServo::State::restore()
 {
-    if (settings.unlocked != Unlocked::Nothing) {
+    if (settings.unlocked != UnlockedArea::Nothing) {
         memory.restore(map.at(Role::Id).address);
         epromWritten = true;
         applyChanges(0, map.at(Role::TorqueSwitch).address);
@@ -62,7 +62,7 @@ void VirtualServo::State::restore()
 
 void VirtualServo::State::backup()
 {
-    if (settings.unlocked != Unlocked::Nothing) {
+    if (settings.unlocked != UnlockedArea::Nothing) {
         memory.backup();
         epromWritten = true;
     }
@@ -70,35 +70,35 @@ void VirtualServo::State::backup()
 
 void VirtualServo::State::applyChanges(int address, int count)
 {
-    const auto touched = [&](Role role) { return map.at(role).touches(address, count); };
+    const auto isTouched = [&](Role role) { return map.at(role).overlaps(address, count); };
     const Settings before = settings;
     const double goalBefore = positionGoal();
-    if (touched(Role::GoalPosition) && !traits.lx) {
+    if (isTouched(Role::GoalPosition) && !traits.lx) {
         goalWritten = true;
         restGoal.reset();
     }
     settings = readSettings(memory, map, *profile, traits, type);
 
-    if (settings.id != before.id && !secondaryId.touches(address, count)) {
-        followId();
+    if (settings.id != before.id && !secondaryId.overlaps(address, count)) {
+        copyIdToSecondary();
     }
-    if (touched(Role::OperatingMode)) {
+    if (isTouched(Role::OperatingMode)) {
         changeMode(before.mode);
     }
-    if (touched(Role::BaudRate) && !config.behavior.baudAfterRestart) {
-        takeBaud();
+    if (isTouched(Role::BaudRate) && !config.behavior.baudAfterRestart) {
+        loadBaud();
     }
     if (settings.offset != before.offset || settings.reversed != before.reversed) {
-        rebase();
+        resetTurnBase();
     }
-    if (touched(Role::FaultReset)) {
+    if (isTouched(Role::FaultReset)) {
         resetFaults();
     }
-    if (touched(Role::TorqueSwitch)) {
+    if (isTouched(Role::TorqueSwitch)) {
         switchTorque(before.torqueSwitch);
     }
-    if (touched(settings.command)) {
-        command(!touched(Role::TorqueSwitch));
+    if (isTouched(settings.command)) {
+        command(!isTouched(Role::TorqueSwitch));
         moving = moving || positionGoal() != goalBefore;
         stillTicks = 0;
     }
@@ -109,7 +109,7 @@ void VirtualServo::State::applyChanges(int address, int count)
 }
 
 /// HLS: writing the ID also sets the second one, for as long as the ID itself stays.
-void VirtualServo::State::followId()
+void VirtualServo::State::copyIdToSecondary()
 {
     if (secondaryId.exists()) {
         const std::array<std::uint8_t, 1> id{std::uint8_t(settings.id)};
@@ -122,7 +122,7 @@ void VirtualServo::State::changeMode(DriveMode before)
 {
     if (traits.lx) {
         if (settings.mode != before) {
-            holdHere();
+            holdPresentPosition();
         }
         return;
     }
@@ -139,21 +139,21 @@ void VirtualServo::State::setTorque(int value)
 
 void VirtualServo::State::switchTorque(int before)
 {
-    constexpr int centre = 128;
+    constexpr int center = 128;
     constexpr int middle = 2048;
-    const int wanted = map.read(memory, Role::TorqueSwitch);
-    if (wanted == centre && profile->centering == catalog::Centering::Write128) {
-        makePresent(middle);
+    const int requested = map.read(memory, Role::TorqueSwitch);
+    if (requested == center && profile->centering == catalog::Centering::Write128) {
+        setPresentPosition(middle);
         setTorque(0);
-    } else if (wanted > (profile->damping ? 2 : 1)) {
+    } else if (requested > (profile->damping ? 2 : 1)) {
         setTorque(0);
     }
     if (settings.torqueSwitch == 0) {
         protection.torqueOff(settings);
     }
-    const bool stays = traits.lx || (!goalWritten && !config.behavior.runsToOldGoal);
-    if (stays && settings.torqueSwitch == 1 && before != 1) {
-        holdHere();
+    const bool holdsPosition = traits.lx || (!goalWritten && !config.behavior.runsToOldGoal);
+    if (holdsPosition && settings.torqueSwitch == 1 && before != 1) {
+        holdPresentPosition();
     }
 }
 
@@ -166,28 +166,29 @@ void VirtualServo::State::resetFaults()
     };
     static constexpr std::array<Reset, 5> resets{
         {{0, OverloadBit}, {1, CurrentBit}, {5, VoltageBit}, {6, TemperatureBit}, {7, SensorBit}}};
-    constexpr int centre = 4;
+    constexpr int center = 4;
     constexpr int middle = 2048;
-    const int wanted = map.read(memory, Role::FaultReset);
+    const int requested = map.read(memory, Role::FaultReset);
     for (const Reset& reset : resets) {
-        if ((wanted >> reset.bit & 1) != 0) {
+        if ((requested >> reset.bit & 1) != 0) {
             protection.clear(reset.fault);
         }
     }
-    if ((wanted & centre) != 0) {
-        makePresent(middle);
+    if ((requested & center) != 0) {
+        setPresentPosition(middle);
     }
     map.put(memory, Role::FaultReset, 0);
 }
 
 /// The correction lands in the offset register; it survives a power-off only with the lock open.
-void VirtualServo::State::makePresent(int wanted)
+void VirtualServo::State::setPresentPosition(int requested)
 {
-    if (!encoder.endless()) {
+    if (!encoder.isContinuous()) {
         return;
     }
     const auto turn = std::int64_t(traits.turnSteps);
-    const std::int64_t uncorrected = (settings.reversed ? turn - 1 - counted : counted) - wanted;
+    const std::int64_t uncorrected =
+        (settings.reversed ? turn - 1 - encoderCount : encoderCount) - requested;
     std::int64_t offset = ((uncorrected % turn) + turn) % turn;
     if (offset >= turn / 2) {
         offset -= turn;
@@ -209,35 +210,35 @@ double VirtualServo::State::commandDirection() const
     }
 }
 
-void VirtualServo::State::holdHere()
+void VirtualServo::State::holdPresentPosition()
 {
     restGoal = position;
     moving = false;
-    controller.energise(position);
+    controller.energize(position);
 }
 
-/// A write to the register that drives the present mode: it energises, unless the write says itself
+/// A write to the register that drives the present mode: it energizes, unless the write says itself
 /// what the torque shall be, releases protections and, in step mode, adds to the goal each time it
 /// is sent. An LX servo obeys only when it is loaded.
-void VirtualServo::State::command(bool energise)
+void VirtualServo::State::command(bool energize)
 {
     if (traits.lx && settings.torqueSwitch != 1) {
         return;
     }
     restGoal.reset();
     if (settings.mode == DriveMode::Step && (settings.limitsZero || traits.modbus)) {
-        constexpr double farthest = 30719;
-        stepGoal = std::clamp(stepGoal + settings.goalPosition, -farthest, farthest);
+        constexpr double maxSteps = 30719;
+        stepGoal = std::clamp(stepGoal + settings.goalPosition, -maxSteps, maxSteps);
     }
     if (settings.goalTime > 0) {
         timedSpeed = std::abs(positionGoal() - position) * 1000.0 / settings.goalTime;
     } else {
         timedSpeed = 0;
     }
-    if (protection.commanded(settings, commandDirection())) {
-        controller.energise(position);
+    if (protection.newCommand(settings, commandDirection())) {
+        controller.energize(position);
     }
-    if (energise && settings.goalEnergises) {
+    if (energize && settings.goalEnergizes) {
         setTorque(1);
     }
 }

@@ -12,7 +12,7 @@ namespace sim {
 namespace {
 using catalog::Role;
 
-constexpr int never = 1 << 20;               ///< duty, ms or current that is not reached
+constexpr int unreachable = 1 << 20;         ///< duty, ms or current that is not reached
 constexpr double ampsPerUnit = 0.0065;       ///< of the current registers
 constexpr double stepsPerAcceleration = 100; ///< step/s² of one raw, in every family
 
@@ -29,12 +29,13 @@ struct Reader {
         const catalog::Register* reg = profile.find(key);
         return reg == nullptr ? 0 : map.read(memory, fieldOf(*reg));
     }
-    catalog::Meaning meaning(const catalog::Register& reg) const
+    catalog::ValueFormat meaning(const catalog::Register& reg) const
     {
-        return catalog::meaningOf(reg, profile, [this](const QString& key) { return byKey(key); });
+        return catalog::valueFormat(reg, profile,
+                                    [this](const QString& key) { return byKey(key); });
     }
     /// With what the mode makes of the register.
-    int meant(Role role) const
+    int decoded(Role role) const
     {
         const catalog::Register* reg = profile.byRole(role);
         if (reg == nullptr) {
@@ -77,10 +78,10 @@ void readPhase(Settings& s, const Reader& read, const ServoType& type)
     s.fullAngle = has(masks.fullAngle);
     s.zeroSpeedIsMaximum =
         !read.traits.zeroSpeedStops && (masks.zeroIsMaximum == 0 || has(masks.zeroIsMaximum));
-    s.senseCurrent = type.currentSensing && !has(masks.integratedBridge);
-    s.goalEnergises = !read.traits.lx && !has(masks.torqueByCommand);
+    s.hasCurrentSensing = type.currentSensing && !has(masks.integratedBridge);
+    s.goalEnergizes = !read.traits.lx && !has(masks.torqueByCommand);
     if (read.traits.modbus) {
-        s.release = has(masks.manualReset) ? Release::Cleared : Release::TurnBack;
+        s.release = has(masks.manualReset) ? FaultRelease::Cleared : FaultRelease::TurnBack;
     }
     s.offset = read(Role::PositionOffset);
     s.resolution = std::max(1, read(Role::AngleResolution, 1));
@@ -92,25 +93,25 @@ void readGoals(Settings& s, const Reader& read, const ServoType& type)
     s.maxSpeed = maximumSpeed(type, read.traits);
     if (const catalog::Register* speed = read.profile.byRole(Role::GoalSpeed)) {
         const double degrees = 180.0 / std::numbers::pi / read.traits.stepsPerRadian;
-        const catalog::Meaning meaning = read.meaning(*speed);
+        const catalog::ValueFormat meaning = read.meaning(*speed);
         s.speedUnit = meaning.unit == QLatin1String("rpm")
                           ? std::max(1, int(std::lround(meaning.scale * 6.0 / degrees)))
                           : 1;
     }
     if (!read.traits.lx) {
         s.goalSpeed =
-            std::clamp(read.meant(Role::GoalSpeed) * s.speedUnit, -s.maxSpeed, s.maxSpeed);
+            std::clamp(read.decoded(Role::GoalSpeed) * s.speedUnit, -s.maxSpeed, s.maxSpeed);
     }
     s.goalPosition = read(Role::GoalPosition) * s.resolution;
     s.goalTime = read(Role::GoalTime);
     s.acceleration = read(Role::Acceleration) * stepsPerAcceleration;
     if (s.mode == DriveMode::Pwm) {
         // Positive PWM turns counter-clockwise on Feetech servos; LX does not say: forward.
-        const int pwm = std::clamp(read.meant(s.command), -1000, 1000);
+        const int pwm = std::clamp(read.decoded(s.command), -1000, 1000);
         s.pwm = read.traits.lx ? -pwm : pwm;
     }
     if (read.traits.currentLimited) {
-        s.goalAmps = read.meant(Role::GoalCurrent) * ampsPerUnit;
+        s.goalAmps = read.decoded(Role::GoalCurrent) * ampsPerUnit;
         s.currentLimit = std::abs(s.goalAmps);
     }
     const Role limit =
@@ -149,7 +150,7 @@ void readLxProtection(Settings& s, const Reader& read)
     s.unloadCondition = VoltageBit | TemperatureBit;
     s.overloadDuty = 900;
     s.overloadTime = 1000;
-    s.overcurrent = never;
+    s.overcurrent = unreachable;
 }
 
 void readProtection(Settings& s, const Reader& read)
@@ -165,20 +166,20 @@ void readProtection(Settings& s, const Reader& read)
     s.ledCondition = read(Role::LedCondition);
     s.led = s.ledCondition != 0;
     // What a family has no register for it does not watch: HLS overload, SCS overcurrent.
-    s.overloadDuty = read.duty(Role::OverloadTorque, never);
-    s.overloadTime = read.milliseconds(Role::ProtectionTime, never);
-    s.holdDuty = std::min(read.duty(Role::ProtectionTorque, never), 1000);
-    s.overcurrent = read(Role::ProtectionCurrent, never);
-    s.overcurrentTime = read.milliseconds(Role::OvercurrentTime, never);
+    s.overloadDuty = read.duty(Role::OverloadTorque, unreachable);
+    s.overloadTime = read.milliseconds(Role::ProtectionTime, unreachable);
+    s.holdDuty = std::min(read.duty(Role::ProtectionTorque, unreachable), 1000);
+    s.overcurrent = read(Role::ProtectionCurrent, unreachable);
+    s.overcurrentTime = read.milliseconds(Role::OvercurrentTime, unreachable);
 }
 
-Unlocked unlockedBy(int lock, bool modbus)
+UnlockedArea unlockedAreaFor(int lock, bool modbus)
 {
     constexpr int factory = 128;
     if (lock == 0) {
-        return Unlocked::Eprom;
+        return UnlockedArea::Eprom;
     }
-    return modbus && lock == factory ? Unlocked::Factory : Unlocked::Nothing;
+    return modbus && lock == factory ? UnlockedArea::Factory : UnlockedArea::Nothing;
 }
 } // namespace
 
@@ -189,7 +190,7 @@ Settings readSettings(const Memory& memory, const RegisterMap& map, const catalo
     Settings s;
     s.id = read(Role::Id);
     s.responseLevel = read(Role::ResponseLevel, 1);
-    s.unlocked = unlockedBy(read(Role::Lock, 1), traits.modbus);
+    s.unlocked = unlockedAreaFor(read(Role::Lock, 1), traits.modbus);
     readMode(s, read);
     readPhase(s, read, type);
     readGoals(s, read, type);

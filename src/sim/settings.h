@@ -10,7 +10,7 @@
 
 namespace sim {
 /// What releases a latched overload or overcurrent.
-enum class Release : std::uint8_t {
+enum class FaultRelease : std::uint8_t {
     Command,  ///< overcurrent any new one, overload one that turns back
     TurnBack, ///< both one that turns back, or torque off
     Cleared,  ///< nothing but the fault reset register; other faults stay as well
@@ -19,13 +19,13 @@ enum class Release : std::uint8_t {
 struct Settings {
     int id = 1;
     int responseLevel = 1;
-    Unlocked unlocked = Unlocked::Nothing;
+    UnlockedArea unlocked = UnlockedArea::Nothing;
     DriveMode mode = DriveMode::Position;
     catalog::Role command = catalog::Role::GoalPosition; ///< the register that drives this mode
     bool releaseAtGoal = false;
     bool limitsZero = false; ///< 9 = 11 = 0: multi-turn (STS, SMS), motor mode (SCS)
     int torqueSwitch = 0;
-    bool goalEnergises = true; ///< writing a goal switches the torque on
+    bool goalEnergizes = true; ///< writing a goal switches the torque on
 
     int minAngle = 0;
     int maxAngle = 0;
@@ -51,14 +51,14 @@ struct Settings {
     double speedI = 0; ///< duty per step
     double torqueLimit = 1000;
 
-    double driveSign = 1;     ///< −1: phase reverses the bridge
-    bool reversed = false;    ///< phase reverses the feedback
-    bool fullAngle = false;   ///< feedback counts turns
-    bool senseCurrent = true; ///< phase bit 5, or a family without it
+    double driveSign = 1;          ///< −1: phase reverses the bridge
+    bool reversed = false;         ///< phase reverses the feedback
+    bool fullAngle = false;        ///< feedback counts turns
+    bool hasCurrentSensing = true; ///< phase bit 5, or a family without it
     int offset = 0;
     int resolution = 1;
 
-    Release release = Release::Command;
+    FaultRelease release = FaultRelease::Command;
     int unloadCondition = 0;
     int ledCondition = 0;
     bool led = true; ///< LX: on while nothing is wrong

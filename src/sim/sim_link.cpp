@@ -6,7 +6,7 @@
 namespace sim {
 namespace {
 /// The system wakes a sleeper some ten microseconds late; the rest of the way is spun.
-constexpr base::Duration spinSpan{60};
+constexpr base::Duration spinTime{60};
 
 class SimLink final : public transport::Link {
 public:
@@ -26,13 +26,13 @@ public:
     base::Result<void> write(base::ByteView bytes) override
     {
         const bool alive = m_bus->with([&](VirtualBus& wire) {
-            if (noticeLoss(wire))
+            if (detectLoss(wire))
                 return false;
             wire.hostWrites(bytes, m_baud, m_clock.now());
             return true;
         });
         if (!alive)
-            return lost(QStringLiteral("write"));
+            return lostError(QStringLiteral("write"));
         return {};
     }
 
@@ -40,20 +40,20 @@ public:
     {
         collect();
         if (m_lost)
-            return lost(QStringLiteral("read"));
+            return lostError(QStringLiteral("read"));
         const std::size_t count = m_arrived.size();
         buffer.insert(buffer.end(), m_arrived.begin(), m_arrived.end());
         m_arrived.clear();
         return count;
     }
 
-    base::Result<bool> waitReadable(base::Duration span) override
+    base::Result<bool> waitForReadyRead(base::Duration span) override
     {
         const base::Duration deadline = m_clock.now() + span;
         for (;;) {
             collect();
             if (m_lost)
-                return lost(QStringLiteral("read"));
+                return lostError(QStringLiteral("read"));
             if (!m_arrived.empty())
                 return true;
             if (m_clock.now() >= deadline)
@@ -67,7 +67,7 @@ public:
     base::Result<void> setBaud(int baud) override
     {
         if (m_lost)
-            return lost(QStringLiteral("set-baud"));
+            return lostError(QStringLiteral("set-baud"));
         if (baud <= 0)
             return base::fail(base::ErrorCode::RateUnsupported, QStringLiteral("set-baud"),
                               QString::number(baud));
@@ -80,7 +80,7 @@ public:
     QString name() const override { return m_name; }
 
 private:
-    bool noticeLoss(const VirtualBus& wire)
+    bool detectLoss(const VirtualBus& wire)
     {
         m_lost = m_lost || wire.linkCut();
         return m_lost;
@@ -89,26 +89,26 @@ private:
     void collect()
     {
         m_bus->with([this](VirtualBus& wire) {
-            if (noticeLoss(wire))
+            if (detectLoss(wire))
                 return;
             const auto bytes = wire.hostReads(m_clock.now());
             m_arrived.insert(m_arrived.end(), bytes.begin(), bytes.end());
         });
     }
 
-    void waitUntil(base::Duration instant, bool exactly)
+    void waitUntil(base::Duration instant, bool precise)
     {
-        if (m_clock.isManual() || !exactly) {
+        if (m_clock.isManual() || !precise) {
             m_clock.sleepUntil(instant);
             return;
         }
-        if (instant - m_clock.now() > spinSpan)
-            m_clock.sleepUntil(instant - spinSpan);
+        if (instant - m_clock.now() > spinTime)
+            m_clock.sleepUntil(instant - spinTime);
         while (m_clock.now() < instant) {
         }
     }
 
-    tl::unexpected<base::Error> lost(const QString& operation) const
+    tl::unexpected<base::Error> lostError(const QString& operation) const
     {
         return base::fail(base::ErrorCode::LinkLost, operation, m_name);
     }

@@ -20,21 +20,22 @@ struct Trajectory {
     /// acceleration 0: the speed changes at once.
     void advance(double goal, double topSpeed, double acceleration, double seconds)
     {
-        const double way = goal - position;
-        if (way == 0.0 && speed == 0.0) {
+        const double distance = goal - position;
+        if (distance == 0.0 && speed == 0.0) {
             return;
         }
         const double change = acceleration > 0.0 ? acceleration * seconds : HUGE_VAL;
         // The speed from which the brakes still stop at the goal, counted in whole steps of time.
         const double brake =
             acceleration > 0.0
-                ? std::sqrt(0.25 * change * change + 2.0 * acceleration * std::abs(way)) -
+                ? std::sqrt(0.25 * change * change + 2.0 * acceleration * std::abs(distance)) -
                       0.5 * change
                 : topSpeed;
-        const double wanted = std::copysign(std::min(topSpeed, brake), way);
-        speed += std::clamp(wanted - speed, -change, change);
+        const double targetSpeed = std::copysign(std::min(topSpeed, brake), distance);
+        speed += std::clamp(targetSpeed - speed, -change, change);
         const double travel = speed * seconds;
-        if (travel * way >= 0.0 && std::abs(travel) >= std::abs(way) && std::abs(speed) <= change) {
+        if (travel * distance >= 0.0 && std::abs(travel) >= std::abs(distance) &&
+            std::abs(speed) <= change) {
             restart(goal);
             return;
         }

@@ -14,33 +14,35 @@ Nanos bits(double count, double bitNanos)
 }
 } // namespace
 
-UartReceiver::UartReceiver(Listens whom, int baud, Nanos from)
-    : m_whom(whom)
+UartReceiver::UartReceiver(RxFilter filter, int baud, Nanos from)
+    : m_filter(filter)
     , m_baud(baud)
     , m_bitNanos(1e9 / baud)
     , m_cursor(from)
 {}
 
-bool UartReceiver::hears(const Burst& burst) const
+bool UartReceiver::accepts(const Burst& burst) const
 {
-    return m_whom == Listens::All || (m_whom == Listens::Host) == (burst.speaker == hostSpeaker);
+    return m_filter == RxFilter::All ||
+           (m_filter == RxFilter::Host) == (burst.sender == hostSender);
 }
 
-std::optional<Heard> UartReceiver::peek(const WireLine& line) const
+std::optional<ReceivedByte> UartReceiver::peek(const WireLine& line) const
 {
     for (const Burst& burst : line.bursts()) {
-        if (!hears(burst) || burst.end() <= m_cursor)
+        if (!accepts(burst) || burst.end() <= m_cursor)
             continue;
-        if (const auto heard = exact(line, burst))
-            return heard;
-        if (const auto heard = sampled(line, burst))
-            return heard;
+        if (const auto received = decodeExact(line, burst))
+            return received;
+        if (const auto received = decodeSampled(line, burst))
+            return received;
     }
     return std::nullopt;
 }
 
 // The common case without any bit work: same rate, in step with the speaker, nobody else talking.
-std::optional<Heard> UartReceiver::exact(const WireLine& line, const Burst& burst) const
+std::optional<ReceivedByte> UartReceiver::decodeExact(const WireLine& line,
+                                                      const Burst& burst) const
 {
     if (burst.baud != m_baud || m_awaitIdle)
         return std::nullopt;
@@ -58,15 +60,16 @@ std::optional<Heard> UartReceiver::exact(const WireLine& line, const Burst& burs
         return std::nullopt;
     const Nanos start = burst.byteStart(index);
     const Nanos end = burst.byteStart(index + 1);
-    if (!line.undisturbed(burst, std::min(start, std::max(m_cursor, burst.start)), end))
+    if (!line.isUndisturbed(burst, std::min(start, std::max(m_cursor, burst.start)), end))
         return std::nullopt;
-    return Heard{burst.bytes[index], start, end, burst.end(), end, true};
+    return ReceivedByte{burst.bytes[index], start, end, burst.end(), end, true};
 }
 
-std::optional<Heard> UartReceiver::sampled(const WireLine& line, const Burst& burst) const
+std::optional<ReceivedByte> UartReceiver::decodeSampled(const WireLine& line,
+                                                        const Burst& burst) const
 {
     Nanos from = m_cursor;
-    while (m_awaitIdle && !line.high(from)) {
+    while (m_awaitIdle && !line.isHigh(from)) {
         const auto next = line.nextBoundary(from);
         if (!next)
             return std::nullopt;
@@ -76,32 +79,32 @@ std::optional<Heard> UartReceiver::sampled(const WireLine& line, const Burst& bu
     const auto start = findStartBit(line, from, burst.end());
     if (!start)
         return std::nullopt;
-    Heard heard;
-    heard.start = *start;
+    ReceivedByte received;
+    received.start = *start;
     for (int bit = 0; bit < 8; ++bit) {
-        if (line.high(*start + bits(bit + 1.5, m_bitNanos)))
-            heard.value = static_cast<std::uint8_t>(heard.value | (1U << bit));
+        if (line.isHigh(*start + bits(bit + 1.5, m_bitNanos)))
+            received.value = static_cast<std::uint8_t>(received.value | (1U << bit));
     }
-    heard.resume = *start + bits(stopBitBegins + 0.5, m_bitNanos);
-    heard.framed = line.high(heard.resume);
-    heard.end = *start + bits(bitsPerByte, m_bitNanos);
-    heard.burstEnd = std::max(heard.end, burst.end());
-    return heard;
+    received.resume = *start + bits(stopBitBegins + 0.5, m_bitNanos);
+    received.framed = line.isHigh(received.resume);
+    received.end = *start + bits(bitsPerByte, m_bitNanos);
+    received.burstEnd = std::max(received.end, burst.end());
+    return received;
 }
 
 std::optional<Nanos> UartReceiver::findStartBit(const WireLine& line, Nanos from, Nanos until) const
 {
     for (std::optional<Nanos> at = from; at && *at < until; at = line.nextBoundary(*at)) {
-        const bool glitch = line.high(*at + bits(0.5, m_bitNanos));
-        if (!line.high(*at) && !glitch)
+        const bool glitch = line.isHigh(*at + bits(0.5, m_bitNanos));
+        if (!line.isHigh(*at) && !glitch)
             return at;
     }
     return std::nullopt;
 }
 
-void UartReceiver::take(const Heard& heard)
+void UartReceiver::take(const ReceivedByte& received)
 {
-    m_cursor = heard.resume;
-    m_awaitIdle = !heard.framed;
+    m_cursor = received.resume;
+    m_awaitIdle = !received.framed;
 }
 } // namespace sim

@@ -7,9 +7,9 @@
 #include "sim/wire_line.h"
 
 namespace sim {
-enum class Listens : std::uint8_t { Host, Servos, All };
+enum class RxFilter : std::uint8_t { Host, Servos, All };
 
-struct Heard {
+struct ReceivedByte {
     std::uint8_t value = 0;
     Nanos start = 0;
     Nanos end = 0;
@@ -20,22 +20,22 @@ struct Heard {
 
 class UartReceiver {
 public:
-    UartReceiver(Listens whom, int baud, Nanos from);
+    UartReceiver(RxFilter filter, int baud, Nanos from);
 
     int baud() const { return m_baud; }
-    void listenTo(Listens whom) { m_whom = whom; }
+    void setFilter(RxFilter filter) { m_filter = filter; }
 
     /// The next byte on the wire as known so far; the caller takes it once its end has come.
-    std::optional<Heard> peek(const WireLine& line) const;
-    void take(const Heard& heard);
+    std::optional<ReceivedByte> peek(const WireLine& line) const;
+    void take(const ReceivedByte& received);
 
 private:
-    bool hears(const Burst& burst) const;
-    std::optional<Heard> exact(const WireLine& line, const Burst& burst) const;
-    std::optional<Heard> sampled(const WireLine& line, const Burst& burst) const;
+    bool accepts(const Burst& burst) const;
+    std::optional<ReceivedByte> decodeExact(const WireLine& line, const Burst& burst) const;
+    std::optional<ReceivedByte> decodeSampled(const WireLine& line, const Burst& burst) const;
     std::optional<Nanos> findStartBit(const WireLine& line, Nanos from, Nanos until) const;
 
-    Listens m_whom;
+    RxFilter m_filter;
     int m_baud;
     double m_bitNanos;
     Nanos m_cursor;

@@ -12,24 +12,24 @@ VirtualBus::~VirtualBus() = default;
 
 VirtualServo& VirtualBus::add(VirtualServo servo)
 {
-    auto& seat = m_state->seats.emplace_back(std::move(servo));
-    m_state->tuneEars(m_state->now);
-    return seat.servo;
+    auto& node = m_state->nodes.emplace_back(std::move(servo));
+    m_state->updateReceivers(m_state->now);
+    return node.servo;
 }
 
 std::vector<VirtualServo*> VirtualBus::servos()
 {
     std::vector<VirtualServo*> all;
-    for (Seat& seat : m_state->seats)
-        all.push_back(&seat.servo);
+    for (BusNode& node : m_state->nodes)
+        all.push_back(&node.servo);
     return all;
 }
 
 VirtualServo* VirtualBus::servo(int id)
 {
-    for (Seat& seat : m_state->seats) {
-        if (seat.servo.id() == id)
-            return &seat.servo;
+    for (BusNode& node : m_state->nodes) {
+        if (node.servo.id() == id)
+            return &node.servo;
     }
     return nullptr;
 }
@@ -38,17 +38,17 @@ void VirtualBus::hostWrites(base::ByteView bytes, int baud, base::Duration now)
 {
     State& s = *m_state;
     s.advance(toNanos(now));
-    s.tuneEars(s.now);
+    s.updateReceivers(s.now);
     std::size_t count = s.cut ? 0 : bytes.size();
     if (s.bytesUntilCut) {
         count = std::min(count, *s.bytesUntilCut);
         *s.bytesUntilCut -= count;
     }
     if (count > 0) {
-        const Nanos start = std::max(s.now, s.hostSpeaksUntil);
+        const Nanos start = std::max(s.now, s.hostSendsUntil);
         const auto sent = bytes.first(count);
-        s.hostSpeaksUntil =
-            s.line.speak(Burst(hostSpeaker, start, baud, {sent.begin(), sent.end()})).end();
+        s.hostSendsUntil =
+            s.line.transmit(Burst(hostSender, start, baud, {sent.begin(), sent.end()})).end();
     }
     if (s.bytesUntilCut == std::size_t{0}) {
         s.cut = true;
@@ -74,30 +74,30 @@ std::optional<base::Duration> VirtualBus::nextHostByte() const
     const State& s = *m_state;
     if (!s.toHost.empty())
         return toDuration(s.toHost.front().at);
-    const auto heard = s.hostReceiver.peek(s.line);
-    if (!heard || s.cut)
+    const auto received = s.hostReceiver.peek(s.line);
+    if (!received || s.cut)
         return std::nullopt;
-    return toDuration(heard->end + s.latency());
+    return toDuration(received->end + s.latency());
 }
 
 std::optional<base::Duration> VirtualBus::nextHostRun(base::Duration deadline)
 {
     State& s = *m_state;
     const Nanos limit = toNanos(deadline);
-    s.advance(std::min(limit, std::max(s.now, s.hostSpeaksUntil)));
+    s.advance(std::min(limit, std::max(s.now, s.hostSendsUntil)));
     // Until then more bytes may come that belong to the same frame, or a servo is busy writing.
-    for (const auto due : {s.silenceDue(), s.requestDue()}) {
-        if (due && *due <= limit && !s.replyUnderWay())
+    for (const auto due : {s.silenceEnd(), s.requestDue()}) {
+        if (due && *due <= limit && !s.isReplyPending())
             return toDuration(*due);
     }
     Nanos end = 0;
     if (!s.toHost.empty()) {
         end = s.toHost.front().runEnd;
     } else {
-        const auto heard = s.hostReceiver.peek(s.line);
-        if (!heard || s.cut)
+        const auto received = s.hostReceiver.peek(s.line);
+        if (!received || s.cut)
             return std::nullopt;
-        end = heard->burstEnd + s.latency();
+        end = received->burstEnd + s.latency();
     }
     const auto whole = toDuration(end);
     return whole <= deadline ? std::optional(whole) : std::nullopt;
@@ -105,7 +105,7 @@ std::optional<base::Duration> VirtualBus::nextHostRun(base::Duration deadline)
 
 void VirtualBus::setHostBaud(int baud)
 {
-    m_state->hostReceiver = UartReceiver(m_state->hostHears(), baud, m_state->now);
+    m_state->hostReceiver = UartReceiver(m_state->hostFilter(), baud, m_state->now);
 }
 
 int VirtualBus::hostBaud() const
@@ -116,17 +116,17 @@ int VirtualBus::hostBaud() const
 void VirtualBus::powerCycle()
 {
     State& s = *m_state;
-    for (Seat& seat : s.seats) {
-        if (!seat.plugged)
+    for (BusNode& node : s.nodes) {
+        if (!node.plugged)
             continue;
-        seat.servo.powerOff();
-        seat.servo.powerOn();
-        seat.speaksUntil = 0;
-        seat.forgetRequests();
+        node.servo.powerOff();
+        node.servo.powerOn();
+        node.sendsUntil = 0;
+        node.clearRequests();
     }
-    s.line.forgetServos();
-    s.ears.clear();
-    s.tuneEars(s.now);
+    s.line.removeServos();
+    s.receivers.clear();
+    s.updateReceivers(s.now);
 }
 
 void VirtualBus::cutLink()
@@ -135,7 +135,7 @@ void VirtualBus::cutLink()
     s.cut = true;
     s.toHost.clear();
     s.line.silenceHost(s.now);
-    s.hostSpeaksUntil = s.now;
+    s.hostSendsUntil = s.now;
 }
 
 void VirtualBus::restoreLink()
@@ -144,7 +144,7 @@ void VirtualBus::restoreLink()
     s.cut = false;
     s.bytesUntilCut.reset();
     s.toHost.clear();
-    s.hostReceiver = UartReceiver(s.hostHears(), s.hostReceiver.baud(), s.now);
+    s.hostReceiver = UartReceiver(s.hostFilter(), s.hostReceiver.baud(), s.now);
 }
 
 bool VirtualBus::linkCut() const

@@ -66,16 +66,16 @@ public:
     void powerCycle(); ///< all servos on the wire off and on again
 
     // --- plugs (virtual_bus_plugs.cpp): each servo is on the wire at first ---
-    bool plugged(std::size_t place) const; ///< places as in servos()
-    void plug(std::size_t place);          ///< with power; nothing if it is on the wire
-    void unplug(std::size_t place);        ///< in the middle of a word, if it must be
+    bool isPlugged(std::size_t nodeIndex) const; ///< places as in servos()
+    void plug(std::size_t nodeIndex);            ///< with power; nothing if it is on the wire
+    void unplug(std::size_t nodeIndex);          ///< in the middle of a word, if it must be
     void unplugAll();
     /// A bag of servos, to be plugged in one after the other: nobody is on the wire yet.
-    void makeBag();
-    bool isBag() const;
-    std::size_t inBag() const; ///< those that have not been on the wire
+    void makeHotplugQueue();
+    bool hasHotplugQueue() const;
+    std::size_t pendingServoCount() const; ///< those that have not been on the wire
     /// Whoever is on the wire comes off, the next of the bag goes on; nullopt: the bag is empty.
-    std::optional<std::size_t> plugNext();
+    std::optional<std::size_t> connectNext();
 
     void cutLink(); ///< from now on nothing passes and SimLink reports LinkLost
     void restoreLink();

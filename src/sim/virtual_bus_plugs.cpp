@@ -5,72 +5,72 @@
 #include <algorithm>
 
 namespace sim {
-bool VirtualBus::plugged(std::size_t place) const
+bool VirtualBus::isPlugged(std::size_t nodeIndex) const
 {
-    return m_state->seats.at(place).plugged;
+    return m_state->nodes.at(nodeIndex).plugged;
 }
 
-void VirtualBus::plug(std::size_t place)
+void VirtualBus::plug(std::size_t nodeIndex)
 {
     State& s = *m_state;
-    Seat& seat = s.seats.at(place);
-    if (seat.plugged)
+    BusNode& node = s.nodes.at(nodeIndex);
+    if (node.plugged)
         return;
-    seat.plugged = true;
-    seat.seen = true;
-    seat.speaksUntil = 0;
-    seat.servo.powerOn();
-    s.tuneEars(s.now);
+    node.plugged = true;
+    node.wasPlugged = true;
+    node.sendsUntil = 0;
+    node.servo.powerOn();
+    s.updateReceivers(s.now);
 }
 
-void VirtualBus::unplug(std::size_t place)
+void VirtualBus::unplug(std::size_t nodeIndex)
 {
     State& s = *m_state;
-    Seat& seat = s.seats.at(place);
-    if (!seat.plugged)
+    BusNode& node = s.nodes.at(nodeIndex);
+    if (!node.plugged)
         return;
-    seat.plugged = false;
-    seat.servo.powerOff();
-    seat.forgetRequests();
-    s.line.silence(static_cast<int>(place), s.now);
+    node.plugged = false;
+    node.servo.powerOff();
+    node.clearRequests();
+    s.line.silence(static_cast<int>(nodeIndex), s.now);
 }
 
 void VirtualBus::unplugAll()
 {
-    for (std::size_t place = 0; place < m_state->seats.size(); ++place)
-        unplug(place);
+    for (std::size_t nodeIndex = 0; nodeIndex < m_state->nodes.size(); ++nodeIndex)
+        unplug(nodeIndex);
 }
 
-void VirtualBus::makeBag()
+void VirtualBus::makeHotplugQueue()
 {
     unplugAll();
-    for (Seat& seat : m_state->seats)
-        seat.seen = false;
-    m_state->bag = true;
+    for (BusNode& node : m_state->nodes)
+        node.wasPlugged = false;
+    m_state->hotplugQueue = true;
 }
 
-bool VirtualBus::isBag() const
+bool VirtualBus::hasHotplugQueue() const
 {
-    return m_state->bag;
+    return m_state->hotplugQueue;
 }
 
-std::size_t VirtualBus::inBag() const
+std::size_t VirtualBus::pendingServoCount() const
 {
-    const auto& seats = m_state->seats;
-    return static_cast<std::size_t>(
-        std::count_if(seats.begin(), seats.end(), [](const Seat& seat) { return !seat.seen; }));
+    const auto& nodes = m_state->nodes;
+    return static_cast<std::size_t>(std::count_if(
+        nodes.begin(), nodes.end(), [](const BusNode& node) { return !node.wasPlugged; }));
 }
 
-std::optional<std::size_t> VirtualBus::plugNext()
+std::optional<std::size_t> VirtualBus::connectNext()
 {
     unplugAll();
-    const auto& seats = m_state->seats;
-    const auto next =
-        std::find_if(seats.begin(), seats.end(), [](const Seat& seat) { return !seat.seen; });
-    if (next == seats.end())
+    const auto& nodes = m_state->nodes;
+    const auto next = std::find_if(nodes.begin(), nodes.end(),
+                                   [](const BusNode& node) { return !node.wasPlugged; });
+    if (next == nodes.end())
         return std::nullopt;
-    const auto place = static_cast<std::size_t>(next - seats.begin());
-    plug(place);
-    return place;
+    const auto nodeIndex = static_cast<std::size_t>(next - nodes.begin());
+    plug(nodeIndex);
+    return nodeIndex;
 }
 } // namespace sim

@@ -15,182 +15,184 @@ constexpr Nanos syncReadGap = 85'000;
 /// Bytes that wait while a servo writes its EPROM; a packet that does not fit any more is lost. No
 /// source gives the size. Chosen: the longest packet of the vendor's SDK (250 bytes) fits, and
 /// every byte of the host counts, whichever servo it is for.
-constexpr std::size_t receiveBuffer = 256;
+constexpr std::size_t receiveBufferSize = 256;
 
-base::Bytes encode(base::Protocol protocol, const ServoAnswer& answer)
+base::Bytes encode(base::Protocol protocol, const ServoReply& reply)
 {
     switch (protocol) {
     case base::Protocol::Feetech:
-        return protocol::encodeFeetechStatus(answer.id, answer.status, answer.data);
+        return protocol::encodeFeetechStatus(reply.id, reply.status, reply.data);
     case base::Protocol::Modbus:
-        return protocol::encodeModbusReply(answer.id, answer.function, answer.data);
+        return protocol::encodeModbusReply(reply.id, reply.function, reply.data);
     case base::Protocol::Lx:
         break;
     }
-    return protocol::encodeLxReply(answer.id, answer.function, answer.data);
+    return protocol::encodeLxReply(reply.id, reply.function, reply.data);
 }
 
-bool isSyncRead(const HeardFrame& frame)
+bool isSyncRead(const ReceivedFrame& frame)
 {
     return frame.protocol == base::Protocol::Feetech &&
            frame.content.instruction == syncReadInstruction;
 }
 
 /// What the servo at this place of a SYNC READ's parameters is asked.
-ServoRequest listed(const HeardFrame& frame, std::size_t index)
+ServoRequest syncReadRequest(const ReceivedFrame& frame, std::size_t index)
 {
     return {true, frame.content.instruction, frame.content.params,
             static_cast<int>(index - syncReadHead)};
 }
 } // namespace
 
-void Seat::keep(const HeardFrame& frame)
+void BusNode::enqueue(const ReceivedFrame& frame)
 {
-    if (waitingBytes + frame.content.consumed > receiveBuffer)
+    if (queuedBytes + frame.content.consumed > receiveBufferSize)
         return;
-    waiting.push_back(frame);
-    waitingBytes += frame.content.consumed;
+    queue.push_back(frame);
+    queuedBytes += frame.content.consumed;
 }
 
-void Seat::forgetRequests()
+void BusNode::clearRequests()
 {
-    waiting.clear();
-    waitingBytes = 0;
-    writesUntil = 0;
+    queue.clear();
+    queuedBytes = 0;
+    writingUntil = 0;
 }
 
-bool VirtualBus::State::listens(std::size_t place, const HeardFrame& frame) const
+bool VirtualBus::State::listens(std::size_t nodeIndex, const ReceivedFrame& frame) const
 {
-    const Seat& seat = seats[place];
-    return seat.servo.profile().protocol == frame.protocol && seat.servo.baud() == frame.baud &&
-           !seat.servo.deaf() && seat.deafUntil < frame.start && quietBefore(place, frame);
+    const BusNode& node = nodes[nodeIndex];
+    return node.servo.profile().protocol == frame.protocol && node.servo.baud() == frame.baud &&
+           !node.servo.isDeaf() && node.deafUntil < frame.start && isSilentBefore(nodeIndex, frame);
 }
 
 // To a Modbus servo a request that follows another servo's reply too closely is part of that reply;
 // its own it does not hear.
-bool VirtualBus::State::quietBefore(std::size_t place, const HeardFrame& frame) const
+bool VirtualBus::State::isSilentBefore(std::size_t nodeIndex, const ReceivedFrame& frame) const
 {
     if (frame.protocol != base::Protocol::Modbus)
         return true;
     const Nanos from = frame.start - modbusSilence(frame.baud);
     return std::none_of(line.bursts().begin(), line.bursts().end(), [&](const Burst& burst) {
-        return burst.speaker != hostSpeaker && burst.speaker != static_cast<int>(place) &&
+        return burst.sender != hostSender && burst.sender != static_cast<int>(nodeIndex) &&
                burst.start < frame.start && burst.end() > from;
     });
 }
 
-void VirtualBus::State::obey(const HeardFrame& frame)
+void VirtualBus::State::dispatch(const ReceivedFrame& frame)
 {
-    stepServos(frame.end);
-    if (dice.losesRequest(config.faults))
+    advanceServos(frame.end);
+    if (faultInjector.dropsRequest(config.faults))
         return;
     if (isSyncRead(frame))
-        obeySyncRead(frame);
+        dispatchSyncRead(frame);
     else
-        obeyRequest(frame);
-    tuneEars(frame.end);
+        dispatchRequest(frame);
+    updateReceivers(frame.end);
 }
 
 // What it hears while it writes its EPROM waits until it has.
-bool VirtualBus::State::isFree(std::size_t place, const HeardFrame& frame)
+bool VirtualBus::State::canAccept(std::size_t nodeIndex, const ReceivedFrame& frame)
 {
-    if (!listens(place, frame))
+    if (!listens(nodeIndex, frame))
         return false;
-    Seat& seat = seats[place];
-    if (!seat.keepsWaiting(frame.end))
+    BusNode& node = nodes[nodeIndex];
+    if (!node.mustQueue(frame.end))
         return true;
-    seat.keep(frame);
+    node.enqueue(frame);
     return false;
 }
 
-void VirtualBus::State::obeyRequest(const HeardFrame& frame)
+void VirtualBus::State::dispatchRequest(const ReceivedFrame& frame)
 {
-    for (std::size_t place = 0; place < seats.size(); ++place) {
-        if (isFree(place, frame))
-            askOne(place, frame, frame.end);
+    for (std::size_t nodeIndex = 0; nodeIndex < nodes.size(); ++nodeIndex) {
+        if (canAccept(nodeIndex, frame))
+            deliverTo(nodeIndex, frame, frame.end);
     }
 }
 
-void VirtualBus::State::askOne(std::size_t place, const HeardFrame& frame, Nanos at)
+void VirtualBus::State::deliverTo(std::size_t nodeIndex, const ReceivedFrame& frame, Nanos at)
 {
     const bool toAll = frame.content.id == protocol::broadcastId;
     ServoRequest request;
     request.instruction = frame.content.instruction;
     request.params = frame.content.params;
-    const Hears hears = seats[place].servo.hears(frame.content.id, request.instruction);
-    request.broadcast = toAll || hears == Hears::Silently;
-    if (toAll || hears != Hears::No)
-        ask(place, request, at, std::nullopt);
+    const AddressMatch addressMatch =
+        nodes[nodeIndex].servo.addressMatch(frame.content.id, request.instruction);
+    request.broadcast = toAll || addressMatch == AddressMatch::Silently;
+    if (toAll || addressMatch != AddressMatch::No)
+        deliver(nodeIndex, request, at, std::nullopt);
 }
 
 // The earliest instant at which a servo has time for what waits in its receive buffer.
 std::optional<Nanos> VirtualBus::State::requestDue() const
 {
     std::optional<Nanos> first;
-    for (const Seat& seat : seats) {
-        if (!seat.waiting.empty() && (!first || seat.writesUntil < *first))
-            first = seat.writesUntil;
+    for (const BusNode& node : nodes) {
+        if (!node.queue.empty() && (!first || node.writingUntil < *first))
+            first = node.writingUntil;
     }
     return first;
 }
 
-void VirtualBus::State::obeyWaiting(Nanos at)
+void VirtualBus::State::dispatchQueued(Nanos at)
 {
-    stepServos(at);
-    for (std::size_t place = 0; place < seats.size(); ++place) {
-        Seat& seat = seats[place];
-        if (seat.waiting.empty() || seat.writesUntil > at)
+    advanceServos(at);
+    for (std::size_t nodeIndex = 0; nodeIndex < nodes.size(); ++nodeIndex) {
+        BusNode& node = nodes[nodeIndex];
+        if (node.queue.empty() || node.writingUntil > at)
             continue;
-        const HeardFrame frame = std::move(seat.waiting.front());
-        seat.waiting.pop_front();
-        seat.waitingBytes -= frame.content.consumed;
-        if (seat.servo.deaf())
-            seat.forgetRequests();
+        const ReceivedFrame frame = std::move(node.queue.front());
+        node.queue.pop_front();
+        node.queuedBytes -= frame.content.consumed;
+        if (node.servo.isDeaf())
+            node.clearRequests();
         else if (isSyncRead(frame))
-            askInList(place, frame, at);
+            deliverSyncRead(nodeIndex, frame, at);
         else
-            askOne(place, frame, at);
+            deliverTo(nodeIndex, frame, at);
     }
-    tuneEars(at);
+    updateReceivers(at);
 }
 
 // Each listed servo speaks after the one before it; where one is missing, its time passes unused,
 // and one that is writing its EPROM comes too late.
-void VirtualBus::State::obeySyncRead(const HeardFrame& frame)
+void VirtualBus::State::dispatchSyncRead(const ReceivedFrame& frame)
 {
     const base::Bytes& params = frame.content.params;
     if (params.size() <= syncReadHead)
         return;
     std::vector<std::size_t> free;
-    for (std::size_t place = 0; place < seats.size(); ++place) {
-        if (isFree(place, frame))
-            free.push_back(place);
+    for (std::size_t nodeIndex = 0; nodeIndex < nodes.size(); ++nodeIndex) {
+        if (canAccept(nodeIndex, frame))
+            free.push_back(nodeIndex);
     }
     const Burst silence(0, 0, frame.baud, base::Bytes(statusOverhead + params[1]));
-    Nanos turn = frame.end;
+    Nanos nextReplyAt = frame.end;
     for (std::size_t index = syncReadHead; index < params.size(); ++index) {
-        const ServoRequest request = listed(frame, index);
-        const bool leads = request.syncReadIndex == 0;
-        std::optional<Nanos> spokenUntil;
-        for (const std::size_t place : free) {
-            if (seats[place].servo.id() != params[index])
+        const ServoRequest request = syncReadRequest(frame, index);
+        const bool isFirst = request.syncReadIndex == 0;
+        std::optional<Nanos> busyUntil;
+        for (const std::size_t nodeIndex : free) {
+            if (nodes[nodeIndex].servo.id() != params[index])
                 continue;
-            const auto end = ask(place, request, frame.end,
-                                 leads ? std::nullopt : std::optional(turn + syncReadGap));
+            const auto end =
+                deliver(nodeIndex, request, frame.end,
+                        isFirst ? std::nullopt : std::optional(nextReplyAt + syncReadGap));
             if (end)
-                spokenUntil = std::max(spokenUntil.value_or(0), *end);
+                busyUntil = std::max(busyUntil.value_or(0), *end);
         }
-        turn = spokenUntil.value_or(turn + syncReadGap + silence.end());
+        nextReplyAt = busyUntil.value_or(nextReplyAt + syncReadGap + silence.end());
     }
 }
 
 // A SYNC READ that waited: its turn may be over.
-void VirtualBus::State::askInList(std::size_t place, const HeardFrame& frame, Nanos at)
+void VirtualBus::State::deliverSyncRead(std::size_t nodeIndex, const ReceivedFrame& frame, Nanos at)
 {
     const base::Bytes& params = frame.content.params;
     for (std::size_t index = syncReadHead; index < params.size(); ++index) {
-        if (seats[place].servo.id() == params[index]) {
-            ask(place, listed(frame, index), at, std::nullopt);
+        if (nodes[nodeIndex].servo.id() == params[index]) {
+            deliver(nodeIndex, syncReadRequest(frame, index), at, std::nullopt);
             return;
         }
     }
@@ -210,30 +212,31 @@ bool VirtualBus::State::isMute(const VirtualServo& servo, int id)
 
 // When the servo will have spoken; nullopt if it stays silent. `notBefore`: its turn in a SYNC
 // READ.
-std::optional<Nanos> VirtualBus::State::ask(std::size_t place, const ServoRequest& request,
-                                            Nanos at, std::optional<Nanos> notBefore)
+std::optional<Nanos> VirtualBus::State::deliver(std::size_t nodeIndex, const ServoRequest& request,
+                                                Nanos at, std::optional<Nanos> notBefore)
 {
-    Seat& seat = seats[place];
+    BusNode& node = nodes[nodeIndex];
     // The status packet of an ID or rate change still leaves the way the request came.
-    const int id = seat.servo.id();
-    const int baud = seat.servo.baud();
-    const Nanos delay = toNanos(seat.servo.replyDelay());
-    const auto answer = seat.servo.handle(request);
-    if (seat.servo.deaf())
-        seat.deafUntil = at;
-    const Nanos written = at + toNanos(seat.servo.writeTime());
-    seat.writesUntil = written;
-    if (!answer || cut || isMute(seat.servo, id))
+    const int id = node.servo.id();
+    const int baud = node.servo.baud();
+    const Nanos delay = toNanos(node.servo.replyDelay());
+    const auto reply = node.servo.handle(request);
+    if (node.servo.isDeaf())
+        node.deafUntil = at;
+    const Nanos written = at + toNanos(node.servo.writeTime());
+    node.writingUntil = written;
+    if (!reply || cut || isMute(node.servo, id))
         return std::nullopt;
-    auto frame = encode(seat.servo.profile().protocol, *answer);
-    const auto lateness = dice.spoil(frame, config.faults);
+    auto frame = encode(node.servo.profile().protocol, *reply);
+    const auto lateness = faultInjector.applyFaults(frame, config.faults);
     if (!lateness)
         return std::nullopt;
-    const Nanos ready = written + delay + toNanos(answer->wait);
+    const Nanos ready = written + delay + toNanos(reply->wait);
     const Nanos start =
-        std::max({ready, notBefore.value_or(0), seat.speaksUntil}) + toNanos(*lateness);
-    const Burst& spoken = line.speak(Burst(static_cast<int>(place), start, baud, std::move(frame)));
-    seat.speaksUntil = spoken.end();
-    return *lateness > base::Duration{} ? std::nullopt : std::optional(spoken.end());
+        std::max({ready, notBefore.value_or(0), node.sendsUntil}) + toNanos(*lateness);
+    const Burst& transmitted =
+        line.transmit(Burst(static_cast<int>(nodeIndex), start, baud, std::move(frame)));
+    node.sendsUntil = transmitted.end();
+    return *lateness > base::Duration{} ? std::nullopt : std::optional(transmitted.end());
 }
 } // namespace sim

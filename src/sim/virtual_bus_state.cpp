@@ -7,11 +7,11 @@ namespace sim {
 namespace {
 /// How long a byte begun within a burst may last beyond its end, or a silence after it, in bits of
 /// the slowest listener.
-constexpr double lingeringBits = 48;
+constexpr double retainedBits = 48;
 
-bool hasEarFor(const VirtualServo& servo, const ServoEar& ear)
+bool isHeardBy(const VirtualServo& servo, const RequestReceiver& receiver)
 {
-    return servo.baud() == ear.baud() && servo.profile().protocol == ear.protocol();
+    return servo.baud() == receiver.baud() && servo.profile().protocol == receiver.protocol();
 }
 
 } // namespace
@@ -22,9 +22,9 @@ void VirtualBus::State::begin(Nanos at)
     if (started)
         return;
     started = true;
-    now = steppedTo = hostSpeaksUntil = at;
-    hostReceiver = UartReceiver(hostHears(), hostReceiver.baud(), at);
-    tuneEars(at);
+    now = steppedTo = hostSendsUntil = at;
+    hostReceiver = UartReceiver(hostFilter(), hostReceiver.baud(), at);
+    updateReceivers(at);
 }
 
 void VirtualBus::State::advance(Nanos to)
@@ -33,59 +33,60 @@ void VirtualBus::State::advance(Nanos to)
     if (to <= now)
         return;
     for (;;) {
-        ServoEar::Event event;
-        ServoEar* ear = nextEar(to, event);
-        if (const auto due = requestDue(); due && *due <= (ear != nullptr ? event.at : to)) {
-            obeyWaiting(*due);
+        RequestReceiver::Event event;
+        RequestReceiver* receiver = nextReceiver(to, event);
+        if (const auto due = requestDue(); due && *due <= (receiver != nullptr ? event.at : to)) {
+            dispatchQueued(*due);
             continue;
         }
-        if (ear == nullptr)
+        if (receiver == nullptr)
             break;
-        if (const auto frame = ear->take(event))
-            obey(*frame);
+        if (const auto frame = receiver->take(event))
+            dispatch(*frame);
     }
     receiveForHost(to);
-    stepServos(to);
+    advanceServos(to);
     now = to;
-    forgetPast();
+    discardPast();
 }
 
-void VirtualBus::State::stepServos(Nanos to)
+void VirtualBus::State::advanceServos(Nanos to)
 {
     const Nanos dt = toNanos(config.dt);
     while (steppedTo + dt <= to) {
         steppedTo += dt;
-        for (Seat& seat : seats) {
-            seat.servo.step(config.dt);
-            if (seat.servo.deaf())
-                seat.deafUntil = steppedTo;
+        for (BusNode& node : nodes) {
+            node.servo.step(config.dt);
+            if (node.servo.isDeaf())
+                node.deafUntil = steppedTo;
         }
     }
 }
 
 // One ear for each rate and language that some servo listens in.
-void VirtualBus::State::tuneEars(Nanos at)
+void VirtualBus::State::updateReceivers(Nanos at)
 {
-    for (const Seat& seat : seats) {
-        const bool known = std::any_of(ears.begin(), ears.end(), [&seat](const ServoEar& ear) {
-            return hasEarFor(seat.servo, ear);
-        });
+    for (const BusNode& node : nodes) {
+        const bool known = std::any_of(
+            receivers.begin(), receivers.end(),
+            [&node](const RequestReceiver& receiver) { return isHeardBy(node.servo, receiver); });
         if (!known)
-            ears.emplace_back(seat.servo.profile().protocol, seat.servo.baud(), at);
+            receivers.emplace_back(node.servo.profile().protocol, node.servo.baud(), at);
     }
-    std::erase_if(ears, [this](const ServoEar& ear) {
-        return std::none_of(seats.begin(), seats.end(),
-                            [&ear](const Seat& seat) { return hasEarFor(seat.servo, ear); });
+    std::erase_if(receivers, [this](const RequestReceiver& receiver) {
+        return std::none_of(nodes.begin(), nodes.end(), [&receiver](const BusNode& node) {
+            return isHeardBy(node.servo, receiver);
+        });
     });
 }
 
-ServoEar* VirtualBus::State::nextEar(Nanos to, ServoEar::Event& event)
+RequestReceiver* VirtualBus::State::nextReceiver(Nanos to, RequestReceiver::Event& event)
 {
-    ServoEar* first = nullptr;
-    for (ServoEar& ear : ears) {
-        const auto next = ear.peek(line);
+    RequestReceiver* first = nullptr;
+    for (RequestReceiver& receiver : receivers) {
+        const auto next = receiver.peek(line);
         if (next && next->at <= to && (first == nullptr || next->at < event.at)) {
-            first = &ear;
+            first = &receiver;
             event = *next;
         }
     }
@@ -93,11 +94,11 @@ ServoEar* VirtualBus::State::nextEar(Nanos to, ServoEar::Event& event)
 }
 
 // The latest instant at which a silence may turn what has been heard so far into a request.
-std::optional<Nanos> VirtualBus::State::silenceDue() const
+std::optional<Nanos> VirtualBus::State::silenceEnd() const
 {
     std::optional<Nanos> latest;
-    for (const ServoEar& ear : ears) {
-        if (const auto due = ear.silenceDue(); due && (!latest || *due > *latest))
+    for (const RequestReceiver& receiver : receivers) {
+        if (const auto due = receiver.silenceEnd(); due && (!latest || *due > *latest))
             latest = due;
     }
     return latest;
@@ -105,25 +106,26 @@ std::optional<Nanos> VirtualBus::State::silenceDue() const
 
 void VirtualBus::State::receiveForHost(Nanos to)
 {
-    hostReceiver.listenTo(hostHears());
-    for (auto heard = hostReceiver.peek(line); heard && heard->end <= to;
-         heard = hostReceiver.peek(line)) {
-        hostReceiver.take(*heard);
+    hostReceiver.setFilter(hostFilter());
+    for (auto received = hostReceiver.peek(line); received && received->end <= to;
+         received = hostReceiver.peek(line)) {
+        hostReceiver.take(*received);
         if (!cut)
-            toHost.push_back({heard->end + latency(), heard->burstEnd + latency(), heard->value});
+            toHost.push_back(
+                {received->end + latency(), received->burstEnd + latency(), received->value});
     }
 }
 
-bool VirtualBus::State::replyUnderWay() const
+bool VirtualBus::State::isReplyPending() const
 {
     return !toHost.empty() || hostReceiver.peek(line).has_value();
 }
 
-void VirtualBus::State::forgetPast()
+void VirtualBus::State::discardPast()
 {
     int slowest = hostReceiver.baud();
-    for (const ServoEar& ear : ears)
-        slowest = std::min(slowest, ear.baud());
-    line.forgetBefore(now - static_cast<Nanos>(lingeringBits * 1e9 / slowest));
+    for (const RequestReceiver& receiver : receivers)
+        slowest = std::min(slowest, receiver.baud());
+    line.removeBefore(now - static_cast<Nanos>(retainedBits * 1e9 / slowest));
 }
 } // namespace sim

@@ -22,22 +22,22 @@ inline base::Duration toDuration(Nanos time)
 }
 
 /// A servo on its place on the bus.
-struct Seat {
-    explicit Seat(VirtualServo&& what)
+struct BusNode {
+    explicit BusNode(VirtualServo&& what)
         : servo(std::move(what))
     {}
     VirtualServo servo;
     bool plugged = true;
-    bool seen = true;     ///< has been on the wire
-    Nanos deafUntil = -1; ///< last instant at which it was seen deaf
-    Nanos speaksUntil = 0;
-    Nanos writesUntil = 0;          ///< its EPROM; requests wait until then
-    std::deque<HeardFrame> waiting; ///< in its receive buffer
-    std::size_t waitingBytes = 0;
+    bool wasPlugged = true; ///< has been on the wire
+    Nanos deafUntil = -1;   ///< last instant at which it was seen deaf
+    Nanos sendsUntil = 0;
+    Nanos writingUntil = 0;          ///< its EPROM; requests wait until then
+    std::deque<ReceivedFrame> queue; ///< in its receive buffer
+    std::size_t queuedBytes = 0;
 
-    bool keepsWaiting(Nanos at) const { return at < writesUntil || !waiting.empty(); }
-    void keep(const HeardFrame& frame);
-    void forgetRequests(); ///< with the power, or at a restart
+    bool mustQueue(Nanos at) const { return at < writingUntil || !queue.empty(); }
+    void enqueue(const ReceivedFrame& frame);
+    void clearRequests(); ///< with the power, or at a restart
 };
 
 struct HostByte {
@@ -49,48 +49,48 @@ struct HostByte {
 struct VirtualBus::State {
     explicit State(WireConfig wire)
         : config(std::move(wire))
-        , dice(config.seed)
-        , hostReceiver(Listens::Servos, 1'000'000, 0)
+        , faultInjector(config.seed)
+        , hostReceiver(RxFilter::Servos, 1'000'000, 0)
     {}
 
     WireConfig config;
-    FaultDice dice;
-    std::deque<Seat> seats;
+    FaultInjector faultInjector;
+    std::deque<BusNode> nodes;
     WireLine line;
-    std::vector<ServoEar> ears;
+    std::vector<RequestReceiver> receivers;
     UartReceiver hostReceiver;
     std::deque<HostByte> toHost;
     Nanos now = 0;
     Nanos steppedTo = 0;
-    Nanos hostSpeaksUntil = 0;
+    Nanos hostSendsUntil = 0;
     std::optional<std::size_t> bytesUntilCut;
-    bool bag = false;
+    bool hotplugQueue = false;
     bool started = false;
     bool cut = false;
 
     void begin(Nanos at);
     void advance(Nanos to);
-    void stepServos(Nanos to);
-    void tuneEars(Nanos at);
-    ServoEar* nextEar(Nanos to, ServoEar::Event& event);
-    std::optional<Nanos> silenceDue() const;
-    void obey(const HeardFrame& frame);
-    void obeyRequest(const HeardFrame& frame);
-    void obeySyncRead(const HeardFrame& frame);
-    bool isFree(std::size_t place, const HeardFrame& frame);
-    void askOne(std::size_t place, const HeardFrame& frame, Nanos at);
-    void askInList(std::size_t place, const HeardFrame& frame, Nanos at);
+    void advanceServos(Nanos to);
+    void updateReceivers(Nanos at);
+    RequestReceiver* nextReceiver(Nanos to, RequestReceiver::Event& event);
+    std::optional<Nanos> silenceEnd() const;
+    void dispatch(const ReceivedFrame& frame);
+    void dispatchRequest(const ReceivedFrame& frame);
+    void dispatchSyncRead(const ReceivedFrame& frame);
+    bool canAccept(std::size_t nodeIndex, const ReceivedFrame& frame);
+    void deliverTo(std::size_t nodeIndex, const ReceivedFrame& frame, Nanos at);
+    void deliverSyncRead(std::size_t nodeIndex, const ReceivedFrame& frame, Nanos at);
     std::optional<Nanos> requestDue() const;
-    void obeyWaiting(Nanos at);
-    std::optional<Nanos> ask(std::size_t place, const ServoRequest& request, Nanos at,
-                             std::optional<Nanos> notBefore);
+    void dispatchQueued(Nanos at);
+    std::optional<Nanos> deliver(std::size_t nodeIndex, const ServoRequest& request, Nanos at,
+                                 std::optional<Nanos> notBefore);
     bool isMute(const VirtualServo& servo, int id);
-    bool listens(std::size_t place, const HeardFrame& frame) const;
-    bool quietBefore(std::size_t place, const HeardFrame& frame) const;
+    bool listens(std::size_t nodeIndex, const ReceivedFrame& frame) const;
+    bool isSilentBefore(std::size_t nodeIndex, const ReceivedFrame& frame) const;
     void receiveForHost(Nanos to);
-    bool replyUnderWay() const;
-    void forgetPast();
+    bool isReplyPending() const;
+    void discardPast();
     Nanos latency() const { return toNanos(config.adapterLatency); }
-    Listens hostHears() const { return config.echo ? Listens::All : Listens::Servos; }
+    RxFilter hostFilter() const { return config.echo ? RxFilter::All : RxFilter::Servos; }
 };
 } // namespace sim

@@ -29,14 +29,14 @@ int VirtualServo::baud() const
     return m_state->baud;
 }
 
-Hears VirtualServo::hears(int id, std::uint8_t instruction) const
+AddressMatch VirtualServo::addressMatch(int id, std::uint8_t instruction) const
 {
-    return m_state->hears(id, instruction);
+    return m_state->addressMatch(id, instruction);
 }
 
-bool VirtualServo::deaf() const
+bool VirtualServo::isDeaf() const
 {
-    return !m_state->alive() || m_state->deafLeft.count() > 0;
+    return !m_state->isRunning() || m_state->deafLeft.count() > 0;
 }
 
 base::Duration VirtualServo::writeTime() const
@@ -49,7 +49,7 @@ base::Duration VirtualServo::replyDelay() const
     return m_state->replyDelay();
 }
 
-std::optional<ServoAnswer> VirtualServo::handle(const ServoRequest& request)
+std::optional<ServoReply> VirtualServo::handle(const ServoRequest& request)
 {
     return m_state->handle(request);
 }
@@ -101,9 +101,9 @@ std::int64_t VirtualServo::raw(const QString& key) const
     if (reg == nullptr) {
         return 0;
     }
-    m_state->publish();
-    const auto meaning = catalog::meaningOf(*reg, *m_state->profile,
-                                            [this](const QString& other) { return raw(other); });
+    m_state->updateFeedback();
+    const auto meaning = catalog::valueFormat(*reg, *m_state->profile,
+                                              [this](const QString& other) { return raw(other); });
     return catalog::decodeRaw(m_state->memory.view(reg->offset, reg->size), *reg, meaning,
                               m_state->profile->byteOrder);
 }
@@ -114,7 +114,7 @@ void VirtualServo::poke(const QString& key, std::int64_t raw)
     if (reg == nullptr) {
         return;
     }
-    const auto meaning = catalog::meaningOf(
+    const auto meaning = catalog::valueFormat(
         *reg, *m_state->profile, [this](const QString& other) { return this->raw(other); });
     m_state->write(reg->offset,
                    catalog::encodeRaw(raw, *reg, meaning, m_state->profile->byteOrder));
@@ -135,9 +135,9 @@ Load& VirtualServo::load()
     return m_state->config.load;
 }
 
-Surroundings& VirtualServo::surroundings()
+Environment& VirtualServo::environment()
 {
-    return m_state->config.surroundings;
+    return m_state->config.environment;
 }
 
 Defects& VirtualServo::defects()

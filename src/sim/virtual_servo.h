@@ -22,15 +22,15 @@ struct Load {
     double viscousFriction = 0.0;  ///< N·m·s/rad, of the load
     double coulombFriction = 0.0;  ///< N·m, of the load
     double gravityTorque = 0.0;    ///< N·m at 90° from hanging down, which is mid-range
-    double springRate = 0.0;       ///< N·m/rad around springCentre
-    double springCentre = 0.0;     ///< rad
+    double springRate = 0.0;       ///< N·m/rad around springCenter
+    double springCenter = 0.0;     ///< rad
     std::optional<double> stopLow; ///< rad, hard stops
     std::optional<double> stopHigh;
     bool operator==(const Load&) const = default;
 };
 
 /// Electrical and thermal surroundings.
-struct Surroundings {
+struct Environment {
     double supplyVolts = 7.4;
     double supplyOhms = 0.05;
     double ambientCelsius = 25.0;
@@ -63,7 +63,7 @@ struct ServoConfig {
     std::optional<int> baud; ///< the model's factory rate if not given
     std::optional<int> returnDelayRaw;
     Load load;
-    Surroundings surroundings;
+    Environment environment;
     base::Duration epromTime = std::chrono::milliseconds(6); ///< to write its EPROM
     base::Duration rebootTime = std::chrono::milliseconds(820);
     Defects defects; ///< none
@@ -83,7 +83,7 @@ struct ServoRequest {
     int syncReadIndex = -1; ///< place in a SYNC READ list, -1 otherwise
 };
 
-struct ServoAnswer {
+struct ServoReply {
     int id = 0;              ///< the ID in the reply
     std::uint8_t status = 0; ///< Feetech: error byte
     base::Bytes data;
@@ -91,7 +91,7 @@ struct ServoAnswer {
     base::Duration wait{};     ///< beyond the reply delay
 };
 
-enum class Hears : std::uint8_t {
+enum class AddressMatch : std::uint8_t {
     No,
     Silently, ///< obeys, but never answers
     Yes,
@@ -108,15 +108,15 @@ public:
     int id() const;   ///< it listens to, now
     int baud() const; ///< it listens at, now
     /// Whether a request to this ID is meant for it: HLS servos obey a second ID for some.
-    Hears hears(int id, std::uint8_t instruction) const;
-    bool deaf() const; ///< off, rebooting, or writing its EPROM if that makes it deaf
+    AddressMatch addressMatch(int id, std::uint8_t instruction) const;
+    bool isDeaf() const; ///< off, rebooting, or writing its EPROM if that makes it deaf
     /// How long the latest request keeps it from the next one, because it writes its EPROM.
     base::Duration writeTime() const;
     base::Duration replyDelay() const;
 
     /// Carries the request out at the servo's present time; nullopt: it stays silent. The answer
     /// leaves after replyDelay() at the rate the request came at, even if the request changed it.
-    std::optional<ServoAnswer> handle(const ServoRequest& request);
+    std::optional<ServoReply> handle(const ServoRequest& request);
 
     /// Mechanics, protections and timers. dt up to a few ms; 1 ms is usual.
     void step(base::Duration dt);
@@ -136,7 +136,7 @@ public:
     double shaftDegrees() const; ///< true output angle, unbounded, clockwise positive
     bool ledOn() const;
     Load& load();
-    Surroundings& surroundings();
+    Environment& environment();
     Defects& defects();                   ///< acts from the next millisecond on
     FirmwareBehavior& behavior();         ///< acts from the next request on
     void injectStatus(std::uint8_t bits); ///< error bits as of a sensor fault, until power-off

@@ -5,8 +5,8 @@
 #include <cmath>
 
 namespace sim {
-Burst::Burst(int who, Nanos at, int rate, base::Bytes what)
-    : speaker(who)
+Burst::Burst(int identity, Nanos at, int rate, base::Bytes what)
+    : sender(identity)
     , start(at)
     , baud(rate)
     , bitNanos(1e9 / rate)
@@ -20,7 +20,7 @@ Nanos Burst::byteStart(std::size_t index) const
     return start + std::llround(static_cast<double>(index * bitsPerByte) * bitNanos);
 }
 
-bool Burst::high(Nanos at) const
+bool Burst::isHigh(Nanos at) const
 {
     if (at < start || at >= m_end)
         return true;
@@ -53,7 +53,7 @@ void Burst::truncate(std::size_t count)
     m_end = byteStart(bytes.size());
 }
 
-const Burst& WireLine::speak(Burst burst)
+const Burst& WireLine::transmit(Burst burst)
 {
     const auto place =
         std::upper_bound(m_bursts.begin(), m_bursts.end(), burst.start,
@@ -61,10 +61,10 @@ const Burst& WireLine::speak(Burst burst)
     return *m_bursts.insert(place, std::move(burst));
 }
 
-bool WireLine::high(Nanos at) const
+bool WireLine::isHigh(Nanos at) const
 {
     return std::all_of(m_bursts.begin(), m_bursts.end(),
-                       [at](const Burst& burst) { return burst.high(at); });
+                       [at](const Burst& burst) { return burst.isHigh(at); });
 }
 
 std::optional<Nanos> WireLine::nextBoundary(Nanos at) const
@@ -80,27 +80,27 @@ std::optional<Nanos> WireLine::nextBoundary(Nanos at) const
     return next;
 }
 
-bool WireLine::undisturbed(const Burst& burst, Nanos from, Nanos to) const
+bool WireLine::isUndisturbed(const Burst& burst, Nanos from, Nanos to) const
 {
     return std::none_of(m_bursts.begin(), m_bursts.end(), [&](const Burst& other) {
         return &other != &burst && other.start < to && other.end() > from;
     });
 }
 
-void WireLine::forgetBefore(Nanos at)
+void WireLine::removeBefore(Nanos at)
 {
     std::erase_if(m_bursts, [at](const Burst& burst) { return burst.end() < at; });
 }
 
-void WireLine::forgetServos()
+void WireLine::removeServos()
 {
-    std::erase_if(m_bursts, [](const Burst& burst) { return burst.speaker != hostSpeaker; });
+    std::erase_if(m_bursts, [](const Burst& burst) { return burst.sender != hostSender; });
 }
 
-void WireLine::silence(int speaker, Nanos at)
+void WireLine::silence(int sender, Nanos at)
 {
     for (Burst& burst : m_bursts) {
-        if (burst.speaker != speaker || burst.end() <= at)
+        if (burst.sender != sender || burst.end() <= at)
             continue;
         std::size_t sent = 0;
         while (sent < burst.bytes.size() && burst.byteStart(sent) < at)

@@ -13,12 +13,12 @@
 namespace sim {
 using Nanos = std::int64_t;
 
-constexpr int hostSpeaker = -1;
+constexpr int hostSender = -1;
 constexpr int bitsPerByte = 10;
 
 /// Bytes that one speaker sends without a pause.
 struct Burst {
-    int speaker = hostSpeaker; ///< hostSpeaker or a servo's place on the bus
+    int sender = hostSender; ///< hostSender or a servo's place on the bus
     Nanos start = 0;
     int baud = 0;
     double bitNanos = 0;
@@ -26,12 +26,12 @@ struct Burst {
 
     Nanos byteStart(std::size_t index) const;
     Nanos end() const { return m_end; }
-    bool high(Nanos at) const;
+    bool isHigh(Nanos at) const;
     /// The first bit boundary after `at`; `at` lies before end().
     Nanos nextBoundary(Nanos at) const;
     void truncate(std::size_t count);
 
-    Burst(int who, Nanos at, int rate, base::Bytes what);
+    Burst(int identity, Nanos at, int rate, base::Bytes what);
 
 private:
     Nanos m_end = 0;
@@ -39,21 +39,21 @@ private:
 
 class WireLine {
 public:
-    const Burst& speak(Burst burst);
+    const Burst& transmit(Burst burst);
     const std::vector<Burst>& bursts() const { return m_bursts; } ///< by start
 
-    bool high(Nanos at) const;
+    bool isHigh(Nanos at) const;
     /// The next instant after `at` at which the level may change; nullopt: silence from then on.
     std::optional<Nanos> nextBoundary(Nanos at) const;
     /// True when nobody but the speaker of `burst` drives the line in [from, to).
-    bool undisturbed(const Burst& burst, Nanos from, Nanos to) const;
+    bool isUndisturbed(const Burst& burst, Nanos from, Nanos to) const;
 
-    void forgetBefore(Nanos at);
-    void forgetServos();
+    void removeBefore(Nanos at);
+    void removeServos();
     /// One that has left the line at `at`: what it had not begun to send by then never comes.
-    void silence(int speaker, Nanos at);
-    void forgetAll() { m_bursts.clear(); }
-    void silenceHost(Nanos at) { silence(hostSpeaker, at); }
+    void silence(int sender, Nanos at);
+    void removeAll() { m_bursts.clear(); }
+    void silenceHost(Nanos at) { silence(hostSender, at); }
 
 private:
     std::vector<Burst> m_bursts;

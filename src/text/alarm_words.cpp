@@ -75,7 +75,7 @@ const AlarmEntry* alarmFor(const QString& key)
 }
 } // namespace
 
-QString alarmWord(const QString& key)
+QString alarmLabel(const QString& key)
 {
     const AlarmEntry* entry = alarmFor(key);
     return entry != nullptr ? translate("text", entry->word) : key;
@@ -87,7 +87,7 @@ QString alarmCause(const QString& key)
     return entry != nullptr ? translate("text", entry->cause) : QString();
 }
 
-QString releaseWords(const QString& release)
+QString releaseText(const QString& release)
 {
     for (const ReleaseEntry& entry : releases) {
         if (release == QLatin1String(entry.name))

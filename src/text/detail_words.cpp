@@ -42,28 +42,28 @@ constexpr std::array tokens{
 };
 
 /// Writing these is more than a write; the detail names the command that does it.
-struct Manoeuvre {
+struct Procedure {
     const char* token;
     const char* remedy;
 };
 
-constexpr std::array manoeuvres{
-    Manoeuvre{"set-id", QT_TRANSLATE_NOOP("text", "Change the ID with set-id.")},
-    Manoeuvre{"set-baud", QT_TRANSLATE_NOOP("text", "Change the baud rate with set-baud.")},
-    Manoeuvre{"center", QT_TRANSLATE_NOOP("text", "Set the middle with center.")},
-    Manoeuvre{"torque", QT_TRANSLATE_NOOP("text", "Switch torque with torque; it then holds where "
+constexpr std::array procedures{
+    Procedure{"set-id", QT_TRANSLATE_NOOP("text", "Change the ID with set-id.")},
+    Procedure{"set-baud", QT_TRANSLATE_NOOP("text", "Change the baud rate with set-baud.")},
+    Procedure{"center", QT_TRANSLATE_NOOP("text", "Set the middle with center.")},
+    Procedure{"torque", QT_TRANSLATE_NOOP("text", "Switch torque with torque; it then holds where "
                                                   "the servo is.")},
-    Manoeuvre{"unlock", QT_TRANSLATE_NOOP("text", "The lock is opened and closed around each write "
+    Procedure{"unlock", QT_TRANSLATE_NOOP("text", "The lock is opened and closed around each write "
                                                   "by itself; there is nothing to do.")},
 };
 
-const char* manoeuvreRemedy(const base::Error& error)
+const char* procedureRemedy(const base::Error& error)
 {
     if (error.code != ErrorCode::NotSupported || error.operation != QLatin1String("write"))
         return nullptr;
-    for (const Manoeuvre& manoeuvre : manoeuvres) {
-        if (error.detail == QLatin1String(manoeuvre.token))
-            return manoeuvre.remedy;
+    for (const Procedure& procedure : procedures) {
+        if (error.detail == QLatin1String(procedure.token))
+            return procedure.remedy;
     }
     return nullptr;
 }
@@ -85,7 +85,7 @@ QString notSupported(const base::Error& error)
 {
     if (!insteadWrite(error).isEmpty())
         return translate("text", "it has no command for this");
-    if (manoeuvreRemedy(error) != nullptr)
+    if (procedureRemedy(error) != nullptr)
         return translate("text", "this register is not simply written");
     if (isMoveTime(error))
         return translate("text", "this servo has no travel time in its present mode");
@@ -96,7 +96,7 @@ QString notSupported(const base::Error& error)
 QString repliedInstead(const base::Error& error)
 {
     static const QString prefix = QStringLiteral("from ");
-    const bool foreign = error.code == ErrorCode::NoAnswer && error.detail.startsWith(prefix);
+    const bool foreign = error.code == ErrorCode::NoReply && error.detail.startsWith(prefix);
     return foreign ? error.detail.mid(prefix.size()) : QString();
 }
 
@@ -142,7 +142,7 @@ QString changedSinceCase(const base::Error& error)
 const QLatin1StringView brailleMark(", brltty");
 
 /// The port is missing because the braille service has taken the adapter.
-bool takenByBraille(const base::Error& error)
+bool adaptersClaimedByBrltty(const base::Error& error)
 {
     return error.code == ErrorCode::PortMissing && error.detail.endsWith(brailleMark);
 }
@@ -157,7 +157,7 @@ QString refused(const base::Error& error)
 }
 } // namespace
 
-QString detailWords(const QString& detail)
+QString detailText(const QString& detail)
 {
     for (const Token& token : tokens) {
         if (detail == QLatin1String(token.token))
@@ -168,27 +168,27 @@ QString detailWords(const QString& detail)
 
 QString specialCase(const base::Error& error)
 {
-    if (const RefusalWords* words = serverWords(error)) {
-        const QString what = translate("text", words->what);
-        const QString saying = serverSaying(error);
+    if (const RefusalText* words = serverText(error)) {
+        const QString what = translate("text", words->message);
+        const QString saying = serverMessage(error);
         return saying.isEmpty()
                    ? what
                    : translate("text", "%1 (%2)", "sentence, technical detail").arg(what, saying);
     }
-    if (const RefusalWords* words = refusalWords(error)) {
+    if (const RefusalText* words = refusalText(error)) {
         const QString held = heldByStop(error) + heldGoals(error);
-        const QString what = translate("text", words->what);
+        const QString what = translate("text", words->message);
         return held.isEmpty() ? what
                               : translate("text", "%1 (servos %2)", "what, IDs").arg(what, held);
     }
-    if (const QString bar = writeBarCase(error); !bar.isEmpty())
+    if (const QString bar = writeRefusedMessage(error); !bar.isEmpty())
         return bar;
     if (const QString other = repliedInstead(error); !other.isEmpty())
         return translate("text", "no answer under this ID, but ID %1 replied").arg(other);
     if (const QString changed = changedSinceCase(error); !changed.isEmpty())
         return changed;
     switch (error.code) {
-    case ErrorCode::IdentityDiffers:
+    case ErrorCode::IdentityMismatch:
         return error.detail.isEmpty()
                    ? QString()
                    : translate("text", "another servo answers under this ID: %1").arg(error.detail);
@@ -203,7 +203,7 @@ QString specialCase(const base::Error& error)
     case ErrorCode::Refused:
         return refused(error);
     case ErrorCode::PortMissing:
-        return takenByBraille(error)
+        return adaptersClaimedByBrltty(error)
                    ? translate("text", "the braille service (brltty) has taken the adapter (%1)")
                          .arg(error.detail.chopped(brailleMark.size()))
                    : QString();
@@ -221,9 +221,9 @@ QString specialCase(const base::Error& error)
 
 QString specialCause(const base::Error& error)
 {
-    if (const RefusalWords* words = refusalWords(error))
+    if (const RefusalText* words = refusalText(error))
         return translate("text", words->cause);
-    if (const QString bar = writeBarCause(error); !bar.isEmpty())
+    if (const QString bar = writeRefusedCause(error); !bar.isEmpty())
         return bar;
     if (standsOutside(error))
         return translate("text", "Holding it where it is would mean a goal beyond its limits.");
@@ -233,19 +233,19 @@ QString specialCause(const base::Error& error)
     if (!changedSince(error).isEmpty())
         return translate("text", "Another program has changed the value since, or the servo was "
                                  "exchanged for one of its kind.");
-    if (takenByBraille(error))
+    if (adaptersClaimedByBrltty(error))
         return translate("text", "It takes adapters with this chip for braille displays, and their "
                                  "port vanishes.");
-    if (manoeuvreRemedy(error) != nullptr)
+    if (procedureRemedy(error) != nullptr)
         return translate("text", "Changing it safely takes more than writing one register.");
     return {};
 }
 
 QString specialRemedy(const base::Error& error)
 {
-    if (const RefusalWords* words = refusalWords(error))
+    if (const RefusalText* words = refusalText(error))
         return translate("text", words->remedy);
-    if (const QString bar = writeBarRemedy(error); !bar.isEmpty())
+    if (const QString bar = writeRefusedRemedy(error); !bar.isEmpty())
         return bar;
     if (standsOutside(error))
         return translate("text", "Turn it by hand into its range, or move it to a goal inside.");
@@ -256,12 +256,12 @@ QString specialRemedy(const base::Error& error)
         return translate("text", "Edit the value in the table if you want %1; this step is no "
                                  "longer offered.")
             .arg(values[2]);
-    if (takenByBraille(error))
+    if (adaptersClaimedByBrltty(error))
         return translate("text", "If nobody here reads braille, run \"sudo apt remove brltty\", "
                                  "then plug the adapter in again.");
     if (const QString key = insteadWrite(error); !key.isEmpty())
         return translate("text", "Write the register %1 instead.").arg(key);
-    if (const char* remedy = manoeuvreRemedy(error))
+    if (const char* remedy = procedureRemedy(error))
         return translate("text", remedy);
     if (error.code == ErrorCode::NotSupported && isMoveTime(error))
         return translate("text", "Give a speed instead of a time.");

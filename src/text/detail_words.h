@@ -8,7 +8,7 @@
 
 namespace text {
 /// A known token in words; anything else as it is.
-QString detailWords(const QString& detail);
+QString detailText(const QString& detail);
 
 /// A sentence that replaces the general one, or empty.
 QString specialCase(const base::Error& error);

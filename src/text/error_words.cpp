@@ -52,7 +52,7 @@ constexpr std::array portEntries{
 };
 
 constexpr std::array wireEntries{
-    Entry{ErrorCode::NoAnswer, QT_TRANSLATE_NOOP("text", "no answer"),
+    Entry{ErrorCode::NoReply, QT_TRANSLATE_NOOP("text", "no answer"),
           QT_TRANSLATE_NOOP("text",
                             "No supply at the servo, a loose lead, another ID, another baud "
                             "rate, or another protocol."),
@@ -64,7 +64,7 @@ constexpr std::array wireEntries{
                                     "or no common ground."),
           QT_TRANSLATE_NOOP("text", "Connect this servo alone, check the ground lead, and search "
                                     "all baud rates.")},
-    Entry{ErrorCode::WrongAnswer,
+    Entry{ErrorCode::UnexpectedReply,
           QT_TRANSLATE_NOOP("text", "the answer does not belong to the question"),
           QT_TRANSLATE_NOOP("text", "A second program or master on the bus, or two servos with one "
                                     "ID."),
@@ -150,14 +150,14 @@ constexpr std::array servoEntries{
                                     "could do damage."),
           QT_TRANSLATE_NOOP("text", "Read its feedback only, or add a model file for it.")},
     Entry{
-        ErrorCode::FamilyUnclear, QT_TRANSLATE_NOOP("text", "its family is unclear"),
+        ErrorCode::FamilyConflict, QT_TRANSLATE_NOOP("text", "its family is unclear"),
         QT_TRANSLATE_NOOP("text", "A variant that the model list does not know, or a damaged "
                                   "identity. These facts choose the memory table; with the wrong "
                                   "table a write changes another register, so nothing is written."),
         QT_TRANSLATE_NOOP("text", "Connect this servo alone and read it again. If the values stay "
                                   "the same, check the label on the servo, then add a model file "
                                   "that lists this model number with its real family.")},
-    Entry{ErrorCode::SeveralServos, QT_TRANSLATE_NOOP("text", "two servos answer under this ID"),
+    Entry{ErrorCode::DuplicateId, QT_TRANSLATE_NOOP("text", "two servos answer under this ID"),
           QT_TRANSLATE_NOOP("text", "Two servos with the same ID are connected. A write would "
                                     "change both, and only one of the old values would be "
                                     "recorded."),
@@ -165,7 +165,7 @@ constexpr std::array servoEntries{
                                     "servo is connected, check leads and ground, then try again: "
                                     "every attempt looks afresh. Switching torque off still "
                                     "reaches both.")},
-    Entry{ErrorCode::IdentityDiffers,
+    Entry{ErrorCode::IdentityMismatch,
           QT_TRANSLATE_NOOP("text", "another servo answers under this ID"),
           QT_TRANSLATE_NOOP("text", "The servo was exchanged since, or its ID was changed."),
           QT_TRANSLATE_NOOP("text", "Connect the servo that is meant, then try again.")},
@@ -175,7 +175,7 @@ constexpr std::array servoEntries{
                                     "one reports a single turn only."),
           QT_TRANSLATE_NOOP("text", "Move it to a known position with a goal of your own, or "
                                     "reference the axis first.")},
-    Entry{ErrorCode::SeveralProtocols,
+    Entry{ErrorCode::AmbiguousProtocol,
           QT_TRANSLATE_NOOP("text", "this ID answers in more than one protocol"),
           QT_TRANSLATE_NOOP("text", "Servos of different makes share the line and the ID."),
           QT_TRANSLATE_NOOP("text", "Say which is meant with --protocol, or give one of them "
@@ -221,20 +221,20 @@ const Entry* entryFor(ErrorCode code)
     return found;
 }
 
-QString capitalised(QString sentence)
+QString capitalized(QString sentence)
 {
     if (!sentence.isEmpty())
         sentence[0] = sentence[0].toUpper();
     return sentence;
 }
 
-QString whatHappened(const base::Error& error, const Entry& entry)
+QString messageFor(const base::Error& error, const Entry& entry)
 {
     const QString own = specialCase(error);
     QString sentence = own.isEmpty() ? translate("text", entry.what) : own;
     if (own.isEmpty() && !error.detail.isEmpty() && error.detail != error.registerKey)
         sentence = translate("text", "%1 (%2)", "sentence, technical detail")
-                       .arg(sentence, detailWords(error.detail));
+                       .arg(sentence, detailText(error.detail));
     const QString who = subject(error);
     if (!who.isEmpty())
         sentence = translate("text", "%1: %2", "subject: sentence").arg(who, sentence);
@@ -242,8 +242,8 @@ QString whatHappened(const base::Error& error, const Entry& entry)
         sentence += translate("text", ", tried %1 times").arg(error.attempts);
     // A question ("did you mean …?") ends itself.
     return sentence.endsWith(u'?') || sentence.endsWith(u'？')
-               ? capitalised(sentence)
-               : translate("text", "%1.", "full stop").arg(capitalised(sentence));
+               ? capitalized(sentence)
+               : translate("text", "%1.", "full stop").arg(capitalized(sentence));
 }
 
 /// A CH340 adapter that vanishes the moment it is plugged in has been taken by brltty.
@@ -271,11 +271,12 @@ Description describe(const base::Error& error)
 {
     const Entry* entry = entryFor(error.code);
     Description words;
-    words.what = whatHappened(error, *entry);
+    words.message = messageFor(error, *entry);
     if (error.operation == QLatin1String("torque-off-sent"))
-        words.what = translate("text", "%1 Torque off was sent all the same; nothing proves that "
-                                       "it took effect.")
-                         .arg(words.what);
+        words.message =
+            translate("text", "%1 Torque off was sent all the same; nothing proves that "
+                              "it took effect.")
+                .arg(words.message);
     words.cause = translate("text", entry->cause);
     words.remedy = translate("text", entry->remedy);
     if (error.code == ErrorCode::PortPermission)

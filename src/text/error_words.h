@@ -8,9 +8,9 @@
 
 namespace text {
 struct Description {
-    QString what;   ///< one sentence, never empty
-    QString cause;  ///< likely cause; empty where `what` says it all
-    QString remedy; ///< what to do, never empty
+    QString message; ///< one sentence, never empty
+    QString cause;   ///< likely cause; empty where `what` says it all
+    QString remedy;  ///< what to do, never empty
 };
 
 Description describe(const base::Error& error);

@@ -66,29 +66,29 @@ QString severalServos(const QString& detail)
 }
 } // namespace
 
-QString writeBarCase(const base::Error& error)
+QString writeRefusedMessage(const base::Error& error)
 {
-    if (error.code == ErrorCode::SeveralServos)
+    if (error.code == ErrorCode::DuplicateId)
         return severalServos(error.detail);
-    const auto facts = error.code == ErrorCode::FamilyUnclear
+    const auto facts = error.code == ErrorCode::FamilyConflict
                            ? FamilyFacts::fromDetail(error.detail)
                            : std::nullopt;
     return facts ? unclearFamily(*facts) : QString();
 }
 
-QString writeBarCause(const base::Error& error)
+QString writeRefusedCause(const base::Error& error)
 {
     const bool broken = error.detail.startsWith(QLatin1String("broken"));
-    if (error.code != ErrorCode::SeveralServos || !broken)
+    if (error.code != ErrorCode::DuplicateId || !broken)
         return {};
     return translate("text", "Their replies collide and garble each other; a disturbed line can "
                              "look the same. A write would change both, and only one of the old "
                              "values would be recorded.");
 }
 
-QString writeBarRemedy(const base::Error& error)
+QString writeRefusedRemedy(const base::Error& error)
 {
-    const auto facts = error.code == ErrorCode::FamilyUnclear
+    const auto facts = error.code == ErrorCode::FamilyConflict
                            ? FamilyFacts::fromDetail(error.detail)
                            : std::nullopt;
     if (!facts || facts->lockAddress < 0)

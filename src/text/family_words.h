@@ -7,7 +7,7 @@
 
 namespace text {
 /// Empty for every other error.
-QString writeBarCase(const base::Error& error);
-QString writeBarCause(const base::Error& error);
-QString writeBarRemedy(const base::Error& error);
+QString writeRefusedMessage(const base::Error& error);
+QString writeRefusedCause(const base::Error& error);
+QString writeRefusedRemedy(const base::Error& error);
 } // namespace text

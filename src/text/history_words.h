@@ -7,5 +7,5 @@
 
 namespace text {
 /// Null: this error is not about the history, or its code says all.
-const RefusalWords* historyWords(const base::Error& error);
+const RefusalText* historyText(const base::Error& error);
 } // namespace text

@@ -62,7 +62,7 @@ QString installTranslator(const QString& language)
     return chosen;
 }
 
-bool inChinese()
+bool isUiChinese()
 {
     return installed() != nullptr;
 }

@@ -16,5 +16,5 @@ QString systemLanguage();
 QString installTranslator(const QString& language);
 
 /// True while the interface is Chinese: for catalog::Text::in.
-bool inChinese();
+bool isUiChinese();
 } // namespace text

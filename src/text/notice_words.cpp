@@ -36,47 +36,47 @@ constexpr std::array entries{
                       "Use %recover when the servo answers again.")},
     Entry{NoticeCode::CommandZeroed, "command-zeroed",
           QT_TRANSLATE_NOOP("text", "%3 was set to 0, so that nothing moves in the new mode.")},
-    Entry{NoticeCode::LimitsKept, "limits-kept",
+    Entry{NoticeCode::LimitsSaved, "limits-kept",
           QT_TRANSLATE_NOOP("text", "The angle limits %1 … %2 are kept for the way back.")},
     Entry{NoticeCode::LimitsRestored, "limits-restored",
           QT_TRANSLATE_NOOP("text", "The angle limits %1 … %2 are back.")},
-    Entry{NoticeCode::LimitsDefaulted, "limits-defaulted",
+    Entry{NoticeCode::LimitsSetToDefault, "limits-defaulted",
           QT_TRANSLATE_NOOP("text", "No earlier angle limits are known; %1 … %2 were set.")},
     Entry{NoticeCode::SpeedRestored, "speed-restored",
           QT_TRANSLATE_NOOP("text", "The position speed %1 (%3) is back.")},
-    Entry{NoticeCode::SpeedZeroForTime, "speed-zero-for-time",
+    Entry{NoticeCode::SpeedZeroedForTime, "speed-zero-for-time",
           QT_TRANSLATE_NOOP("text", "%3 was set to 0, because the time acts only then.")},
     Entry{
-        NoticeCode::AnswerLostButDone, "answer-lost-but-done",
+        NoticeCode::ReplyLostButWritten, "answer-lost-but-done",
         QT_TRANSLATE_NOOP("text", "The acknowledgement was lost; reading proved that it is done.")},
-    Entry{NoticeCode::AnswerLostSentAgain, "answer-lost-sent-again",
+    Entry{NoticeCode::ReplyLostResent, "answer-lost-sent-again",
           QT_TRANSLATE_NOOP("text", "The acknowledgement was lost; reading proved that nothing had "
                                     "happened, so it was sent again.")},
     Entry{NoticeCode::AckFromNewId, "ack-from-new-id",
           QT_TRANSLATE_NOOP("text", "The change was acknowledged under ID %1.")},
-    Entry{NoticeCode::AlreadySo, "already-so",
+    Entry{NoticeCode::AlreadySet, "already-so",
           QT_TRANSLATE_NOOP("text", "It was so already; nothing was written.")},
-    Entry{NoticeCode::ActsAfterRestart, "acts-after-restart",
+    Entry{NoticeCode::EffectiveAfterRestart, "acts-after-restart",
           QT_TRANSLATE_NOOP("text", "This takes effect at the next power-on.")},
-    Entry{NoticeCode::AboveUsual, "above-usual",
+    Entry{NoticeCode::AboveRecommended, "above-usual",
           QT_TRANSLATE_NOOP("text", "%3 is above %1, which is the highest useful value.")},
-    Entry{NoticeCode::BelowStop, "stopped-before",
+    Entry{NoticeCode::StoppedByUser, "stopped-before",
           QT_TRANSLATE_NOOP("text", "Stopped before %3 was written.")},
-    Entry{NoticeCode::OverloadHolds, "overload-holds",
+    Entry{NoticeCode::OverloadActive, "overload-holds",
           QT_TRANSLATE_NOOP("text",
                             "Overload: only the holding torque is left. Take the load off and "
                             "give a goal away from the stall.")},
-    Entry{NoticeCode::OvercurrentHolds, "overcurrent-holds",
+    Entry{NoticeCode::OvercurrentActive, "overcurrent-holds",
           QT_TRANSLATE_NOOP("text",
                             "Overcurrent: torque is off until a new goal is given. Remove the "
                             "cause first.")},
-    Entry{NoticeCode::VoltageHolds, "voltage-holds",
+    Entry{NoticeCode::VoltageAlarmActive, "voltage-holds",
           QT_TRANSLATE_NOOP("text",
                             "Voltage: it passes when the supply is inside the servo's limits "
                             "again.")},
-    Entry{NoticeCode::TemperatureHolds, "temperature-holds",
+    Entry{NoticeCode::TemperatureAlarmActive, "temperature-holds",
           QT_TRANSLATE_NOOP("text", "Temperature: it passes by cooling only.")},
-    Entry{NoticeCode::SensorHolds, "sensor-holds",
+    Entry{NoticeCode::SensorAlarmActive, "sensor-holds",
           QT_TRANSLATE_NOOP("text",
                             "Encoder: switch the servo off and on; if it returns, the servo "
                             "needs repair.")},
@@ -89,15 +89,15 @@ constexpr std::array entries{
               "text", "It is still on its way to the goal, until it is stopped or torque is off.")},
     Entry{NoticeCode::IdChanged, "id-changed",
           QT_TRANSLATE_NOOP("text", "It answers as ID %1 now.")},
-    Entry{NoticeCode::SentAgain, "sent-again",
+    Entry{NoticeCode::Resent, "sent-again",
           QT_TRANSLATE_NOOP("text", "Reading proved that nothing had happened, so it was sent "
                                     "again.")},
-    Entry{NoticeCode::PersistenceNotStated, "persistence-not-stated",
+    Entry{NoticeCode::PersistenceUndocumented, "persistence-not-stated",
           QT_TRANSLATE_NOOP("text", "Whether %3 survives power-off is not documented.")},
-    Entry{NoticeCode::SavedPerSheet, "saved-per-sheet",
+    Entry{NoticeCode::SaveUnverified, "saved-per-sheet",
           QT_TRANSLATE_NOOP("text", "%3 was saved, as the data sheet has it; only switching the "
                                     "servo off and on could prove it.")},
-    Entry{NoticeCode::NoCurrentAllowed, "no-current-allowed",
+    Entry{NoticeCode::CurrentLimitZero, "no-current-allowed",
           QT_TRANSLATE_NOOP("text", "%3 is 0, which allows no current: the servo has no torque.")},
     Entry{NoticeCode::CurrentRestored, "current-restored",
           QT_TRANSLATE_NOOP("text", "The current limit %1 (%3) is back.")},
@@ -107,10 +107,10 @@ constexpr std::array entries{
     Entry{NoticeCode::DerivedVoltage, "derived-voltage",
           QT_TRANSLATE_NOOP("text", "The voltage is outside its limits (derived from its limits, "
                                     "not reported by the servo).")},
-    Entry{NoticeCode::FamiliesMixed, "families-mixed",
+    Entry{NoticeCode::MixedFamilies, "families-mixed",
           QT_TRANSLATE_NOOP("text", "SCS servos share this line with STS, SMS or HLS servos; the "
                                     "vendor advises against it.")},
-    Entry{NoticeCode::LedNotPutBack, "led-not-put-back",
+    Entry{NoticeCode::LedNotRestored, "led-not-put-back",
           QT_TRANSLATE_NOOP("text", "The LED setting (%3) could not be put back; it is noted in "
                                     "the journal. Use %recover when the servo answers again.")},
     Entry{NoticeCode::NotRecorded, "not-recorded",
@@ -118,7 +118,7 @@ constexpr std::array entries{
                             "Not recorded: the outcome of this change could not be saved to "
                             "the history (%3). It stays listed as open; use %recover when the "
                             "history can be written again.")},
-    Entry{NoticeCode::SettingNotPutBack, "setting-not-put-back",
+    Entry{NoticeCode::SettingNotRestored, "setting-not-put-back",
           QT_TRANSLATE_NOOP("text", "%3 could not be put back to %1; it is noted in the journal. "
                                     "Use %recover when the servo answers again. At power-off the "
                                     "servo forgets the temporary value by itself.")},
@@ -133,32 +133,32 @@ const Entry* entryFor(NoticeCode code)
     return nullptr;
 }
 
-struct Word {
+struct TextEntry {
     const char* name;
     const char* word;
 };
 
 constexpr std::array outcomes{
-    Word{"kept", QT_TRANSLATE_NOOP("text", "kept")},
-    Word{"temporary", QT_TRANSLATE_NOOP("text", "temporary")},
-    Word{"mismatch", QT_TRANSLATE_NOOP("text", "mismatch")},
-    Word{"refused", QT_TRANSLATE_NOOP("text", "refused")},
-    Word{"not-sent", QT_TRANSLATE_NOOP("text", "not sent")},
-    Word{"no-answer", QT_TRANSLATE_NOOP("text", "no answer")},
-    Word{"unknown", QT_TRANSLATE_NOOP("text", "unknown")},
+    TextEntry{"kept", QT_TRANSLATE_NOOP("text", "kept")},
+    TextEntry{"temporary", QT_TRANSLATE_NOOP("text", "temporary")},
+    TextEntry{"mismatch", QT_TRANSLATE_NOOP("text", "mismatch")},
+    TextEntry{"refused", QT_TRANSLATE_NOOP("text", "refused")},
+    TextEntry{"not-sent", QT_TRANSLATE_NOOP("text", "not sent")},
+    TextEntry{"no-answer", QT_TRANSLATE_NOOP("text", "no answer")},
+    TextEntry{"unknown", QT_TRANSLATE_NOOP("text", "unknown")},
 };
 
 constexpr std::array locks{
-    Word{"closed", QT_TRANSLATE_NOOP("text", "closed")},
-    Word{"open", QT_TRANSLATE_NOOP("text", "open")},
-    Word{"unknown", QT_TRANSLATE_NOOP("text", "not proven closed")},
-    Word{"none", QT_TRANSLATE_NOOP("text", "not concerned")},
+    TextEntry{"closed", QT_TRANSLATE_NOOP("text", "closed")},
+    TextEntry{"open", QT_TRANSLATE_NOOP("text", "open")},
+    TextEntry{"unknown", QT_TRANSLATE_NOOP("text", "not proven closed")},
+    TextEntry{"none", QT_TRANSLATE_NOOP("text", "not concerned")},
 };
 
 template <typename Words>
-QString wordFor(const Words& words, const QString& name)
+QString textFor(const Words& words, const QString& name)
 {
-    for (const Word& word : words) {
+    for (const TextEntry& word : words) {
         if (name == QLatin1String(word.name))
             return translate("text", word.word);
     }
@@ -203,17 +203,17 @@ QString noticeName(NoticeCode code)
     return QLatin1String(entryFor(code)->name);
 }
 
-QString outcomeWord(const QString& outcome)
+QString outcomeLabel(const QString& outcome)
 {
-    return wordFor(outcomes, outcome);
+    return textFor(outcomes, outcome);
 }
 
-QString lockWord(const QString& lock)
+QString lockLabel(const QString& lock)
 {
-    return wordFor(locks, lock);
+    return textFor(locks, lock);
 }
 
-QString lineWord(catalog::Line line)
+QString lineLabel(catalog::Line line)
 {
     switch (line) {
     case catalog::Line::Ttl:
@@ -226,7 +226,7 @@ QString lineWord(catalog::Line line)
     return translate("text", "not known");
 }
 
-QString areaWord(catalog::Area area)
+QString areaLabel(catalog::Area area)
 {
     switch (area) {
     case catalog::Area::Eprom:
@@ -241,7 +241,7 @@ QString areaWord(catalog::Area area)
     return {};
 }
 
-QString accessWord(catalog::Access access)
+QString accessLabel(catalog::Access access)
 {
     return access == catalog::Access::ReadOnly ? translate("text", "read only")
                                                : translate("text", "read/write");
@@ -260,7 +260,7 @@ QStringList statusKeys(std::uint8_t status, const catalog::Profile* profile)
     });
 }
 
-QString statusWords(std::uint8_t status, const catalog::Profile* profile, bool chinese)
+QString statusText(std::uint8_t status, const catalog::Profile* profile, bool chinese)
 {
     if (!reportsAlarms(profile))
         return translate("text", "not reported", "alarms");

@@ -15,11 +15,11 @@ QString describe(const base::Notice& notice);
 /// Stable name for JSON: "torque-switched-off".
 QString noticeName(base::NoticeCode code);
 
-QString outcomeWord(const QString& outcome); ///< "kept" → "kept" / "已保存"
-QString lockWord(const QString& lock);       ///< "closed" → "closed" / "已上锁"
-QString areaWord(catalog::Area area);
-QString accessWord(catalog::Access access);
-QString lineWord(catalog::Line line);
+QString outcomeLabel(const QString& outcome); ///< "kept" → "kept" / "已保存"
+QString lockLabel(const QString& lock);       ///< "closed" → "closed" / "已上锁"
+QString areaLabel(catalog::Area area);
+QString accessLabel(catalog::Access access);
+QString lineLabel(catalog::Line line);
 
 /// False for families without error byte and status register (LX): their alarms are not "none".
 bool reportsAlarms(const catalog::Profile* profile);
@@ -27,5 +27,5 @@ bool reportsAlarms(const catalog::Profile* profile);
 /// Keys of the set error bits ("overload"); "bit4" where the family names none.
 QStringList statusKeys(std::uint8_t status, const catalog::Profile* profile);
 /// The same in words, "none" if no bit is set.
-QString statusWords(std::uint8_t status, const catalog::Profile* profile, bool chinese);
+QString statusText(std::uint8_t status, const catalog::Profile* profile, bool chinese);
 } // namespace text

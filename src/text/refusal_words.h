@@ -6,15 +6,15 @@
 #include "base/error.h"
 
 namespace text {
-struct RefusalWords {
+struct RefusalText {
     const char* detail;
-    const char* what;
+    const char* message;
     const char* cause;
     const char* remedy;
 };
 
 /// Null: nothing particular is known about this error.
-const RefusalWords* refusalWords(const base::Error& error);
+const RefusalText* refusalText(const base::Error& error);
 /// "2, 3": the servos that an emergency stop holds, where a task concerned more than one of them.
 QString heldByStop(const base::Error& error);
 /// "1, 2": the servos in which a goal may still wait, where it is more than one.

@@ -108,23 +108,23 @@ const Words* find(const std::array<Words, Count>& list, const QString& name)
 }
 
 template <std::size_t Count>
-QString wordsFor(const std::array<Words, Count>& list, const QString& name)
+QString textFor(const std::array<Words, Count>& list, const QString& name)
 {
     const Words* entry = find(list, name);
     return entry != nullptr ? translate("text", entry->words) : name;
 }
 } // namespace
 
-QString restoreReasonWords(const QString& reason)
+QString restoreReasonText(const QString& reason)
 {
-    return wordsFor(reasons, reason);
+    return textFor(reasons, reason);
 }
 
-QString restoreReasonWords(const QStringList& names)
+QString restoreReasonText(const QStringList& names)
 {
     QStringList all;
     for (const QString& name : names)
-        all << restoreReasonWords(name);
+        all << restoreReasonText(name);
     return all.join(translate("text", "; ", "between reasons"));
 }
 
@@ -134,7 +134,7 @@ QString restoreReasonHelp(const QString& reason)
     return entry != nullptr ? translate("text", entry->help) : QString();
 }
 
-QString restoreAlarmWords(const QString& fault, const QString& limit, const QString& reading)
+QString restoreAlarmText(const QString& fault, const QString& limit, const QString& reading)
 {
     if (fault == QLatin1String("voltage"))
         return translate("text", "voltage alarm at once: limit %1, supply %2 now")
@@ -147,22 +147,22 @@ QString restoreAlarmWords(const QString& fault, const QString& limit, const QStr
     return translate("text", "overload alarm: limit %1, load %2 now").arg(limit, reading);
 }
 
-QString restoreStepWords(const QString& step)
+QString restoreStepText(const QString& step)
 {
-    return wordsFor(steps, step);
+    return textFor(steps, step);
 }
 
-QString restoreVerdictWords(const QString& verdict)
+QString restoreVerdictText(const QString& verdict)
 {
-    return wordsFor(verdicts, verdict);
+    return textFor(verdicts, verdict);
 }
 
-QString compareVerdictWord(const QString& verdict)
+QString compareVerdictText(const QString& verdict)
 {
-    return wordsFor(comparisons, verdict);
+    return textFor(comparisons, verdict);
 }
 
-QString compareVerdictSign(const QString& verdict)
+QString compareVerdictSymbol(const QString& verdict)
 {
     const Words* entry = find(comparisons, verdict);
     return entry != nullptr ? QString::fromUtf8(entry->help) : QString();

@@ -8,18 +8,18 @@
 
 namespace text {
 /// jobs::restoreReasonName: "identity" → "identity: off unless you ask"; unknown: as it is.
-QString restoreReasonWords(const QString& reason);
+QString restoreReasonText(const QString& reason);
 /// The same for several, joined with semicolons.
-QString restoreReasonWords(const QStringList& reasons);
+QString restoreReasonText(const QStringList& reasons);
 /// A sentence that explains it, for a tooltip.
 QString restoreReasonHelp(const QString& reason);
 
 /// "voltage", "8.0 V", "12.0 V" → "voltage alarm at once: limit 8.0 V, supply 12.0 V now".
-QString restoreAlarmWords(const QString& fault, const QString& limit, const QString& reading);
+QString restoreAlarmText(const QString& fault, const QString& limit, const QString& reading);
 
-QString restoreStepWords(const QString& step); ///< "torque-off" → "torque off; it stays off"
-QString restoreVerdictWords(const QString& verdict); ///< "rolled-back", "no-answer" …
-QString compareVerdictWord(const QString& verdict);  ///< "read-only" → "read-only"
-/// A sign beside the word, so that colour is never alone: "≠", "=", "?", "–", "·".
-QString compareVerdictSign(const QString& verdict);
+QString restoreStepText(const QString& step);       ///< "torque-off" → "torque off; it stays off"
+QString restoreVerdictText(const QString& verdict); ///< "rolled-back", "no-answer" …
+QString compareVerdictText(const QString& verdict); ///< "read-only" → "read-only"
+/// A sign beside the word, so that color is never alone: "≠", "=", "?", "–", "·".
+QString compareVerdictSymbol(const QString& verdict);
 } // namespace text

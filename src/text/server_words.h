@@ -7,8 +7,8 @@
 
 namespace text {
 /// Null: this error is not about the server.
-const RefusalWords* serverWords(const base::Error& error);
+const RefusalText* serverText(const base::Error& error);
 
 /// The server's own words about it, in whatever language; empty: none.
-QString serverSaying(const base::Error& error);
+QString serverMessage(const base::Error& error);
 } // namespace text

@@ -5,7 +5,7 @@
 #include "text/translate.h"
 
 namespace text {
-QString intentWord(base::IntentKind kind, bool temporary, bool ownDefaults)
+QString intentLabel(base::IntentKind kind, bool temporary, bool ownDefaults)
 {
     using base::IntentKind;
     switch (kind) {
@@ -32,7 +32,7 @@ QString intentWord(base::IntentKind kind, bool temporary, bool ownDefaults)
     return {};
 }
 
-QString writeOutcomeWord(const QString& outcome)
+QString writeOutcomeLabel(const QString& outcome)
 {
     if (outcome.isEmpty())
         return translate("History", "not ended"); // under way still, or interrupted
@@ -44,6 +44,6 @@ QString writeOutcomeWord(const QString& outcome)
         return translate("History", "failed");
     if (outcome == QLatin1StringView("abandoned"))
         return translate("History", "left as it was");
-    return outcomeWord(outcome);
+    return outcomeLabel(outcome);
 }
 } // namespace text

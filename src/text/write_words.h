@@ -8,7 +8,7 @@
 
 namespace text {
 /// `ownDefaults`: no new value was known beforehand, the servo took its own defaults.
-QString intentWord(base::IntentKind kind, bool temporary, bool ownDefaults);
+QString intentLabel(base::IntentKind kind, bool temporary, bool ownDefaults);
 /// The outcome of a register, or of the whole intent where only that is known; empty: it is open.
-QString writeOutcomeWord(const QString& outcome);
+QString writeOutcomeLabel(const QString& outcome);
 } // namespace text

@@ -13,24 +13,24 @@ class IoLink : public Link {
 public:
     base::Result<void> write(base::ByteView bytes) override;
     base::Result<std::size_t> read(base::Bytes& buffer) override;
-    base::Result<bool> waitReadable(base::Duration span) override;
+    base::Result<bool> waitForReadyRead(base::Duration span) override;
     QString name() const override { return m_name; }
 
 protected:
     /// The most that Qt keeps of what has come; the rest waits in the system, whoever sends.
-    static constexpr qint64 readBuffer = 16'384;
+    static constexpr qint64 readBufferSize = 16'384;
 
     IoLink(QIODevice& device, QString name);
-    tl::unexpected<base::Error> lost(const QString& operation) const;
+    tl::unexpected<base::Error> lostError(const QString& operation) const;
     bool isLost() const { return m_lost; }
 
 private:
     virtual void flush() = 0;
-    virtual bool broken() = 0; ///< the device has failed, whether or not bytes are left to read
-    virtual void shut() = 0;
+    virtual bool hasFailed() = 0; ///< the device has failed, whether or not bytes are left to read
+    virtual void closeDevice() = 0;
 
-    bool noticeLoss();
-    bool waitOnce(base::Duration span);
+    bool detectLoss();
+    bool waitForData(base::Duration span);
 
     QIODevice& m_device;
     QString m_name;

@@ -12,27 +12,27 @@
 namespace transport {
 #ifdef Q_OS_UNIX
 namespace {
-bool inBackground()
+bool isInBackground()
 {
     return isatty(STDIN_FILENO) == 1 && tcgetpgrp(STDIN_FILENO) != getpgrp();
 }
 } // namespace
 #endif
 
-void LineInput::forgetTyped()
+void StdinReader::discardTyped()
 {
 #ifdef Q_OS_UNIX
-    if (isatty(STDIN_FILENO) != 1 || inBackground())
+    if (isatty(STDIN_FILENO) != 1 || isInBackground())
         return;
     tcflush(STDIN_FILENO, TCIFLUSH);
     m_text.clear();
 #endif
 }
 
-void LineInput::fill()
+void StdinReader::readAvailable()
 {
 #ifdef Q_OS_UNIX
-    if (inBackground())
+    if (isInBackground())
         return;
     pollfd input{STDIN_FILENO, POLLIN, 0};
     if (poll(&input, 1, 0) <= 0)
@@ -49,10 +49,10 @@ void LineInput::fill()
         m_text += '\n'; // the last line may lack its end
 }
 
-std::optional<QByteArray> LineInput::take()
+std::optional<QByteArray> StdinReader::readLine()
 {
     if (m_open && !m_text.contains('\n'))
-        fill();
+        readAvailable();
     const auto end = m_text.indexOf('\n');
     if (end < 0)
         return std::nullopt;

@@ -9,16 +9,16 @@
 #include <optional>
 
 namespace transport {
-class LineInput {
+class StdinReader {
 public:
     /// The next whole line, without its end and the blanks around it; nullopt: none yet.
-    std::optional<QByteArray> take();
-    bool open() const { return m_open; } ///< false: nothing more will come
+    std::optional<QByteArray> readLine();
+    bool isOpen() const { return m_open; } ///< false: nothing more will come
     /// What was typed before a question came. What is piped was written as an answer and stays.
-    void forgetTyped();
+    void discardTyped();
 
 private:
-    void fill();
+    void readAvailable();
 
     QByteArray m_text;
     bool m_open = true;

@@ -33,14 +33,14 @@ public:
     virtual base::Result<std::size_t> read(base::Bytes& buffer) = 0;
 
     /// Waits until something can be read, at most `span` (0: only looks). True: there is.
-    virtual base::Result<bool> waitReadable(base::Duration span) = 0;
+    virtual base::Result<bool> waitForReadyRead(base::Duration span) = 0;
 
     /// RateUnsupported when the adapter cannot; the old rate then stays.
     virtual base::Result<void> setBaud(int baud) = 0;
     virtual int baud() const = 0;
 
     /// False for links whose rate is set elsewhere (a TCP bridge without RFC 2217).
-    virtual bool hasBaud() const { return true; }
+    virtual bool canSetBaud() const { return true; }
 
     virtual QString name() const = 0; ///< canonical
 };

@@ -22,8 +22,8 @@ bool isPhantom(const QSerialPortInfo& port)
 std::vector<PortInfo> listPorts()
 {
     std::vector<PortInfo> ports;
-    const auto known = QSerialPortInfo::availablePorts();
-    for (const QSerialPortInfo& port : known) {
+    const auto serialPorts = QSerialPortInfo::availablePorts();
+    for (const QSerialPortInfo& port : serialPorts) {
         if (isPhantom(port))
             continue;
         ports.push_back({port.systemLocation(), port.description(), port.manufacturer(),

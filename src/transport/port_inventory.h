@@ -23,5 +23,5 @@ std::vector<PortInfo> listPorts();
 /// USB adapters that are plugged in, but that the braille service (brltty) has taken away from the
 /// system, so that they have no port: "1a86:7523". Known only where the system shows its processes
 /// and USB devices (Linux); `root` is the folder in which proc and sys lie, for tests.
-QStringList takenByBraille(const QString& root = QStringLiteral("/"));
+QStringList adaptersClaimedByBrltty(const QString& root = QStringLiteral("/"));
 } // namespace transport

@@ -7,23 +7,23 @@
 
 namespace transport {
 namespace {
-bool sameAdapter(const PortInfo& a, const PortInfo& b)
+bool isSameAdapter(const PortInfo& a, const PortInfo& b)
 {
     return a.vendorId == b.vendorId && a.productId == b.productId &&
            a.serialNumber == b.serialNumber;
 }
 } // namespace
 
-PortKeeper::PortKeeper(PortSpec spec, Opener opener, Lister lister)
+PortReconnector::PortReconnector(PortSpec spec, Opener opener, PortLister lister)
     : m_spec(std::move(spec))
     , m_opener(std::move(opener))
-    , m_lister(std::move(lister))
+    , m_listPorts(std::move(lister))
 {}
 
-base::Result<std::unique_ptr<Link>> PortKeeper::open()
+base::Result<std::unique_ptr<Link>> PortReconnector::open()
 {
     if (m_opened)
-        return openAgain();
+        return reopen();
     auto link = m_opener(m_spec);
     if (!link)
         return link;
@@ -32,29 +32,30 @@ base::Result<std::unique_ptr<Link>> PortKeeper::open()
     if (m_spec.name.contains(QLatin1Char(':')))
         return link;
     const QString path = canonicalPath(m_spec.name);
-    const std::vector<PortInfo> ports = m_lister();
-    const auto own = std::find_if(ports.begin(), ports.end(),
-                                  [&](const PortInfo& port) { return port.path == path; });
-    if (own != ports.end() && own->vendorId != 0)
-        m_adapter = *own;
+    const std::vector<PortInfo> ports = m_listPorts();
+    const auto opened = std::find_if(ports.begin(), ports.end(),
+                                     [&](const PortInfo& port) { return port.path == path; });
+    if (opened != ports.end() && opened->vendorId != 0)
+        m_adapter = *opened;
     return link;
 }
 
-base::Result<std::unique_ptr<Link>> PortKeeper::openAgain()
+base::Result<std::unique_ptr<Link>> PortReconnector::reopen()
 {
     if (!m_adapter)
         return m_opener(m_spec);
-    std::vector<PortInfo> same = m_lister();
-    same.erase(std::remove_if(same.begin(), same.end(),
-                              [&](const PortInfo& port) { return !sameAdapter(port, *m_adapter); }),
-               same.end());
-    auto found = std::find_if(same.begin(), same.end(),
+    std::vector<PortInfo> candidates = m_listPorts();
+    candidates.erase(
+        std::remove_if(candidates.begin(), candidates.end(),
+                       [&](const PortInfo& port) { return !isSameAdapter(port, *m_adapter); }),
+        candidates.end());
+    auto found = std::find_if(candidates.begin(), candidates.end(),
                               [&](const PortInfo& port) { return port.path == m_adapter->path; });
     // Cheap adapters carry no serial number: two of a kind can only be told apart by their names.
-    const bool unmistakable = !m_adapter->serialNumber.isEmpty() && same.size() == 1;
-    if (found == same.end() && unmistakable)
-        found = same.begin();
-    if (found == same.end())
+    const bool uniqueMatch = !m_adapter->serialNumber.isEmpty() && candidates.size() == 1;
+    if (found == candidates.end() && uniqueMatch)
+        found = candidates.begin();
+    if (found == candidates.end())
         return base::fail(base::ErrorCode::PortMissing, QStringLiteral("open"), m_spec.name);
     PortSpec spec = m_spec;
     spec.name = found->path;

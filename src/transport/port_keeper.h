@@ -12,22 +12,22 @@
 #include <optional>
 
 namespace transport {
-class PortKeeper {
+class PortReconnector {
 public:
-    using Lister = std::function<std::vector<PortInfo>()>;
+    using PortLister = std::function<std::vector<PortInfo>()>;
     using Opener = std::function<base::Result<std::unique_ptr<Link>>(const PortSpec&)>;
 
-    PortKeeper(PortSpec spec, Opener opener, Lister lister = listPorts);
+    PortReconnector(PortSpec spec, Opener opener, PortLister lister = listPorts);
 
     /// As openPort(); PortMissing also where another adapter has taken the name.
     base::Result<std::unique_ptr<Link>> open();
 
 private:
-    base::Result<std::unique_ptr<Link>> openAgain();
+    base::Result<std::unique_ptr<Link>> reopen();
 
     PortSpec m_spec;
     Opener m_opener;
-    Lister m_lister;
+    PortLister m_listPorts;
     bool m_opened = false;
     std::optional<PortInfo> m_adapter; ///< none: known by its name only
 };

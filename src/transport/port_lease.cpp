@@ -45,7 +45,7 @@ bool isMasterOf(const QString& pid, const QString& descriptor, const QString& pa
     return false;
 }
 
-bool hasOpen(const QString& pid, const QString& path)
+bool isOpenIn(const QString& pid, const QString& path)
 {
     const QDir descriptors(QStringLiteral("/proc/%1/fd").arg(pid));
     const auto links = descriptors.entryInfoList(QDir::Files | QDir::System | QDir::NoDotAndDotDot);
@@ -69,7 +69,7 @@ QString canonicalPath(const QString& name)
     return device.isEmpty() || name.startsWith(QLatin1Char('/')) ? name : device;
 }
 
-base::Result<PortLease> PortLease::take(const QString& canonical)
+base::Result<PortLease> PortLease::acquire(const QString& canonical)
 {
     Registry& leases = registry();
     const std::lock_guard lock(leases.mutex);
@@ -105,7 +105,7 @@ QString portHolders(const QString& canonical)
     for (const QString& pid : processes) {
         bool isNumber = false;
         pid.toInt(&isNumber);
-        if (isNumber && pid != self && hasOpen(pid, canonical))
+        if (isNumber && pid != self && isOpenIn(pid, canonical))
             holders += QStringLiteral("%1 (%2)").arg(processName(pid), pid);
     }
     return holders.join(QLatin1String(", "));

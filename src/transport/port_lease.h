@@ -17,7 +17,7 @@ QString canonicalPath(const QString& name);
 class PortLease {
 public:
     /// PortBusy if this process has the port already.
-    static base::Result<PortLease> take(const QString& canonical);
+    static base::Result<PortLease> acquire(const QString& canonical);
 
     PortLease() = default;
     PortLease(PortLease&& other) noexcept { m_path.swap(other.m_path); }

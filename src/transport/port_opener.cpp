@@ -15,7 +15,7 @@ base::Result<std::unique_ptr<Link>> openPort(const PortSpec& spec, base::Clock&)
     return openSerial(spec);
 }
 
-const std::vector<int>& knownRates()
+const std::vector<int>& standardBaudRates()
 {
     static const std::vector<int> rates{1'000'000, 500'000, 256'000, 250'000, 128'000,
                                         115'200,   76'800,  57'600,  56'000,  38'400,

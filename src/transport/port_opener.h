@@ -17,5 +17,5 @@ base::Result<std::unique_ptr<Link>> openPort(const PortSpec& spec, base::Clock& 
 
 /// The rates of the facts, highest first: 1000000 … 4800, with 256000, 250000, 128000, 76800,
 /// 14400.
-const std::vector<int>& knownRates();
+const std::vector<int>& standardBaudRates();
 } // namespace transport

@@ -20,7 +20,7 @@
 namespace transport {
 namespace {
 /// A UART whose rate is off by more than this no longer reads a byte safely.
-constexpr double rateTolerance = 0.025;
+constexpr double baudTolerance = 0.025;
 
 QString openOperation()
 {
@@ -34,13 +34,13 @@ bool lockExclusively(int descriptor)
 }
 
 // A hang-up without input pending is not among the things QSerialPort waits for.
-bool hungUp(int descriptor)
+bool isHungUp(int descriptor)
 {
     pollfd state{descriptor, POLLIN, 0};
     return poll(&state, 1, 0) > 0 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
 }
 
-std::optional<int> realRate(const QSerialPort& port)
+std::optional<int> actualBaud(const QSerialPort& port)
 {
     return ttySpeed(port.handle());
 }
@@ -50,12 +50,12 @@ bool lockExclusively(QSerialPort::Handle)
     return true; // the system itself opens a port once only
 }
 
-bool hungUp(QSerialPort::Handle)
+bool isHungUp(QSerialPort::Handle)
 {
     return false;
 }
 
-std::optional<int> realRate(const QSerialPort&)
+std::optional<int> actualBaud(const QSerialPort&)
 {
     return std::nullopt;
 }
@@ -63,7 +63,7 @@ std::optional<int> realRate(const QSerialPort&)
 
 /// A reading that finds nothing, because another program has taken the bytes. The device is still
 /// there: Linux hangs up one that is not.
-bool mayBeTakenAway([[maybe_unused]] QSerialPort::SerialPortError error)
+bool isIgnorableError([[maybe_unused]] QSerialPort::SerialPortError error)
 {
 #ifdef Q_OS_LINUX
     return error == QSerialPort::ReadError || error == QSerialPort::ResourceError;
@@ -92,16 +92,16 @@ public:
         , m_port(std::move(port))
         , m_lease(std::move(lease))
     {
-        m_port->setReadBufferSize(readBuffer);
+        m_port->setReadBufferSize(readBufferSize);
     }
 
     base::Result<void> setBaud(int baud) override
     {
         if (isLost())
-            return lost(QStringLiteral("set-baud"));
+            return lostError(QStringLiteral("set-baud"));
         if (baud > 0 && m_port->setBaudRate(baud)) {
-            const int real = realRate(*m_port).value_or(baud);
-            if (std::abs(real - baud) <= rateTolerance * baud) {
+            const int actual = actualBaud(*m_port).value_or(baud);
+            if (std::abs(actual - baud) <= baudTolerance * baud) {
                 m_baud = baud;
                 return {};
             }
@@ -118,16 +118,16 @@ public:
 private:
     void flush() override { m_port->flush(); }
 
-    bool broken() override
+    bool hasFailed() override
     {
         const auto error = m_port->error();
         m_port->clearError();
         return (error != QSerialPort::NoError && error != QSerialPort::TimeoutError &&
-                !mayBeTakenAway(error)) ||
-               hungUp(m_port->handle());
+                !isIgnorableError(error)) ||
+               isHungUp(m_port->handle());
     }
 
-    void shut() override
+    void closeDevice() override
     {
         m_port->close();
         m_lease.release();
@@ -138,22 +138,23 @@ private:
     int m_baud = 0;
 };
 
-base::Error openFailure(const QSerialPort& port, const QString& path)
+base::Error openError(const QSerialPort& port, const QString& path)
 {
     switch (port.error()) {
     case QSerialPort::DeviceNotFoundError:
         return {base::ErrorCode::PortMissing, openOperation(),
-                takenByBraille().isEmpty() ? path : path + QStringLiteral(", brltty")};
+                adaptersClaimedByBrltty().isEmpty() ? path : path + QStringLiteral(", brltty")};
     case QSerialPort::PermissionError:
         // Qt reports a port in use this way as well.
-        return deniedError(path, QFileInfo(path).isReadable() && QFileInfo(path).isWritable());
+        return accessDeniedError(path,
+                                 QFileInfo(path).isReadable() && QFileInfo(path).isWritable());
     default:
         return {base::ErrorCode::PortFailed, openOperation(), port.errorString()};
     }
 }
 } // namespace
 
-base::Error deniedError(const QString& path, bool accessible)
+base::Error accessDeniedError(const QString& path, bool accessible)
 {
     if (accessible)
         return {base::ErrorCode::PortBusy, openOperation(), portHolders(path)};
@@ -163,7 +164,7 @@ base::Error deniedError(const QString& path, bool accessible)
 base::Result<std::unique_ptr<Link>> openSerial(const PortSpec& spec)
 {
     const QString path = canonicalPath(spec.name);
-    auto lease = PortLease::take(path);
+    auto lease = PortLease::acquire(path);
     if (!lease)
         return tl::unexpected(lease.error());
     auto port = std::make_unique<QSerialPort>();
@@ -171,7 +172,7 @@ base::Result<std::unique_ptr<Link>> openSerial(const PortSpec& spec)
     // Before opening: a pseudo-terminal refuses a parity later.
     port->setParity(qtParity(spec.parity));
     if (!port->open(QIODevice::ReadWrite))
-        return tl::unexpected(openFailure(*port, path));
+        return tl::unexpected(openError(*port, path));
     if (!lockExclusively(port->handle()))
         return base::fail(base::ErrorCode::PortBusy, openOperation(), portHolders(path));
     auto link = std::make_unique<SerialLink>(std::move(port), path, std::move(*lease));

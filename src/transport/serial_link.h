@@ -10,5 +10,5 @@ base::Result<std::unique_ptr<Link>> openSerial(const PortSpec& spec);
 
 /// Why the system refused a device file: in use (`accessible`, the detail says by whom) or not
 /// allowed (the detail names the group that is).
-base::Error deniedError(const QString& path, bool accessible);
+base::Error accessDeniedError(const QString& path, bool accessible);
 } // namespace transport

@@ -17,25 +17,25 @@ public:
         , m_socket(std::move(socket))
         , m_baud(baud)
     {
-        m_socket->setReadBufferSize(readBuffer);
+        m_socket->setReadBufferSize(readBufferSize);
     }
 
     // Only remembered: deadlines are computed from it.
     base::Result<void> setBaud(int baud) override
     {
         if (isLost())
-            return lost(QStringLiteral("set-baud"));
+            return lostError(QStringLiteral("set-baud"));
         m_baud = baud;
         return {};
     }
 
     int baud() const override { return m_baud; }
-    bool hasBaud() const override { return false; }
+    bool canSetBaud() const override { return false; }
 
 private:
     void flush() override { m_socket->flush(); }
-    bool broken() override { return m_socket->state() != QAbstractSocket::ConnectedState; }
-    void shut() override { m_socket->abort(); }
+    bool hasFailed() override { return m_socket->state() != QAbstractSocket::ConnectedState; }
+    void closeDevice() override { m_socket->abort(); }
 
     std::unique_ptr<QTcpSocket> m_socket;
     int m_baud;
@@ -44,9 +44,9 @@ private:
 base::Result<QUrl> parseUrl(const QString& name)
 {
     const QUrl url(name, QUrl::StrictMode);
-    const bool plain =
+    const bool isPlain =
         url.path().isEmpty() && !url.hasQuery() && !url.hasFragment() && url.userInfo().isEmpty();
-    if (url.scheme() != QLatin1String("tcp") || url.host().isEmpty() || url.port() <= 0 || !plain)
+    if (url.scheme() != QLatin1String("tcp") || url.host().isEmpty() || url.port() <= 0 || !isPlain)
         return base::fail(base::ErrorCode::BadArgument, QStringLiteral("open"),
                           QStringLiteral("%1: expected tcp://host:port").arg(name));
     return url;

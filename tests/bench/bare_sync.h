@@ -9,8 +9,8 @@
 
 namespace bench {
 /// Rounds a second. Servos 1 … `servos`.
-inline double bareSyncRate(const QString& path, int servos, int address, int count,
-                           base::Duration span)
+inline double baselineSyncRate(const QString& path, int servos, int address, int count,
+                               base::Duration span)
 {
     using base::Duration;
     base::SystemClock clock;
@@ -28,13 +28,13 @@ inline double bareSyncRate(const QString& path, int servos, int address, int cou
     Duration lost{}; // spent on answers that a busy machine did not let through
     const Duration start = clock.now();
     while (clock.now() < start + span) {
-        const Duration said = clock.now();
-        client.say(request);
-        if (client.hear(replyBytes).size() == replyBytes) {
+        const Duration sentAt = clock.now();
+        client.send(request);
+        if (client.receive(replyBytes).size() == replyBytes) {
             ++rounds;
         } else {
-            client.hear(replyBytes);
-            lost += clock.now() - said;
+            client.receive(replyBytes);
+            lost += clock.now() - sentAt;
         }
     }
     if (rounds == 0)

@@ -11,25 +11,25 @@
 #include <cstdio>
 #include <cstdlib>
 
-using support::Break;
-using support::Tally;
+using support::CampaignTotals;
+using support::Interruption;
 
 namespace {
 struct Kind {
     const char* name;
-    Break how;
+    Interruption how;
 };
 constexpr Kind kinds[] = {
-    {"killed", Break::Kill},
-    {"killed in noise", Break::KillInNoise},
-    {"cable cut", Break::Cut},
+    {"killed", Interruption::Kill},
+    {"killed in noise", Interruption::KillDuringNoise},
+    {"cable cut", Interruption::LinkCut},
 };
 
-void printRow(const char* name, const Tally& tally)
+void printRow(const char* name, const CampaignTotals& tally)
 {
     std::printf("%-16s %7d %11d %13d %13d %5d %12d %14d %5d\n", name, tally.rounds, tally.broken,
-                tally.changesOpen, tally.unlocked, tally.lost, tally.falseWords, tally.unrecovered,
-                tally.hung);
+                tally.openChanges, tally.unlocked, tally.lost, tally.falseClaimCount,
+                tally.unrecovered, tally.hung);
 }
 } // namespace
 
@@ -39,8 +39,8 @@ int main(int argc, char** argv)
     const int rounds = argc > 1 ? std::atoi(argv[1]) : 200;
     const auto seed = std::uint32_t(argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1);
     const QString only = argc > 3 ? QString::fromLocal8Bit(argv[3]) : QString();
-    Tally sum;
-    std::vector<Tally> tallies;
+    CampaignTotals sum;
+    std::vector<CampaignTotals> tallies;
     for (const Kind& kind : kinds) {
         std::printf("== %s, seed %u\n", kind.name, seed);
         std::fflush(stdout);
@@ -56,6 +56,6 @@ int main(int argc, char** argv)
     for (std::size_t i = 0; i < tallies.size(); ++i)
         printRow(kinds[i].name, tallies[i]);
     printRow("all", sum);
-    std::printf("%s%s\n", sum.clean() ? "clean" : "VIOLATION: ", qPrintable(sum.firstTrouble));
+    std::printf("%s%s\n", sum.clean() ? "clean" : "VIOLATION: ", qPrintable(sum.firstFailure));
     return sum.clean() && sum.broken > 0 ? 0 : 1;
 }

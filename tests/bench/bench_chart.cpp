@@ -56,12 +56,12 @@ double part(std::vector<double>& times, std::size_t percent)
     return times[std::min(times.size() * percent / 100, times.size() - 1)];
 }
 
-void report(const char* what, std::vector<double> times, std::vector<double> cpu, double wanted)
+void report(const char* what, std::vector<double> times, std::vector<double> cpu, double maxMs)
 {
     out << what << ": p50 " << part(times, 50) << " ms, p99 " << part(times, 99)
         << " ms; of processor time p50 " << part(cpu, 50) << " ms, p99 " << part(cpu, 99) << " ms";
-    if (wanted > 0)
-        out << " (wanted p99 <= " << wanted << ")";
+    if (maxMs > 0)
+        out << " (wanted p99 <= " << maxMs << ")";
     out << "\n";
     out.flush();
 }
@@ -83,8 +83,8 @@ double sampleOf(int channel, base::Duration at)
     }
 }
 
-struct Bench {
-    Bench()
+struct Fixture {
+    Fixture()
     {
         const char* const units[] = {"°", "rpm", "mA", "V"};
         for (int i = 0; i < channelCount; ++i) {
@@ -93,7 +93,7 @@ struct Bench {
             channel.key = QString::number(i);
             channel.name = QStringLiteral("ID %1 · Value %2").arg(1 + i / 4).arg(i);
             channel.unit = QString::fromUtf8(units[i % 4]);
-            channel.colour = ui::trendColour(i, Qt::white);
+            channel.color = ui::trendColor(i, Qt::white);
             channels.push_back(channel);
         }
         const auto start = Clock::now();
@@ -125,7 +125,7 @@ struct Bench {
     }
 
     /// The time until all is painted, without the wait for the next frame's turn.
-    void measure(const char* what, double wanted, const std::function<void(int)>& step)
+    void measure(const char* what, double maxMs, const std::function<void(int)>& step)
     {
         if (!QByteArray(what).contains(only))
             return;
@@ -146,12 +146,12 @@ struct Bench {
             std::this_thread::sleep_until(painted + frameTime);
             grow(35ms);
         }
-        report(what, times, cpu, wanted);
+        report(what, times, cpu, maxMs);
     }
 
     /// What comes when the hand rests: the parts of the fine picture and its frame, the longest
     /// turn of the event loop of each.
-    void measureRest(double wanted)
+    void measureRest(double maxMs)
     {
         if (!QByteArray("fine picture").contains(only))
             return;
@@ -161,19 +161,19 @@ struct Bench {
             wheel(i % 2 == 0 ? 120 : -120);
             QCoreApplication::processEvents();
             double longest = 0;
-            double dearest = 0;
+            double slowestMs = 0;
             for (const auto until = Clock::now() + 300ms; Clock::now() < until;) {
                 const auto start = Clock::now();
                 const double spent = cpuMs();
                 QCoreApplication::processEvents();
                 longest = std::max(longest, since(start));
-                dearest = std::max(dearest, cpuMs() - spent);
+                slowestMs = std::max(slowestMs, cpuMs() - spent);
                 std::this_thread::sleep_for(1ms);
             }
             times.push_back(longest);
-            cpu.push_back(dearest);
+            cpu.push_back(slowestMs);
         }
-        report("the fine picture after zooming 60 min", times, cpu, wanted);
+        report("the fine picture after zooming 60 min", times, cpu, maxMs);
     }
 
     void wheel(int delta)
@@ -205,7 +205,7 @@ struct Bench {
     QGraphicsView* plot = nullptr;
 };
 
-void bareLoop(double ratio)
+void baselineLoop(double ratio)
 {
     QImage image((QSizeF(1600, 900) * ratio).toSize(), QImage::Format_RGB32);
     std::vector<double> times;
@@ -222,7 +222,7 @@ void bareLoop(double ratio)
                     image.height() / 2.0 * (1 + 0.9 * std::sin((x + i) * 0.01 + channel));
                 lines << QLineF(x, y - 2, x, y + 2);
             }
-            painter.setPen(QPen(ui::trendColour(channel, Qt::white), 0));
+            painter.setPen(QPen(ui::trendColor(channel, Qt::white), 0));
             painter.drawLines(lines);
         }
         painter.end();
@@ -232,26 +232,26 @@ void bareLoop(double ratio)
     report("bare loop, short lines into an image", times, cpu, 0);
 }
 
-void benchAll(double wanted)
+void benchmarkAll(double maxMs)
 {
-    Bench bench;
-    ui::TrendChart& chart = bench.chart;
-    const auto follow = [&](int) { chart.advance(bench.now); };
-    bareLoop(chart.devicePixelRatioF());
-    bench.measure("following 10 s", wanted, follow);
+    Fixture fixture;
+    ui::TrendChart& chart = fixture.chart;
+    const auto follow = [&](int) { chart.advance(fixture.now); };
+    baselineLoop(chart.devicePixelRatioF());
+    fixture.measure("following 10 s", maxMs, follow);
     chart.setWidth(10min);
-    bench.measure("following 10 min", wanted, follow);
+    fixture.measure("following 10 min", maxMs, follow);
     chart.setWidth(length);
-    bench.measure("following 60 min", wanted, follow);
+    fixture.measure("following 60 min", maxMs, follow);
     chart.show({30min, 30min + 10s});
-    bench.measure("panning 10 s with the mouse", wanted, [&](int i) { bench.drag(i); });
+    fixture.measure("panning 10 s with the mouse", maxMs, [&](int i) { fixture.drag(i); });
     chart.show({20min, 40min});
-    bench.measure("panning 20 min with the mouse", wanted, [&](int i) { bench.drag(i); });
+    fixture.measure("panning 20 min with the mouse", maxMs, [&](int i) { fixture.drag(i); });
     chart.show({0min, length});
-    bench.measure("zooming with the wheel, 60 min to 50 ms and back", wanted,
-                  [&](int i) { bench.wheel((i + 10) % 100 < 50 ? 120 : -120); });
+    fixture.measure("zooming with the wheel, 60 min to 50 ms and back", maxMs,
+                    [&](int i) { fixture.wheel((i + 10) % 100 < 50 ? 120 : -120); });
     chart.show({0min, length});
-    bench.measureRest(16);
+    fixture.measureRest(16);
 }
 } // namespace
 
@@ -266,7 +266,7 @@ int main(int argc, char* argv[])
     const double ratio = qApp->devicePixelRatio();
     out << "1600x900 at " << ratio * 100 << " %\n";
     out.flush();
-    benchAll(ratio > 1 ? 16 : 8);
+    benchmarkAll(ratio > 1 ? 16 : 8);
     if (child)
         return 0;
     QProcess large;

@@ -19,13 +19,13 @@ using support::SimProgram;
 using support::words;
 
 namespace {
-bool allMet = true;
+bool allTargetsMet = true;
 
-void figure(const char* what, double value, const char* unit, double aim)
+void figure(const char* what, double value, const char* unit, double target)
 {
-    const bool met = value <= aim;
-    allMet = allMet && met;
-    std::printf("%-58s %8.2f %-4s aim <= %-6.2f %s\n", what, value, unit, aim,
+    const bool met = value <= target;
+    allTargetsMet = allTargetsMet && met;
+    std::printf("%-58s %8.2f %-4s aim <= %-6.2f %s\n", what, value, unit, target,
                 met ? "met" : "MISSED");
     std::fflush(stdout);
 }
@@ -46,7 +46,7 @@ double cpuSeconds(const rusage& usage)
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-void scan(const char* what, const char* simulator, const char* command, double aim)
+void scan(const char* what, const char* simulator, const char* command, double target)
 {
     const SimProgram sim(words(simulator));
     CliProgram cli;
@@ -54,9 +54,9 @@ void scan(const char* what, const char* simulator, const char* command, double a
     const QJsonObject json = cli.json(command).json();
     if (json[QLatin1String("found")].toArray().size() != 6) {
         std::printf("%s: not all six servos were found\n", what);
-        allMet = false;
+        allTargetsMet = false;
     }
-    figure(what, json[QLatin1String("elapsed_ms")].toDouble() / 1000, "s", aim);
+    figure(what, json[QLatin1String("elapsed_ms")].toDouble() / 1000, "s", target);
 }
 
 void watch()
@@ -67,9 +67,9 @@ void watch()
     cli.setPort(sim.port());
     const QString csv = cli.dataFolder() + QStringLiteral("/watch.csv");
     const double before = cpuSeconds(ended());
-    const auto ran = cli.run(words("watch 1-6 --rate 50 --csv")
-                             << csv << QStringLiteral("--for") << QString::number(seconds));
-    std::printf("%s", qPrintable(ran.out));
+    const auto result = cli.run(words("watch 1-6 --rate 50 --csv")
+                                << csv << QStringLiteral("--for") << QString::number(seconds));
+    std::printf("%s", qPrintable(result.out));
     figure("CPU of watch, six servos at 50 Hz, share of a core",
            100 * (cpuSeconds(ended()) - before) / seconds, "%", 10);
 }
@@ -82,7 +82,7 @@ void fullRead()
     const auto connection = session.connect(request);
     if (!connection)
         std::abort();
-    const base::Stop stop;
+    const base::StopToken stop;
     device::Notices notices;
     const device::Context context = (*connection)->context(stop, notices);
     auto servo = device::identify(context, 1);
@@ -112,5 +112,5 @@ int main(int argc, char** argv)
     cli.run("tour");
     figure("Peak memory of servodesk-cli (or -sim, if that is more)",
            double(ended().ru_maxrss) / 1024, "MB", 40);
-    return allMet ? EXIT_SUCCESS : EXIT_FAILURE;
+    return allTargetsMet ? EXIT_SUCCESS : EXIT_FAILURE;
 }

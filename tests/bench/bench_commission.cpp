@@ -7,8 +7,8 @@
 
 int main(int argc, char** argv)
 {
-    support::CommissionBench line(argc > 1 ? QString::fromLocal8Bit(argv[1])
-                                           : QStringLiteral("line"));
+    support::CommissionFixture line(argc > 1 ? QString::fromLocal8Bit(argv[1])
+                                             : QStringLiteral("line"));
     line.spec.baud = argc > 2 ? QByteArray(argv[2]).toInt() : 500'000;
     const auto end = line.run();
     if (!end) {

@@ -48,35 +48,36 @@ double threadCpu()
     return double(time.tv_sec) + double(time.tv_nsec) * 1e-9;
 }
 
-struct Measured {
+struct FeedMeasurement {
     double rounds = 0; ///< a second
     double cpu = 0;    ///< share of a core the main thread took
     std::uint64_t missed = 0;
 };
 
-Measured feedRate(session::Desk& desk, const QStringList& keys)
+FeedMeasurement feedRate(session::Desk& desk, const QStringList& keys)
 {
-    session::FeedWish wish;
+    session::Subscription subscription;
     for (const session::ServoRef ref : desk.servos())
-        wish.parts.push_back({ref, keys});
+        subscription.parts.push_back({ref, keys});
     std::vector<Duration> answered;
-    Measured measured;
+    FeedMeasurement measured;
     const session::ServoRef first = desk.servos().front();
-    const auto heard = QObject::connect(&desk, &session::Desk::readings, &desk,
-                                        [&](const std::vector<session::Reading>& batch) {
-                                            for (const session::Reading& reading : batch) {
-                                                measured.missed += reading.answered ? 0 : 1;
-                                                if (reading.answered && reading.servo == first)
-                                                    answered.push_back(reading.at);
-                                            }
-                                        });
-    desk.wish(user, wish);
+    const auto readingsConnection =
+        QObject::connect(&desk, &session::Desk::readingsReceived, &desk,
+                         [&](const std::vector<session::Reading>& batch) {
+                             for (const session::Reading& reading : batch) {
+                                 measured.missed += reading.answered ? 0 : 1;
+                                 if (reading.answered && reading.servo == first)
+                                     answered.push_back(reading.at);
+                             }
+                         });
+    desk.subscribe(user, subscription);
     const Duration until = desk.now() + span;
     const double cpu = threadCpu();
     runUntil([&] { return desk.now() >= until; });
     measured.cpu = (threadCpu() - cpu) / std::chrono::duration<double>(span).count();
-    desk.wish(user, {});
-    QObject::disconnect(heard);
+    desk.subscribe(user, {});
+    QObject::disconnect(readingsConnection);
     if (answered.size() < 2)
         qFatal("the feed was not answered");
     measured.rounds = double(answered.size() - 1) /
@@ -102,16 +103,16 @@ void close(session::Desk& desk)
 /// Worst time from the call to the first byte of the broadcast, while the feed runs.
 Duration stopDelay(session::Desk& desk, const QStringList& keys)
 {
-    session::FeedWish wish;
+    session::Subscription subscription;
     for (const session::ServoRef ref : desk.servos())
-        wish.parts.push_back({ref, keys});
-    desk.wish(user, wish);
+        subscription.parts.push_back({ref, keys});
+    desk.subscribe(user, subscription);
     Duration worst{};
     for (int i = 0; i < stops; ++i) {
         const Duration until = desk.now() + 70ms + i * 1ms;
         runUntil([&] { return desk.now() >= until; });
         desk.connection()->bus().takeTrace();
-        const Duration called = desk.now();
+        const Duration callTime = desk.now();
         desk.emergencyStop();
         std::optional<Duration> sent;
         runUntil([&] {
@@ -121,11 +122,11 @@ Duration stopDelay(session::Desk& desk, const QStringList& keys)
                 if (broadcast && !sent)
                     sent = entry.at;
             }
-            return sent && !desk.busy();
+            return sent && !desk.isBusy();
         });
-        worst = std::max(worst, *sent - called);
+        worst = std::max(worst, *sent - callTime);
     }
-    desk.wish(user, {});
+    desk.subscribe(user, {});
     return worst;
 }
 } // namespace
@@ -147,29 +148,29 @@ int main(int argc, char* argv[])
     constexpr int feedback = 56;
     constexpr int feedbackBytes = 15;
 
-    support::OwnDataFolder place;
+    support::TemporaryDataFolder place;
     session::Session session;
     session::Desk desk(session);
     if (!open(desk, simulator.port()))
         qFatal("the port does not open");
     desk.search({.firstId = 1, .lastId = servos, .bauds = {}});
-    runUntil([&] { return !desk.searching() && !desk.busy(); });
+    runUntil([&] { return !desk.isSearching() && !desk.isBusy(); });
     if (desk.servos().size() != servos)
         qFatal("not all servos were found");
     std::vector<double> ratios;
     for (int pair = 0; pair < pairs; ++pair) {
         close(desk);
-        const double bare =
-            bench::bareSyncRate(simulator.port(), servos, feedback, feedbackBytes, span);
+        const double baseline =
+            bench::baselineSyncRate(simulator.port(), servos, feedback, feedbackBytes, span);
         if (!open(desk, simulator.port()))
             qFatal("the port does not open again");
-        const Measured feed = feedRate(desk, keys);
-        ratios.push_back(feed.rounds / bare);
+        const FeedMeasurement feed = feedRate(desk, keys);
+        ratios.push_back(feed.rounds / baseline);
         out << QStringLiteral("sync read of six: bare %1/s, feed %2/s, ratio %3; main thread %4 % "
                               "of a core, %5 missed\n")
-                   .arg(bare, 0, 'f', 0)
+                   .arg(baseline, 0, 'f', 0)
                    .arg(feed.rounds, 0, 'f', 0)
-                   .arg(feed.rounds / bare, 0, 'f', 3)
+                   .arg(feed.rounds / baseline, 0, 'f', 3)
                    .arg(feed.cpu * 100, 0, 'f', 1)
                    .arg(feed.missed);
         out.flush();

@@ -17,9 +17,9 @@ constexpr std::size_t little = std::size_t{16} << 10;
 constexpr std::size_t much = std::size_t{4} << 20;
 
 /// Hands over what it was given in one piece.
-class Pile final : public transport::Link {
+class PreloadedLink final : public transport::Link {
 public:
-    Pile(Bytes& waiting, base::ManualClock& clock)
+    PreloadedLink(Bytes& waiting, base::ManualClock& clock)
         : m_waiting(waiting)
         , m_clock(clock)
     {}
@@ -29,7 +29,7 @@ public:
         buffer.insert(buffer.end(), m_waiting.begin(), m_waiting.end());
         return std::exchange(m_waiting, {}).size();
     }
-    base::Result<bool> waitReadable(Duration span) override
+    base::Result<bool> waitForReadyRead(Duration span) override
     {
         if (m_waiting.empty())
             m_clock.advance(span);
@@ -68,11 +68,12 @@ Bytes noise(std::size_t size)
 }
 
 /// Nanoseconds for each byte; so often that both sizes digest as much.
-double costOf(const Bytes& bytes)
+double costPerByte(const Bytes& bytes)
 {
     base::ManualClock clock;
     Bytes waiting;
-    bus::BusCore core(std::make_unique<Pile>(waiting, clock), protocol::feetechCodec(), clock, {});
+    bus::BusCore core(std::make_unique<PreloadedLink>(waiting, clock), protocol::feetechCodec(),
+                      clock, {});
     const std::size_t rounds = 2 * much / bytes.size();
     const double start = seconds();
     for (std::size_t i = 0; i < rounds; ++i) {
@@ -82,7 +83,7 @@ double costOf(const Bytes& bytes)
     return (seconds() - start) * 1e9 / double(rounds * bytes.size());
 }
 
-double bareCost()
+double baselineCost()
 {
     const Bytes bytes = noise(much);
     unsigned sum = 0;
@@ -98,15 +99,15 @@ double bareCost()
 
 int main()
 {
-    const double bare = bareCost();
+    const double baseline = baselineCost();
     bool linear = true;
     for (const auto& [name, make] : {std::pair{"frames", &frames}, std::pair{"noise", &noise}}) {
-        const double few = costOf(make(little));
-        const double many = costOf(make(much));
+        const double few = costPerByte(make(little));
+        const double many = costPerByte(make(much));
         linear = linear && many < 2 * few;
         std::printf("%s: %.0f ns a byte in 16 KiB, %.0f in 4 MiB: ratio %.2f; %.0f times a bare "
                     "loop\n",
-                    name, few, many, many / few, few / bare);
+                    name, few, many, many / few, few / baseline);
     }
     return linear ? 0 : 1;
 }

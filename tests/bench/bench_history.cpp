@@ -30,14 +30,14 @@ const QDateTime start = QDateTime::fromString(QStringLiteral("2025-01-01T00:00:0
 constexpr qint64 between = 30'000; ///< ms from one intent to the next
 
 /// Rare: one intent in a thousand, of one servo in the middle of the list.
-bool rare(qint64 intent)
+bool isRareServo(qint64 intent)
 {
     return intent % 1000 == 500;
 }
 
 bool insertOne(const record::HistoryFile& file, qint64 intent)
 {
-    const int servo = rare(intent) ? servoCount : 1 + int(intent % (servoCount - 1));
+    const int servo = isRareServo(intent) ? servoCount : 1 + int(intent % (servoCount - 1));
     const qint64 at = start.toMSecsSinceEpoch() + intent * between;
     const bool failed = intent % 500 == 7;
     const auto added = file.run(
@@ -49,8 +49,8 @@ bool insertOne(const record::HistoryFile& file, qint64 intent)
     if (!added)
         return false;
     for (int place = 0; place < perIntent; ++place) {
-        const QString key =
-            rare(intent) ? QStringLiteral("rare_register") : keys[(intent + place) % keys.size()];
+        const QString key = isRareServo(intent) ? QStringLiteral("rare_register")
+                                                : keys[(intent + place) % keys.size()];
         const auto one = file.run(
             QStringLiteral("INSERT INTO writes (intent, place, servo, at, \"key\", address, old, "
                            "new, read_back, outcome, trouble) "
@@ -70,16 +70,16 @@ bool fill(const QString& path, qint64 writes)
     if (!history)
         return false;
     for (int id = 1; id <= servoCount; ++id) {
-        base::ServoIdentity who{id, 9, 3, 3, 10, QStringLiteral("sts-sms"), {}, 1000000};
-        who.model = id % 2 == 0 ? QStringLiteral("STS3215") : QStringLiteral("STS3250");
-        if (!(*history)->log().meet(who))
+        base::ServoIdentity identity{id, 9, 3, 3, 10, QStringLiteral("sts-sms"), {}, 1000000};
+        identity.model = id % 2 == 0 ? QStringLiteral("STS3215") : QStringLiteral("STS3250");
+        if (!(*history)->log().findOrAdd(identity))
             return false;
     }
     const auto& file = (*history)->file();
-    constexpr qint64 atOnce = 20'000;
-    for (qint64 from = 0; from < writes / perIntent; from += atOnce) {
-        const auto done = file.together([&]() -> base::Result<void> {
-            for (qint64 i = from; i < std::min(from + atOnce, writes / perIntent); ++i) {
+    constexpr qint64 batchSize = 20'000;
+    for (qint64 from = 0; from < writes / perIntent; from += batchSize) {
+        const auto done = file.transaction([&]() -> base::Result<void> {
+            for (qint64 i = from; i < std::min(from + batchSize, writes / perIntent); ++i) {
                 if (!insertOne(file, i))
                     return base::fail(base::ErrorCode::FileUnwritable, QStringLiteral("bench"));
             }
@@ -108,7 +108,7 @@ void ask(const char* name, const Question& question)
                 worst <= wanted ? "ok" : "TOO SLOW");
 }
 
-void askPages(const QString& path, qint64 writes)
+void queryPages(const QString& path, qint64 writes)
 {
     const auto page = [&](const HistoryFilter& filter) -> std::int64_t {
         const auto history = record::History::open(path);
@@ -140,9 +140,9 @@ void askPages(const QString& path, qint64 writes)
     HistoryFilter old;
     old.until = when(0.001);
     HistoryFilter deep;
-    deep.after = record::PageMark{when(0.5), writes / 2};
+    deep.after = record::PageCursor{when(0.5), writes / 2};
     HistoryFilter trouble = model;
-    trouble.onlyTrouble = true;
+    trouble.onlyProblems = true;
     ask("open, first page", [&] { return page(all); });
     ask("open, one servo", [&] { return page(servo); });
     ask("open, one servo that is rare", [&] { return page(rareServo); });
@@ -168,12 +168,12 @@ void askPages(const QString& path, qint64 writes)
     const record::HistoryJournal journal(path, QStringLiteral("bench"));
     ask("journal: what is open", [&] { return std::int64_t(journal.open()->size()); });
     ask("journal: 1000 entries of a servo", [&] {
-        const base::ServoIdentity who{7, 9, 3, 3, 10, QStringLiteral("sts-sms"), {}, 1000000};
-        return std::int64_t(journal.entriesOf(who, 1000)->size());
+        const base::ServoIdentity identity{7, 9, 3, 3, 10, QStringLiteral("sts-sms"), {}, 1000000};
+        return std::int64_t(journal.entriesFor(identity, 1000)->size());
     });
 }
 
-double perSync(const QString& path)
+double secondsPerSync(const QString& path)
 {
     constexpr int times = 100;
     const int file =
@@ -191,7 +191,7 @@ double perSync(const QString& path)
 }
 
 /// What a write waits for: before its first byte and after its last.
-void costOfWriting(const QString& path, const QString& bare)
+void writeCost(const QString& path, const QString& baseline)
 {
     constexpr int times = 200;
     base::Intent intent;
@@ -218,7 +218,7 @@ void costOfWriting(const QString& path, const QString& bare)
     const double opening = double(timer.nsecsElapsed()) / 1e6 / anew;
     std::printf("journal: begin or end %.2f ms, with a connection of its own %.2f ms; "
                 "a bare line with fsync %.2f ms\n",
-                each, opening, perSync(bare));
+                each, opening, secondsPerSync(baseline));
 }
 } // namespace
 
@@ -239,7 +239,7 @@ int main(int argc, char* argv[])
     std::printf("%lld writes: %.0f MB, filled in %.1f s; wanted: each line <= %.0f ms\n",
                 static_cast<long long>(writes), double(QFile(path).size()) / 1e6,
                 double(timer.elapsed()) / 1000, wanted);
-    askPages(path, writes);
-    costOfWriting(path, folder + QStringLiteral("/bare"));
+    queryPages(path, writes);
+    writeCost(path, folder + QStringLiteral("/bare"));
     return 0;
 }

@@ -18,7 +18,7 @@ constexpr int servos = 6;
 constexpr auto span = 3s;
 
 /// Counts what is painted of the chart.
-class Frames : public QObject {
+class PaintCounter : public QObject {
 public:
     int count = 0;
 
@@ -30,31 +30,31 @@ protected:
     }
 };
 
-struct Seen {
+struct FrameStats {
     double rounds = 0;
     double frames = 0;
 };
 
-Seen watch(const QString& port, QTextStream& out)
+FrameStats watch(const QString& port, QTextStream& out)
 {
-    gui::WindowBench bench;
+    gui::MainWindowFixture bench;
     bench.window->resize(1600, 900);
     bench.window->start({.port = session::PortRequest{.name = port, .baud = 1'000'000},
                          .page = QStringLiteral("operate")});
     const bool searched = QTest::qWaitFor(
-        [&] { return bench.desk().lastSearch() && !bench.desk().searching(); }, 30000);
+        [&] { return bench.desk().lastSearch() && !bench.desk().isSearching(); }, 30000);
     if (!searched || bench.desk().servos().size() != servos || !bench.choose(1))
         qFatal("not all servos were found");
-    bench::letRun(500);
+    bench::runEventLoop(500);
     auto* chart = bench.find<ui::TrendChart>("trendChart");
-    Frames frames;
+    PaintCounter frames;
     for (QWidget* part : chart->findChildren<QWidget*>()) {
         if (auto* view = qobject_cast<QGraphicsView*>(part))
             view->viewport()->installEventFilter(&frames);
     }
     std::vector<base::Duration> answered;
     const session::ServoRef first = bench.desk().servos().front();
-    QObject::connect(&bench.desk(), &session::Desk::readings, &frames,
+    QObject::connect(&bench.desk(), &session::Desk::readingsReceived, &frames,
                      [&](const std::vector<session::Reading>& batch) {
                          for (const session::Reading& reading : batch) {
                              const bool whole = reading.values.size() > 6;
@@ -62,8 +62,8 @@ Seen watch(const QString& port, QTextStream& out)
                                  answered.push_back(reading.at);
                          }
                      });
-    bench::Probe probe;
-    bench::letRun(int(std::chrono::milliseconds(span).count()));
+    bench::StallProbe probe;
+    bench::runEventLoop(int(std::chrono::milliseconds(span).count()));
     probe.report(out, "page open");
     if (answered.size() < 2)
         qFatal("nothing was read");
@@ -93,8 +93,8 @@ int main(int argc, char* argv[])
     std::vector<double> ratios;
     for (int pair = 0; pair < pairs; ++pair) {
         const double bare =
-            bench::bareSyncRate(simulator.port(), servos, feedback, feedbackBytes, span);
-        const Seen seen = watch(simulator.port(), out);
+            bench::baselineSyncRate(simulator.port(), servos, feedback, feedbackBytes, span);
+        const FrameStats seen = watch(simulator.port(), out);
         ratios.push_back(seen.rounds / bare);
         out << "sync read of six: bare " << bare << "/s, page open " << seen.rounds << "/s, ratio "
             << ratios.back() << "; chart " << seen.frames << " frames/s\n";

@@ -40,11 +40,11 @@ double microseconds(Clock::duration span)
 double roundTrip(const raw::Client& client, const QByteArray& request, qsizetype replyBytes)
 {
     const auto start = Clock::now();
-    client.say(request);
-    while (!client.readable(raw::patienceMs)) {
+    client.send(request);
+    while (!client.readable(raw::timeoutMs)) {
     }
     const auto end = Clock::now();
-    client.hear(replyBytes);
+    client.receive(replyBytes);
     return microseconds(end - start);
 }
 
@@ -61,10 +61,10 @@ std::vector<double> terminalHops()
         const auto start = Clock::now();
         if (write(master, reply.constData(), 21) != 21)
             break;
-        while (!client.readable(raw::patienceMs)) {
+        while (!client.readable(raw::timeoutMs)) {
         }
         times.push_back(microseconds(Clock::now() - start));
-        client.hear(21);
+        client.receive(21);
         usleep(300);
     }
     close(master);

@@ -19,10 +19,10 @@ using Steady = std::chrono::steady_clock;
 using record::RecordingRow;
 
 constexpr int servos = 6;
-constexpr int wholeCount = servos * 200 * 3600 * 6;
+constexpr int totalSamples = servos * 200 * 3600 * 6;
 constexpr int batchRows = 40; // what six servos give in a frame of the window
 constexpr double megabyte = 1024.0 * 1024.0;
-constexpr double wantedGrowth = 16;
+constexpr double maxGrowthMegabytes = 16;
 
 double secondsSince(Steady::time_point start)
 {
@@ -45,7 +45,7 @@ record::RecorderSpec specFor(const QString& path)
 {
     record::RecorderSpec spec;
     spec.path = path;
-    spec.format = record::formatOf(path);
+    spec.format = record::recordingFormatOf(path);
     spec.head.started = QDateTime(QDate(2026, 1, 1), QTime(0, 0), Qt::UTC);
     for (int servo = 0; servo < servos; ++servo) {
         for (const char* key : {"position", "speed", "load", "voltage", "temperature", "current"})
@@ -66,7 +66,7 @@ RecordingRow rowAt(int i)
              double(31 + round / 100000), (step % 77) * 6.5}};
 }
 
-struct Memory {
+struct MemoryUsage {
     double before = 0;
     double peak = 0;
     double after = 0;
@@ -74,7 +74,7 @@ struct Memory {
 };
 
 /// Seconds; ends the program when the recorder says that something went wrong.
-double recordRows(record::Recorder& recorder, int count, Memory& memory)
+double recordRows(record::Recorder& recorder, int count, MemoryUsage& memory)
 {
     const auto start = Steady::now();
     std::vector<RecordingRow> rows;
@@ -82,7 +82,7 @@ double recordRows(record::Recorder& recorder, int count, Memory& memory)
     for (int i = 0; i < count;) {
         for (int end = std::min(i + batchRows, count); i < end; ++i)
             rows.push_back(rowAt(i));
-        while (!recorder.offer(rows, marks))
+        while (!recorder.tryWrite(rows, marks))
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         if (i % (batchRows * 1000) == 0)
             memory.look();
@@ -112,7 +112,7 @@ std::pair<int, double> countRows(const QString& path)
 }
 
 /// Writes the lines of `path` once more: the first megabytes of them over and over.
-double bareSeconds(const QString& path, const QString& copy, double bytes)
+double baselineSeconds(const QString& path, const QString& copy, double bytes)
 {
     QFile source(path);
     if (!source.open(QIODevice::ReadOnly))
@@ -134,12 +134,12 @@ double bareSeconds(const QString& path, const QString& copy, double bytes)
 
 const char* nameOf(const QString& path)
 {
-    return record::formatOf(path) == record::RecordingFormat::Csv ? "CSV" : "JSON lines";
+    return record::recordingFormatOf(path) == record::RecordingFormat::Csv ? "CSV" : "JSON lines";
 }
 
-bool benchRecorder(const QString& path, int count)
+bool benchmarkRecorder(const QString& path, int count)
 {
-    Memory memory;
+    MemoryUsage memory;
     auto recorder = record::Recorder::start(specFor(path));
     if (!recorder)
         qFatal("%s", qPrintable(recorder.error().detail));
@@ -157,19 +157,19 @@ bool benchRecorder(const QString& path, int count)
                 nameOf(path), count, seconds, count / seconds / 1e6, bytes / megabyte / seconds,
                 rows, count - rows, whole ? "" : " (WRONG)");
     std::printf("  memory: %.1f MB before, %.1f at most, %.1f after (wanted <= %.0f more)\n",
-                memory.before, memory.peak, memory.after, wantedGrowth);
+                memory.before, memory.peak, memory.after, maxGrowthMegabytes);
     const QString copy = path + QStringLiteral(".bare");
-    const double bare = bareSeconds(path, copy, bytes);
+    const double baseline = baselineSeconds(path, copy, bytes);
     QFile::remove(copy);
     std::printf("  bare fwrite of such lines: %.1f s, %.0f MB/s; the recorder takes %.2f x that\n",
-                bare, bytes / megabyte / bare, seconds / bare);
-    return whole && memory.peak - memory.before <= wantedGrowth;
+                baseline, bytes / megabyte / baseline, seconds / baseline);
+    return whole && memory.peak - memory.before <= maxGrowthMegabytes;
 }
 
-bool benchLoading(const QString& path, int count)
+bool benchmarkLoading(const QString& path, int count)
 {
     record::SampleStore store;
-    const base::Stop stop;
+    const base::StopToken stop;
     const auto start = Steady::now();
     const auto loaded = record::loadRecording(path, store, stop);
     const double seconds = secondsSince(start);
@@ -178,14 +178,14 @@ bool benchLoading(const QString& path, int count)
     std::printf("%s read back: %llu rows in %.1f s, %.2f M rows/s; the store has %.0f MB%s\n",
                 nameOf(path), static_cast<unsigned long long>(loaded->report.rows), seconds,
                 count / seconds / 1e6, double(store.bytes()) / megabyte,
-                store.thinned() ? ", thinned" : "");
+                store.decimated() ? ", thinned" : "");
     return loaded->report.rows == std::uint64_t(count) && loaded->report.badLines == 0;
 }
 } // namespace
 
 int main(int argc, char* argv[])
 {
-    const int count = argc > 1 ? std::atoi(argv[1]) : wholeCount;
+    const int count = argc > 1 ? std::atoi(argv[1]) : totalSamples;
     if (count < 1) {
         std::fprintf(stderr, "usage: bench_recorder [ROWS]\n");
         return 2;
@@ -193,8 +193,8 @@ int main(int argc, char* argv[])
     const QTemporaryDir folder;
     bool good = true;
     for (const char* name : {"run.csv", "run.jsonl"})
-        good = benchRecorder(folder.filePath(QLatin1String(name)), count) && good;
+        good = benchmarkRecorder(folder.filePath(QLatin1String(name)), count) && good;
     for (const char* name : {"run.csv", "run.jsonl"})
-        good = benchLoading(folder.filePath(QLatin1String(name)), count) && good;
+        good = benchmarkLoading(folder.filePath(QLatin1String(name)), count) && good;
     return good ? 0 : 1;
 }

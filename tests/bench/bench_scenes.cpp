@@ -23,7 +23,7 @@
 using namespace std::chrono_literals;
 
 namespace {
-struct Scene {
+struct ServoList {
     const char* name;
     const char* port;
     int id;
@@ -31,7 +31,7 @@ struct Scene {
     const char* goals[3]; ///< one after the other
     const char* speed;    ///< empty: as it is
 };
-constexpr Scene scenes[] = {
+constexpr ServoList scenes[] = {
     {"sts-position", "sim:demo", 1, "", {"1200", "2900", "1800"}, "1500"},
     {"sts-multiturn", "sim:sts3215@1,sts3215@2", 1, "multiturn", {"8192", "0", "4096"}, ""},
     {"sts-speed", "sim:sts3215@1,sts3215@2", 1, "speed", {"15rpm", "-15rpm", "10rpm"}, ""},
@@ -63,88 +63,89 @@ constexpr SweepScene sweepScenes[] = {
     {"sweep-lx", "sim:lx", 1, 0, true},
 };
 
-void letRun(int ms)
+void runEventLoop(int ms)
 {
     QEventLoop loop;
     QTimer::singleShot(ms, &loop, &QEventLoop::quit);
     loop.exec();
 }
 
-void show(const Scene& scene, const QString& language, session::Theme look, QSize size,
+void show(const ServoList& scene, const QString& language, session::Theme look, QSize size,
           const QString& path)
 {
-    gui::WindowBench bench(language, look);
-    bench.page = QStringLiteral("operate");
-    bench.window->resize(size);
-    if (!bench.ready(scene.id, QString::fromLatin1(scene.port))) {
+    gui::MainWindowFixture fixture(language, look);
+    fixture.page = QStringLiteral("operate");
+    fixture.window->resize(size);
+    if (!fixture.ready(scene.id, QString::fromLatin1(scene.port))) {
         QTextStream(stderr) << scene.name << ": no servo\n";
         return;
     }
-    session::Drive& drive = bench.bench.drive;
-    const auto settle = [&] {
-        return QTest::qWaitFor([&] { return !drive.busy() && !bench.desk().busy(); }, 5000);
+    session::MotionController& drive = fixture.context.motion;
+    const auto waitForServos = [&] {
+        return QTest::qWaitFor([&] { return !drive.isBusy() && !fixture.desk().isBusy(); }, 5000);
     };
-    QObject::connect(&drive, &session::Drive::failed, &drive, [&](const base::Error& error) {
-        QTextStream(stderr) << scene.name << ": " << base::errorName(error.code) << ' '
-                            << error.detail << '\n';
-    });
+    QObject::connect(&drive, &session::MotionController::failed, &drive,
+                     [&](const base::Error& error) {
+                         QTextStream(stderr) << scene.name << ": " << base::errorName(error.code)
+                                             << ' ' << error.detail << '\n';
+                     });
     if (*scene.mode != '\0') {
         drive.switchMode(QString::fromLatin1(scene.mode));
-        settle();
+        waitForServos();
     }
     drive.setTorque(device::Torque::On);
-    settle();
+    waitForServos();
     for (const char* goal : scene.goals) {
-        session::MoveWish wish;
+        session::MoveRequest wish;
         wish.goal = QString::fromLatin1(goal);
         if (*scene.speed != '\0')
             wish.speed = QString::fromLatin1(scene.speed);
         drive.move(wish);
-        settle();
-        letRun(1500);
+        waitForServos();
+        runEventLoop(1500);
     }
     if (size.width() > 1500)
-        bench.find<ui::TrendChart>("trendChart")->setCursorsShown(true);
-    letRun(300);
-    if (!bench.window->grab().save(path, "PNG"))
+        fixture.find<ui::TrendChart>("trendChart")->setCursorsShown(true);
+    runEventLoop(300);
+    if (!fixture.window->grab().save(path, "PNG"))
         QTextStream(stderr) << path << ": cannot be written\n";
 }
 
 void show(const SweepScene& scene, const QString& language, session::Theme look, QSize size,
           const QString& path)
 {
-    gui::WindowBench bench(language, look);
-    bench.page = QStringLiteral("sweep");
-    bench.window->resize(size);
-    if (!bench.ready(scene.id, QString::fromLatin1(scene.port))) {
+    gui::MainWindowFixture fixture(language, look);
+    fixture.page = QStringLiteral("sweep");
+    fixture.window->resize(size);
+    if (!fixture.ready(scene.id, QString::fromLatin1(scene.port))) {
         QTextStream(stderr) << scene.name << ": no servo\n";
         return;
     }
-    session::SweepTest& test = bench.bench.sweep;
+    session::SweepTest& test = fixture.context.sweepTest;
     static const char* const shapes[] = {"sweep", "stairs", "both-sides", "sine"};
-    bench
+    fixture
         .find<QAbstractButton>(
             qPrintable(QStringLiteral("sweepShape_") + QLatin1String(shapes[scene.shape])))
         ->click();
-    bench.find<QSpinBox>("sweepCycles")->setValue(scene.whole ? 2 : 20);
+    fixture.find<QSpinBox>("sweepCycles")->setValue(scene.whole ? 2 : 20);
     if (scene.several)
-        bench.find<QTableWidget>("sweepServos")->item(1, 0)->setCheckState(Qt::Checked);
-    auto* run = bench.find<QAbstractButton>("sweepRun");
-    letRun(1500); // range and delay are proposed
+        fixture.find<QTableWidget>("sweepServos")->item(1, 0)->setCheckState(Qt::Checked);
+    auto* run = fixture.find<QAbstractButton>("sweepRun");
+    runEventLoop(1500); // range and delay are proposed
     if (!QTest::qWaitFor([&] { return run->isEnabled(); }, 10000)) {
         QTextStream(stderr) << scene.name << ": cannot be run\n";
     } else {
         run->click();
-        if (auto* yes = bench.find<QAbstractButton>("questionYes"))
+        if (auto* yes = fixture.find<QAbstractButton>("questionYes"))
             yes->click();
-        (void)QTest::qWaitFor([&] { return scene.whole ? !test.running() : false; },
+        (void)QTest::qWaitFor([&] { return scene.whole ? !test.isRunning() : false; },
                               scene.whole ? 90'000 : 12'000);
     }
-    letRun(300);
-    if (!bench.window->grab().save(path, "PNG"))
+    runEventLoop(300);
+    if (!fixture.window->grab().save(path, "PNG"))
         QTextStream(stderr) << path << ": cannot be written\n";
     test.stop();
-    (void)QTest::qWaitFor([&] { return !test.running(); }, 5000);
+    (void)QTest::qWaitFor([&] { return !test.isRunning(); }, 5000);
 }
 
 /// The step-response lab after a run and a trial.
@@ -160,31 +161,31 @@ constexpr StepScene stepScenes[] = {{"step-trial", "sim:sts3215@1", 1, 80},
 void show(const StepScene& scene, const QString& language, session::Theme look, QSize size,
           const QString& path)
 {
-    gui::WindowBench bench(language, look);
-    bench.page = QStringLiteral("step");
-    bench.window->resize(size);
-    if (!bench.ready(scene.id, QString::fromLatin1(scene.port))) {
+    gui::MainWindowFixture fixture(language, look);
+    fixture.page = QStringLiteral("step");
+    fixture.window->resize(size);
+    if (!fixture.ready(scene.id, QString::fromLatin1(scene.port))) {
         QTextStream(stderr) << scene.name << ": no servo\n";
         return;
     }
     const auto press = [&](const char* name) {
-        auto* button = bench.find<QAbstractButton>(name);
+        auto* button = fixture.find<QAbstractButton>(name);
         if (!QTest::qWaitFor([&] { return button->isEnabled(); }, 20'000))
             QTextStream(stderr) << scene.name << ": " << name << " cannot be pressed\n";
         button->click();
-        if (auto* yes = bench.find<QAbstractButton>("questionYes"))
+        if (auto* yes = fixture.find<QAbstractButton>("questionYes"))
             yes->click();
-        letRun(500);
+        runEventLoop(500);
     };
     press("stepRun");
-    (void)QTest::qWaitFor([&] { return bench.find<QAbstractButton>("stepRun")->isEnabled(); },
+    (void)QTest::qWaitFor([&] { return fixture.find<QAbstractButton>("stepRun")->isEnabled(); },
                           30'000);
-    bench.find<QSpinBox>("stepTry_position_p")->setValue(scene.trial);
+    fixture.find<QSpinBox>("stepTry_position_p")->setValue(scene.trial);
     press("stepTry");
-    (void)QTest::qWaitFor([&] { return bench.find<QAbstractButton>("stepRun")->isEnabled(); },
+    (void)QTest::qWaitFor([&] { return fixture.find<QAbstractButton>("stepRun")->isEnabled(); },
                           30'000);
-    letRun(500);
-    if (!bench.window->grab().save(path, "PNG"))
+    runEventLoop(500);
+    if (!fixture.window->grab().save(path, "PNG"))
         QTextStream(stderr) << path << ": cannot be written\n";
 }
 
@@ -205,33 +206,33 @@ constexpr ChangeScene changeScenes[] = {{"snapshots-compare", "snapshots", ""},
 void show(const ChangeScene& scene, const QString& language, session::Theme look, QSize size,
           const QString& path)
 {
-    gui::WindowBench bench(language, look);
-    bench.page = QString::fromLatin1(scene.page);
-    bench.window->resize(size);
-    if (!bench.ready(1, QStringLiteral("sim:demo"))) {
+    gui::MainWindowFixture fixture(language, look);
+    fixture.page = QString::fromLatin1(scene.page);
+    fixture.window->resize(size);
+    if (!fixture.ready(1, QStringLiteral("sim:demo"))) {
         QTextStream(stderr) << scene.name << ": no servo\n";
         return;
     }
     const auto write = [&](const char* key, std::int64_t raw) {
-        bench.desk().write(bench.selection().current(), {{{QString::fromLatin1(key), raw}}});
-        bench.settled();
+        fixture.desk().write(fixture.selection().current(), {{{QString::fromLatin1(key), raw}}});
+        fixture.waitUntilIdle();
     };
-    if (auto* take = bench.find<QAbstractButton>("snapshotTake"))
+    if (auto* take = fixture.find<QAbstractButton>("snapshotTake"))
         take->click();
-    bench.settled();
+    fixture.waitUntilIdle();
     write("position_p", 40);
     write("min_angle_limit", 300);
     write("max_angle_limit", 3800);
     write("position_d", 48);
-    letRun(1200);
-    if (auto* tree = bench.find<QTreeWidget>("shelfTree"); tree->topLevelItemCount() > 0)
+    runEventLoop(1200);
+    if (auto* tree = fixture.find<QTreeWidget>("shelfTree"); tree->topLevelItemCount() > 0)
         tree->setCurrentItem(tree->topLevelItem(tree->topLevelItemCount() - 1));
-    letRun(800);
-    QWidget* shown = bench.window.get();
+    runEventLoop(800);
+    QWidget* shown = fixture.window.get();
     if (*scene.press != '\0') {
-        bench.find<QAbstractButton>(scene.press)->click();
-        letRun(400);
-        for (QDialog* dialog : bench.window->findChildren<QDialog*>()) {
+        fixture.find<QAbstractButton>(scene.press)->click();
+        runEventLoop(400);
+        for (QDialog* dialog : fixture.window->findChildren<QDialog*>()) {
             if (dialog->isVisible())
                 shown = dialog;
         }
@@ -242,36 +243,36 @@ void show(const ChangeScene& scene, const QString& language, session::Theme look
 
 /// A bag of servos on the commissioning line: two are set up, the third waits for the click, or is
 /// just done.
-struct LineScene {
+struct CommissionScene {
     const char* name;
     int clicks;
 };
-constexpr LineScene lineScenes[] = {{"commission-asks", 2}, {"commission-done", 3}};
+constexpr CommissionScene lineScenes[] = {{"commission-asks", 2}, {"commission-done", 3}};
 
-void show(const LineScene& scene, const QString& language, session::Theme look, QSize size,
+void show(const CommissionScene& scene, const QString& language, session::Theme look, QSize size,
           const QString& path)
 {
-    gui::WindowBench bench(language, look);
-    bench.page = QStringLiteral("commission");
-    bench.window->resize(size);
+    gui::MainWindowFixture fixture(language, look);
+    fixture.page = QStringLiteral("commission");
+    fixture.window->resize(size);
     const QTemporaryDir files; // the batch, another one for each picture
     const auto press = [&](const char* name) {
-        auto* button = bench.find<QAbstractButton>(name);
+        auto* button = fixture.find<QAbstractButton>(name);
         if (!QTest::qWaitFor([&] { return button->isVisible() && button->isEnabled(); }, 20'000))
             QTextStream(stderr) << scene.name << ": " << name << " cannot be pressed\n";
         button->click();
     };
-    if (!bench.connectTo(QStringLiteral("sim:line")))
+    if (!fixture.connectTo(QStringLiteral("sim:line")))
         return;
-    bench.find<QLineEdit>("commissionBatch")->setText(files.filePath(QStringLiteral("gate.csv")));
-    bench.find<QSpinBox>("commissionFirstId")->setValue(11);
+    fixture.find<QLineEdit>("commissionBatch")->setText(files.filePath(QStringLiteral("gate.csv")));
+    fixture.find<QSpinBox>("commissionFirstId")->setValue(11);
     press("commissionStart");
-    auto* rows = bench.find<QTableView>("commissionTable")->model();
+    auto* rows = fixture.find<QTableView>("commissionTable")->model();
     for (int done = 0; done < 3; ++done) {
         press("commissionPlug");
         if (done == scene.clicks) {
             (void)QTest::qWaitFor(
-                [&] { return bench.find<QAbstractButton>("commissionContinue")->isVisible(); },
+                [&] { return fixture.find<QAbstractButton>("commissionContinue")->isVisible(); },
                 20'000);
             break;
         }
@@ -280,113 +281,113 @@ void show(const LineScene& scene, const QString& language, session::Theme look, 
         if (done + 1 < scene.clicks || scene.clicks < 3)
             press("commissionUnplug");
     }
-    letRun(1500);
-    if (!bench.window->grab().save(path, "PNG"))
+    runEventLoop(1500);
+    if (!fixture.window->grab().save(path, "PNG"))
         QTextStream(stderr) << path << ": cannot be written\n";
 }
 
 /// What stands in the window's way or is told when something went wrong: the question itself, or
 /// the window with its banner.
-struct TroubleScene {
+struct ErrorScene {
     const char* name;
     const char* port;
-    void (*happen)(gui::WindowBench& bench);
+    void (*happen)(gui::MainWindowFixture& fixture);
     const char* dialog; ///< empty: the window
 };
 
 template <typename Deed>
-void onTheWire(gui::WindowBench& bench, Deed&& deed)
+void onTheWire(gui::MainWindowFixture& fixture, Deed&& deed)
 {
-    bench.desk().connection()->simulation()->with(std::forward<Deed>(deed));
+    fixture.desk().connection()->simulation()->with(std::forward<Deed>(deed));
 }
 
-void leaveTurning(gui::WindowBench& bench)
+void leaveServoTurning(gui::MainWindowFixture& fixture)
 {
-    session::Drive& drive = bench.bench.drive;
-    const auto settle = [&] {
-        return QTest::qWaitFor([&] { return !drive.busy() && !bench.desk().busy(); }, 5000);
+    session::MotionController& drive = fixture.context.motion;
+    const auto waitForServos = [&] {
+        return QTest::qWaitFor([&] { return !drive.isBusy() && !fixture.desk().isBusy(); }, 5000);
     };
-    drive.setServos({bench.selection().current()});
+    drive.setServos({fixture.selection().current()});
     drive.switchMode(QStringLiteral("speed"));
-    settle();
+    waitForServos();
     drive.setTorque(device::Torque::On);
-    settle();
+    waitForServos();
     drive.move({.goal = QStringLiteral("15rpm")});
-    settle();
-    bench.window->close();
+    waitForServos();
+    fixture.window->close();
 }
 
 /// The servo falls silent in the middle of a write of five rows.
-void breakOffWrite(gui::WindowBench& bench)
+void interruptWrite(gui::MainWindowFixture& fixture)
 {
-    bench.desk().write(bench.selection().current(), gui::fiveRows());
+    fixture.desk().write(fixture.selection().current(), gui::fiveRegisterWrite());
     const auto mute = [&](std::vector<int> ids) {
-        onTheWire(bench, [&](sim::VirtualBus& wire) { wire.config().faults.muteIds = ids; });
+        onTheWire(fixture, [&](sim::VirtualBus& wire) { wire.config().faults.muteIds = ids; });
     };
     (void)QTest::qWaitFor(
         [&] {
             bool open = false;
-            onTheWire(bench, [&](sim::VirtualBus& wire) {
+            onTheWire(fixture, [&](sim::VirtualBus& wire) {
                 open = wire.servo(1)->raw(QStringLiteral("lock")) == 0;
             });
             return open;
         },
         10'000);
     mute({1});
-    bench.settled();
+    fixture.waitUntilIdle();
     mute({});
-    letRun(500);
+    runEventLoop(500);
 }
 
-void leaveUnlocked(gui::WindowBench& bench)
+void leaveLockOpen(gui::MainWindowFixture& fixture)
 {
-    breakOffWrite(bench);
-    bench.window->close();
+    interruptWrite(fixture);
+    fixture.window->close();
 }
 
-void listInterrupted(gui::WindowBench& bench)
+void listInterrupted(gui::MainWindowFixture& fixture)
 {
-    breakOffWrite(bench);
-    bench.action(ui::Command::OpenIntents)->trigger();
+    interruptWrite(fixture);
+    fixture.action(ui::Command::OpenIntents)->trigger();
 }
 
-void exchange(gui::WindowBench& bench)
+void exchange(gui::MainWindowFixture& fixture)
 {
-    onTheWire(bench, [](sim::VirtualBus& wire) {
+    onTheWire(fixture, [](sim::VirtualBus& wire) {
         wire.unplug(0);
         wire.plug(1);
     });
-    bench.desk().write(bench.selection().current(), {{{QStringLiteral("max_voltage"), 100}}});
-    bench.settled();
+    fixture.desk().write(fixture.selection().current(), {{{QStringLiteral("max_voltage"), 100}}});
+    fixture.waitUntilIdle();
 }
 
-constexpr TroubleScene troubleScenes[] = {
-    {"leave-turning", "sim:sts3215@1", leaveTurning, "question"},
-    {"leave-unlocked", "sim:sts3215@1", leaveUnlocked, "question"},
-    {"interrupted-write", "sim:sts3215@1", breakOffWrite, ""},
+constexpr ErrorScene troubleScenes[] = {
+    {"leave-turning", "sim:sts3215@1", leaveServoTurning, "question"},
+    {"leave-unlocked", "sim:sts3215@1", leaveLockOpen, "question"},
+    {"interrupted-write", "sim:sts3215@1", interruptWrite, ""},
     {"interrupted-list", "sim:sts3215@1", listInterrupted, "intentsDialog"},
     {"exchanged-servo", "sim:sts3215@1,scs15@1", exchange, ""}};
 
-void show(const TroubleScene& scene, const QString& language, session::Theme look, QSize size,
+void show(const ErrorScene& scene, const QString& language, session::Theme look, QSize size,
           const QString& path)
 {
-    gui::WindowBench bench(language, look);
-    bench.window->resize(size);
-    if (!bench.connectTo(QString::fromLatin1(scene.port)))
+    gui::MainWindowFixture fixture(language, look);
+    fixture.window->resize(size);
+    if (!fixture.connectTo(QString::fromLatin1(scene.port)))
         return;
-    onTheWire(bench, [](sim::VirtualBus& wire) {
+    onTheWire(fixture, [](sim::VirtualBus& wire) {
         if (wire.servos().size() > 1)
             wire.unplug(1); // a spare one
     });
-    bench.action(ui::Command::Search)->trigger();
-    (void)QTest::qWaitFor([&] { return !bench.desk().searching(); }, 20'000);
-    if (!bench.choose(1))
+    fixture.action(ui::Command::Search)->trigger();
+    (void)QTest::qWaitFor([&] { return !fixture.desk().isSearching(); }, 20'000);
+    if (!fixture.choose(1))
         QTextStream(stderr) << scene.name << ": no servo\n";
-    scene.happen(bench);
-    letRun(1000);
-    QWidget* shown = bench.window.get();
+    scene.happen(fixture);
+    runEventLoop(1000);
+    QWidget* shown = fixture.window.get();
     if (*scene.dialog != '\0')
-        shown = bench.find<QDialog>(scene.dialog);
+        shown = fixture.find<QDialog>(scene.dialog);
     if (shown == nullptr || !shown->grab().save(path, "PNG"))
         QTextStream(stderr) << path << ": nothing to be shown, or cannot be written\n";
 }

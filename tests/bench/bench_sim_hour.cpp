@@ -14,7 +14,7 @@ namespace {
 constexpr int baud = 1'000'000;
 constexpr base::Duration pollPeriod = 50ms;
 constexpr base::Duration span = 1h;
-constexpr double aim = 5.0;
+constexpr double target = 5.0;
 
 base::Bytes frame(std::uint8_t id, std::uint8_t instruction, const base::Bytes& params)
 {
@@ -69,8 +69,8 @@ bool run(const char* name, bool moving)
     }
     const double used = cpuSeconds() - begin;
     std::printf("%-10s %zu of %zu reads answered, %.2f s of CPU, %.2f x the aim of %.0f s\n", name,
-                answered, asked, used, used / aim, aim);
-    return answered == asked && used <= aim;
+                answered, asked, used, used / target, target);
+    return answered == asked && used <= target;
 }
 } // namespace
 

@@ -50,7 +50,7 @@ struct Host {
 
     std::unique_ptr<bus::BusThread> bus;
     support::MemoryJournal journal;
-    base::Stop stop;
+    base::StopToken stop;
     device::Notices notices;
 };
 
@@ -100,8 +100,8 @@ void compareTables(QTextStream& out)
             wallClock.sleepFor(50ms);
             const Duration start = wallClock.now();
             for (const protocol::Request& read : reads) {
-                client.say(bytesOf(protocol::feetechCodec().encode(read).value()));
-                client.hear(protocol::feetechCodec().expect(read).replyBytes);
+                client.send(bytesOf(protocol::feetechCodec().encode(read).value()));
+                client.receive(protocol::feetechCodec().expect(read).replyBytes);
             }
             bare = seconds(wallClock.now() - start);
         }
@@ -138,7 +138,7 @@ support::TableValues rowsToChange(const device::Servo& servo)
     return all;
 }
 
-record::Snapshot wantedOf(const device::Servo& servo, const support::TableValues& rows)
+record::Snapshot targetSnapshot(const device::Servo& servo, const support::TableValues& rows)
 {
     record::Snapshot snapshot = jobs::snapshotOf(servo, QStringLiteral("bench"));
     for (record::SnapshotRegister& reg : snapshot.registers) {
@@ -159,17 +159,17 @@ jobs::RestorePlan planOf(const device::Servo& servo, const record::Snapshot& sna
 /// The EPROM writes a restore sends, as it groups them.
 std::vector<QByteArray> epromFrames(const QString& servos)
 {
-    support::SimBench bench(servos);
+    support::SimFixture fixture(servos);
     std::vector<QByteArray> frames;
     for (const int id : {1, 2}) {
-        device::Servo servo = support::wholeServo(bench, id);
-        const auto plan = planOf(servo, wantedOf(servo, rowsToChange(servo)));
-        bench.forgetFrames();
+        device::Servo servo = support::identifyWithTable(fixture, id);
+        const auto plan = planOf(servo, targetSnapshot(servo, rowsToChange(servo)));
+        fixture.clearFrames();
         jobs::RestoreOptions options;
         options.dangerous = true;
-        if (!jobs::restore(bench.context(), servo, plan, options))
+        if (!jobs::restore(fixture.context(), servo, plan, options))
             qFatal("restore");
-        for (const base::Bytes& frame : bench.tap().written) {
+        for (const base::Bytes& frame : fixture.tap().written) {
             constexpr int firstSram = 40;
             if (frame[4] == support::Write && frame[5] < firstSram)
                 frames.push_back(bytesOf(frame));
@@ -191,29 +191,29 @@ void restoreRows(QTextStream& out)
             const raw::Simulator simulator(arguments);
             const raw::Client client(simulator.port(), B1000000);
             wallClock.sleepFor(50ms);
-            constexpr qsizetype acknowledgement = 6;
+            constexpr qsizetype acknowledgment = 6;
             const Duration start = wallClock.now();
             for (const QByteArray& frame : frames) {
-                client.say(frame);
-                client.hear(acknowledgement);
+                client.send(frame);
+                client.receive(acknowledgment);
                 wallClock.sleepFor(device::epromWriteTime);
             }
             bare = seconds(wallClock.now() - start);
         }
         const raw::Simulator simulator(arguments);
         Host host(simulator.port());
-        std::vector<device::Servo> who{whole(host, 1), whole(host, 2)};
+        std::vector<device::Servo> bothServos{whole(host, 1), whole(host, 2)};
         std::vector<jobs::RestorePlan> plans;
         std::size_t rows = 0;
-        for (const device::Servo& servo : who) {
-            plans.push_back(planOf(servo, wantedOf(servo, rowsToChange(servo))));
-            rows += jobs::writesOf(plans.back()).size();
+        for (const device::Servo& servo : bothServos) {
+            plans.push_back(planOf(servo, targetSnapshot(servo, rowsToChange(servo))));
+            rows += jobs::plannedWrites(plans.back()).size();
         }
         jobs::RestoreOptions options;
         options.dangerous = true;
         const Duration start = wallClock.now();
-        for (std::size_t i = 0; i < who.size(); ++i) {
-            const auto outcome = jobs::restore(host.context(), who[i], plans[i], options);
+        for (std::size_t i = 0; i < bothServos.size(); ++i) {
+            const auto outcome = jobs::restore(host.context(), bothServos[i], plans[i], options);
             if (!outcome || outcome->verdict != jobs::RestoreVerdict::Done)
                 qFatal("not restored");
         }

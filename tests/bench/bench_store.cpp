@@ -13,11 +13,11 @@ namespace {
 using base::Duration;
 
 constexpr int channelCount = 8;
-constexpr int perChannel = 200 * 3600;
+constexpr int samplesPerChannel = 200 * 3600;
 constexpr Duration period{5000};
 constexpr double megabyte = 1024.0 * 1024.0;
-constexpr double wantedMegabytes = 120;
-constexpr double wantedRate = 10e6;
+constexpr double maxMegabytes = 120;
+constexpr double minRate = 10e6;
 
 /// CPU time, so that other programs on this machine do not count.
 double seconds()
@@ -35,33 +35,33 @@ double fill(record::SampleStore& store)
     for (int i = 0; i < channelCount; ++i)
         store.open();
     std::vector<double> values;
-    for (int i = 0; i < perChannel; ++i)
+    for (int i = 0; i < samplesPerChannel; ++i)
         values.push_back(valueAt(i));
     const double start = seconds();
-    for (int i = 0; i < perChannel; ++i) {
+    for (int i = 0; i < samplesPerChannel; ++i) {
         for (int channel = 0; channel < channelCount; ++channel)
             store.append(channel, period * i, values[std::size_t(i)]);
     }
-    return channelCount * double(perChannel) / (seconds() - start);
+    return channelCount * double(samplesPerChannel) / (seconds() - start);
 }
 
-double bareRate()
+double baselineRate()
 {
-    std::vector<std::vector<record::SamplePoint>> bare(channelCount);
+    std::vector<std::vector<record::SamplePoint>> baseline(channelCount);
     const double start = seconds();
-    for (int i = 0; i < perChannel; ++i) {
-        for (auto& channel : bare)
+    for (int i = 0; i < samplesPerChannel; ++i) {
+        for (auto& channel : baseline)
             channel.push_back({period * i, double(i)});
     }
-    return channelCount * double(perChannel) / (seconds() - start);
+    return channelCount * double(samplesPerChannel) / (seconds() - start);
 }
 
 /// Milliseconds for all channels, following: the stretch ends later each time.
 template <typename Function>
-double perFrame(Duration length, const Function& ask)
+double secondsPerFrame(Duration length, const Function& ask)
 {
     constexpr int frames = 50;
-    const Duration last = period * perChannel;
+    const Duration last = period * samplesPerChannel;
     const double start = seconds();
     for (int i = 0; i < frames; ++i) {
         const Duration end = last - std::chrono::milliseconds(33) * (frames - i);
@@ -71,23 +71,24 @@ double perFrame(Duration length, const Function& ask)
     return (seconds() - start) * 1000 / frames;
 }
 
-void benchQuestions(const record::SampleStore& store)
+void benchmarkQueries(const record::SampleStore& store)
 {
     for (const int shown : {1, 10, 60, 600, 3600}) {
         const Duration length = std::chrono::seconds(shown);
         std::vector<record::SampleColumn> columns;
         std::size_t got = 0;
-        const double columnTime = perFrame(length, [&](int channel, record::TimeSpan span) {
+        const double columnTime = secondsPerFrame(length, [&](int channel, record::TimeSpan span) {
             store.columns(channel, span, 1600, columns);
             got = columns.size();
         });
         double sum = 0;
-        const double rangeTime = perFrame(length, [&](int channel, record::TimeSpan span) {
+        const double rangeTime = secondsPerFrame(length, [&](int channel, record::TimeSpan span) {
             sum += store.range(channel, span)->first;
         });
-        const double statisticsTime = perFrame(length, [&](int channel, record::TimeSpan span) {
-            sum += store.statistics(channel, span).sigma;
-        });
+        const double statisticsTime =
+            secondsPerFrame(length, [&](int channel, record::TimeSpan span) {
+                sum += store.statistics(channel, span).sigma;
+            });
         std::printf("%5d s shown, 8 channels: columns %.3f ms (%zu each), range %.3f ms, "
                     "statistics %.3f ms%s\n",
                     shown, columnTime, got, rangeTime, statisticsTime,
@@ -102,16 +103,16 @@ int main()
     const double rate = fill(store);
     const double used = double(store.bytes()) / megabyte;
     std::printf("%llu samples: %.1f MB (wanted <= %.0f)\n",
-                static_cast<unsigned long long>(store.count()), used, wantedMegabytes);
+                static_cast<unsigned long long>(store.count()), used, maxMegabytes);
     std::printf("appending: %.1f M samples/s (wanted >= %.0f); bare vectors %.1f M/s\n", rate / 1e6,
-                wantedRate / 1e6, bareRate() / 1e6);
-    benchQuestions(store);
+                minRate / 1e6, baselineRate() / 1e6);
+    benchmarkQueries(store);
 
     record::SampleStore small(store.bytes() / 10);
     const double thinRate = fill(small);
     std::printf("with a tenth of the room: %.1f MB, %.1f M samples/s, all %s there\n",
                 double(small.bytes()) / megabyte, thinRate / 1e6,
                 small.span() == store.span() ? "still" : "NOT");
-    benchQuestions(small);
-    return used <= wantedMegabytes && rate >= wantedRate ? 0 : 1;
+    benchmarkQueries(small);
+    return used <= maxMegabytes && rate >= minRate ? 0 : 1;
 }

@@ -23,11 +23,11 @@
 using namespace std::chrono_literals;
 
 namespace {
-constexpr double mostMegabytes = 200;
-constexpr double mostSeconds = 2;
+constexpr double maxMegabytes = 200;
+constexpr double maxSeconds = 2;
 constexpr int defaultHours = 8;
-constexpr int usualBaud = 115'200; ///< at the fastest rate it takes a quarter of an hour
-constexpr auto lookEvery = 30min;
+constexpr int lineBaud = 115'200; ///< at the fastest rate it takes a quarter of an hour
+constexpr auto checkInterval = 30min;
 
 QString text(const char* latin)
 {
@@ -47,7 +47,7 @@ double megabytes(const char* name)
     return 0;
 }
 
-struct Night {
+struct NightSpec {
     int servos = 6;
     base::Duration length{};
     int cycles = 0; ///< 0: as long as `length`
@@ -55,13 +55,13 @@ struct Night {
     int baud = 1'000'000;
 };
 
-struct Kept {
+struct SavedRun {
     record::SweepRun run;
     std::unique_ptr<jobs::SweepRecording> readings;
     bool fine = false;
 };
 
-std::vector<device::Servo> servosOf(support::SimBench& bench, int count)
+std::vector<device::Servo> servosOf(support::SimFixture& bench, int count)
 {
     std::vector<device::Servo> servos;
     for (int id = 1; id <= count; ++id)
@@ -69,9 +69,9 @@ std::vector<device::Servo> servosOf(support::SimBench& bench, int count)
     return servos;
 }
 
-jobs::SweepOrder orderOf(const Night& night, const std::vector<device::Servo>& servos)
+jobs::SweepRequest orderOf(const NightSpec& night, const std::vector<device::Servo>& servos)
 {
-    jobs::SweepOrder order;
+    jobs::SweepRequest order;
     order.spec.range = {text("1800"), text("2300")};
     order.spec.speed = text("3000");
     order.spec.pace = record::SweepPace::Delay;
@@ -86,19 +86,19 @@ jobs::SweepOrder orderOf(const Night& night, const std::vector<device::Servo>& s
     return order;
 }
 
-Kept measure(const Night& night, const QString& report)
+SavedRun measure(const NightSpec& night, const QString& report)
 {
     QStringList names;
     for (int id = 1; id <= night.servos; ++id)
         names << text("sts3215@%1").arg(id);
-    support::BenchOptions options;
+    support::SimFixtureOptions options;
     options.baud = night.baud;
     options.servoBaud = night.baud;
-    support::SimBench bench(names.join(QLatin1Char(',')), options);
+    support::SimFixture bench(names.join(QLatin1Char(',')), options);
     auto servos = servosOf(bench, night.servos);
-    const jobs::SweepOrder order = orderOf(night, servos);
-    Kept kept;
-    jobs::SweepWatch watch;
+    const jobs::SweepRequest order = orderOf(night, servos);
+    SavedRun kept;
+    jobs::SweepCallbacks watch;
     watch.onBegin = [&](const record::SweepRun& run) -> std::optional<base::Error> {
         auto made = jobs::SweepRecording::start(run, session::sweepReadingsPath(report));
         if (!made)
@@ -116,10 +116,10 @@ Kept measure(const Night& night, const QString& report)
     };
     base::Duration next{};
     watch.onProgress = [&](const jobs::SweepProgress& progress) {
-        bench.forgetFrames(); // the bench's own record of the wire
+        bench.clearFrames(); // the bench's own record of the wire
         if (progress.elapsed < next)
             return;
-        next = progress.elapsed + lookEvery;
+        next = progress.elapsed + checkInterval;
         std::printf("  %5.1f h: leg %d, %.1f M readings, %.0f MB\n",
                     std::chrono::duration<double, std::ratio<3600>>(progress.elapsed).count(),
                     progress.leg, double(readings) / 1e6, megabytes("VmRSS:"));
@@ -137,7 +137,7 @@ Kept measure(const Night& night, const QString& report)
 }
 
 /// Seconds until readings and report are on the disk.
-double write(const Kept& kept, session::SweepFormat format, const QString& path)
+double write(const SavedRun& kept, session::SweepFormat format, const QString& path)
 {
     QElapsedTimer timer;
     timer.start();
@@ -149,7 +149,7 @@ double write(const Kept& kept, session::SweepFormat format, const QString& path)
     return saved && !kept.readings->failure() ? seconds : 1e9;
 }
 
-bool readable(const Kept& kept, const QString& path)
+bool readable(const SavedRun& kept, const QString& path)
 {
     const auto read = record::loadSweepRun(path);
     if (!read || read->servos.size() != kept.run.servos.size())
@@ -166,13 +166,13 @@ bool night(int hours, int baud)
 {
     const QTemporaryDir dir;
     std::printf("%d h, six servos, %d baud:\n", hours, baud);
-    Night order;
+    NightSpec order;
     order.length = std::chrono::hours(hours);
     order.baud = baud;
     const QString page = dir.filePath(text("night.html"));
     QElapsedTimer timer;
     timer.start();
-    const Kept kept = measure(order, page);
+    const SavedRun kept = measure(order, page);
     if (!kept.fine)
         return false;
     std::printf("  measured in %.0f s, %zu legs of each servo, %.0f MB at most\n",
@@ -185,32 +185,32 @@ bool night(int hours, int baud)
                 double(QFileInfo(session::sweepReadingsPath(page)).size()) / (1 << 20),
                 static_cast<unsigned long long>(kept.readings->lost()));
     timer.restart();
-    const auto number = record::keepRun(dir.filePath(text("history.sqlite")), kept.run);
+    const auto number = record::saveRun(dir.filePath(text("history.sqlite")), kept.run);
     std::printf("  in the history after %.2f s\n", double(timer.elapsed()) / 1000);
-    const double most = megabytes("VmHWM:");
-    const bool flat = most <= mostMegabytes;
-    std::printf("  %.0f MB at most with reports and history, %.2f x the aim of %.0f MB\n", most,
-                most / mostMegabytes, mostMegabytes);
+    const double peakMegabytes = megabytes("VmHWM:");
+    const bool flat = peakMegabytes <= maxMegabytes;
+    std::printf("  %.0f MB at most with reports and history, %.2f x the aim of %.0f MB\n",
+                peakMegabytes, peakMegabytes / maxMegabytes, maxMegabytes);
     // Reading it back costs more than writing it, and is another program's business.
     const bool fine = readable(kept, json) && number.number == 1 && kept.readings->lost() == 0;
     std::printf("  report %s\n", fine ? "readable" : "NOT READABLE");
     return flat && fine;
 }
 
-bool thousandLegs()
+bool runThousandLegs()
 {
     const QTemporaryDir dir;
     std::printf("1000 legs of one servo, 1 Mbaud:\n");
-    Night order;
+    NightSpec order;
     order.servos = 1;
     order.cycles = 500;
     const QString page = dir.filePath(text("legs.html"));
-    const Kept kept = measure(order, page);
+    const SavedRun kept = measure(order, page);
     if (!kept.fine || kept.run.servos[0].legs.size() != 1000)
         return false;
     const double seconds = write(kept, session::SweepFormat::Html, page);
-    std::printf("  %.2f x the aim of %.0f s\n", seconds / mostSeconds, mostSeconds);
-    return seconds <= mostSeconds;
+    std::printf("  %.2f x the aim of %.0f s\n", seconds / maxSeconds, maxSeconds);
+    return seconds <= maxSeconds;
 }
 } // namespace
 
@@ -218,8 +218,8 @@ int main(int argc, char** argv)
 {
     const QCoreApplication app(argc, argv);
     const int hours = argc > 1 ? std::max(1, std::atoi(argv[1])) : defaultHours;
-    const int baud = argc > 2 ? std::atoi(argv[2]) : usualBaud;
-    const bool quick = thousandLegs();
+    const int baud = argc > 2 ? std::atoi(argv[2]) : lineBaud;
+    const bool quick = runThousandLegs();
     malloc_trim(0);
     const bool flat = night(hours, baud);
     return quick && flat ? 0 : 1;

@@ -30,7 +30,7 @@ double runProgram(const QStringList& arguments)
     return since(start);
 }
 
-void benchStart()
+void benchmarkStart()
 {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("window.png"));
@@ -46,19 +46,19 @@ void benchStart()
         << " ms (wanted <= 250); without window: " << median(bare) << " ms\n";
 }
 
-void benchTable()
+void benchmarkTable()
 {
-    gui::WindowBench bench;
+    gui::MainWindowFixture bench;
     if (!bench.connectTo(QStringLiteral("sim:demo")))
         qFatal("no simulated bus");
     std::vector<double> times;
     for (const session::ServoRef ref : bench.desk().servos()) {
-        bench.settled();
+        bench.waitUntilIdle();
         const auto start = Clock::now();
         bench.selection().select(ref);
         QEventLoop loop;
         QObject::connect(&bench.desk(), &session::Desk::tableChanged, &loop, [&] {
-            if (bench.desk().servo(ref)->tableRead)
+            if (bench.desk().servo(ref)->hasFullTable)
                 loop.quit();
         });
         loop.exec();
@@ -69,21 +69,21 @@ void benchTable()
         << *std::max_element(times.begin(), times.end()) << " ms (wanted <= 100)\n";
 }
 
-void benchDeadPort()
+void benchmarkUnavailablePort()
 {
-    gui::WindowBench bench;
+    gui::MainWindowFixture bench;
     bench.window->start({.port = session::PortRequest{.name = QStringLiteral("sim:sts3215@1")}});
     if (!QTest::qWaitFor([&] { return bench.desk().state() == session::LinkState::Open; }))
         qFatal("no simulated bus");
-    Probe probe;
+    StallProbe probe;
     jobs::ScanSpec all;
     all.firstId = 100;
     all.bauds = {1'000'000, 500'000, 115'200};
-    bench.settled();
+    bench.waitUntilIdle();
     bench.desk().search(all);
-    letRun(5000);
+    runEventLoop(5000);
     bench.desk().stopSearch();
-    bench.settled();
+    bench.waitUntilIdle();
     probe.report(out, "searching where nobody is");
 }
 
@@ -99,22 +99,22 @@ double residentMb()
     return 0;
 }
 
-void benchLive()
+void benchmarkLive()
 {
-    gui::WindowBench bench;
+    gui::MainWindowFixture bench;
     if (!bench.ready(1))
         qFatal("no simulated bus");
     const session::ServoRef ref = bench.selection().current();
     QStringList keys;
     for (const catalog::Register& reg : bench.entry().servo.profile->registers)
         keys << reg.key;
-    bench.desk().wish(QStringLiteral("bench"), {{{ref, keys}}, {}});
-    letRun(500);
+    bench.desk().subscribe(QStringLiteral("bench"), {{{ref, keys}}, {}});
+    runEventLoop(500);
     const double before = residentMb();
-    Probe probe;
+    StallProbe probe;
     for (int i = 0; i < 60; ++i) {
         bench.desk().write(ref, {{{QStringLiteral("position_p"), 30 + i % 10}}, true, false});
-        letRun(100);
+        runEventLoop(100);
     }
     probe.report(out, "polling the whole table at full speed, a write every 100 ms");
     out << "memory: " << residentMb() << " MB, grown by " << residentMb() - before
@@ -130,9 +130,9 @@ int main(int argc, char* argv[])
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication app(argc, argv);
     QApplication::setApplicationName(QStringLiteral("servodesk-bench"));
-    benchStart();
-    benchTable();
-    benchDeadPort();
-    benchLive();
+    benchmarkStart();
+    benchmarkTable();
+    benchmarkUnavailablePort();
+    benchmarkLive();
     return 0;
 }

@@ -13,9 +13,9 @@ namespace {
 constexpr int servos = 6;
 constexpr int length = 30; // s
 
-session::SweepTestOrder orderFor(session::Desk& desk)
+session::SweepTestRequest orderForServo(session::Desk& desk)
 {
-    session::SweepTestOrder order;
+    session::SweepTestRequest order;
     order.spec.range = {QStringLiteral("1500"), QStringLiteral("2500")};
     order.spec.pause = 600ms;
     order.spec.cycles = 10'000;
@@ -43,25 +43,25 @@ int main(int argc, char* argv[])
     const raw::Simulator simulator({QStringLiteral("--servos"), list.join(u','),
                                     QStringLiteral("--baud"), QStringLiteral("1000000"),
                                     QStringLiteral("--wire-time")});
-    gui::WindowBench bench;
+    gui::MainWindowFixture bench;
     bench.window->resize(1600, 900);
     bench.window->start({.port = session::PortRequest{.name = simulator.port(), .baud = 1'000'000},
                          .page = QStringLiteral("sweep")});
     const bool searched = QTest::qWaitFor(
-        [&] { return bench.desk().lastSearch() && !bench.desk().searching(); }, 30000);
+        [&] { return bench.desk().lastSearch() && !bench.desk().isSearching(); }, 30000);
     if (!searched || bench.desk().servos().size() != servos || !bench.choose(1))
         qFatal("not all servos were found");
-    session::SweepTest& test = bench.bench.sweep;
-    const bool started = test.start(orderFor(bench.desk()));
+    session::SweepTest& test = bench.context.sweepTest;
+    const bool started = test.start(orderForServo(bench.desk()));
     const bool legs = QTest::qWaitFor(
         [&] { return test.run() != nullptr && test.run()->servos[0].legs.size() > 3; }, 30000);
     if (!started || !legs)
         qFatal("the test did not begin");
-    bench::Probe probe;
-    bench::letRun(length * 1000);
+    bench::StallProbe probe;
+    bench::runEventLoop(length * 1000);
     probe.report(out, "test of six servos runs");
     out << "legs of each servo: " << test.run()->servos[0].legs.size()
         << ", readings: " << test.store().count() / 2 << '\n';
     test.stop();
-    return QTest::qWaitFor([&] { return !test.running(); }, 10000) ? 0 : 1;
+    return QTest::qWaitFor([&] { return !test.isRunning(); }, 10000) ? 0 : 1;
 }

@@ -24,7 +24,7 @@ constexpr Duration span = 2s;
 base::SystemClock wallClock;
 
 /// What is read, of whom, and what comes back for it.
-struct Course {
+struct ReadPattern {
     QString what{};
     QStringList servos{};
     int baud = 1'000'000;
@@ -46,7 +46,7 @@ struct Course {
 };
 
 /// Exchanges a second of the loop that every simple program has.
-double bareRate(const QString& path, const Course& course)
+double baselineRate(const QString& path, const ReadPattern& course)
 {
     const base::Bytes frame = course.codec().encode(course.request).value();
     const QByteArray request(reinterpret_cast<const char*>(frame.data()), qsizetype(frame.size()));
@@ -59,11 +59,11 @@ double bareRate(const QString& path, const Course& course)
     const Duration start = wallClock.now();
     while (wallClock.now() < start + span) {
         const Duration asked = wallClock.now();
-        client.say(request);
-        const bool answered = client.hear(replyBytes).size() == replyBytes;
+        client.send(request);
+        const bool answered = client.receive(replyBytes).size() == replyBytes;
         exchanges += answered ? 1 : 0;
         if (!answered) {
-            client.hear(replyBytes); // what is left of it
+            client.receive(replyBytes); // what is left of it
             lost += wallClock.now() - asked;
         }
         if (course.silence > 0us)
@@ -75,7 +75,7 @@ double bareRate(const QString& path, const Course& course)
 }
 
 /// Rounds a second of a poll plan over the same servos.
-double planRate(const QString& path, const Course& course)
+double planRate(const QString& path, const ReadPattern& course)
 {
     transport::PortSpec spec;
     spec.name = path;
@@ -106,21 +106,21 @@ double planRate(const QString& path, const Course& course)
     return double(answered.size() - 1) / seconds;
 }
 
-void compare(QTextStream& out, const Course& course)
+void compare(QTextStream& out, const ReadPattern& course)
 {
     const raw::Simulator simulator({QStringLiteral("--servos"), course.servos.join(u','),
                                     QStringLiteral("--baud"), QString::number(course.baud),
                                     QStringLiteral("--wire-time")});
     std::vector<double> ratios;
     for (int pair = 0; pair < pairs; ++pair) {
-        const double bare = bareRate(simulator.port(), course);
+        const double baseline = baselineRate(simulator.port(), course);
         const double plan = planRate(simulator.port(), course);
-        ratios.push_back(plan / bare);
+        ratios.push_back(plan / baseline);
         out << QStringLiteral("%1: bare %2/s, plan %3/s, ratio %4\n")
                    .arg(course.what)
-                   .arg(bare, 0, 'f', 0)
+                   .arg(baseline, 0, 'f', 0)
                    .arg(plan, 0, 'f', 0)
-                   .arg(plan / bare, 0, 'f', 3);
+                   .arg(plan / baseline, 0, 'f', 3);
         out.flush();
     }
     std::sort(ratios.begin(), ratios.end());
@@ -131,7 +131,7 @@ void compare(QTextStream& out, const Course& course)
     out.flush();
 }
 
-std::vector<Course> courses()
+std::vector<ReadPattern> courses()
 {
     using protocol::Request;
     constexpr int feedback = 56;
@@ -141,18 +141,18 @@ std::vector<Course> courses()
     QStringList six;
     for (int id = 1; id <= 6; ++id)
         six += QStringLiteral("sts3215@%1").arg(id);
-    Course one{QStringLiteral("read of one servo"), six};
+    ReadPattern one{QStringLiteral("read of one servo"), six};
     one.request = Request::read(1, feedback, feedbackBytes);
-    Course all{QStringLiteral("sync read of six"), six};
+    ReadPattern all{QStringLiteral("sync read of six"), six};
     all.request = Request::syncRead(feedback, feedbackBytes, {1, 2, 3, 4, 5, 6});
     all.wanted = 0.97;
-    Course modbus{QStringLiteral("Modbus read of eight registers"),
-                  {QStringLiteral("smsmb@1")},
-                  115'200,
-                  B115200};
+    ReadPattern modbus{QStringLiteral("Modbus read of eight registers"),
+                       {QStringLiteral("smsmb@1")},
+                       115'200,
+                       B115200};
     modbus.request = Request::read(1, modbusFeedback, 16).in(base::Protocol::Modbus);
     modbus.silence = 1750us;
-    Course lx{QStringLiteral("LX position"), {QStringLiteral("lx16a@1")}, 115'200, B115200};
+    ReadPattern lx{QStringLiteral("LX position"), {QStringLiteral("lx16a@1")}, 115'200, B115200};
     lx.request = Request::read(1, lxPosition, 2).in(base::Protocol::Lx);
     return {one, all, modbus, lx};
 }
@@ -162,7 +162,7 @@ int main(int argc, char* argv[])
 {
     const QCoreApplication application(argc, argv);
     QTextStream out(stdout);
-    for (const Course& course : courses())
+    for (const ReadPattern& course : courses())
         compare(out, course);
     return 0;
 }

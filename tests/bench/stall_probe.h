@@ -25,7 +25,7 @@ inline double median(std::vector<double> values)
 }
 
 /// An event loop as the program has it; QTest::qWait sleeps in between.
-inline void letRun(int ms)
+inline void runEventLoop(int ms)
 {
     QEventLoop loop;
     QTimer::singleShot(ms, &loop, &QEventLoop::quit);
@@ -33,9 +33,9 @@ inline void letRun(int ms)
 }
 
 /// Notes how late each tick of a busy timer comes.
-class Probe : public QObject {
+class StallProbe : public QObject {
 public:
-    Probe()
+    StallProbe()
     {
         m_timer.setTimerType(Qt::PreciseTimer);
         m_timer.setInterval(std::chrono::milliseconds(1));

@@ -21,13 +21,13 @@
 #include <QtTest>
 
 namespace gui {
-class ControlBench {
+class ControlPanelFixture {
 public:
     /// `data`: a folder that outlives the bench, for what is remembered between starts.
-    explicit ControlBench(const QString& data = {})
-        : session(sessionIn(data.isEmpty() ? place.path() : data))
+    explicit ControlPanelFixture(const QString& data = {})
+        : session(sessionWithData(data.isEmpty() ? dataFolder.path() : data))
     {
-        settings.setChoice(QStringLiteral("operate/no_torque_hint"), true);
+        settings.setPageValue(QStringLiteral("operate/no_torque_hint"), true);
         panel.resize(380, 900);
         panel.show();
     }
@@ -40,7 +40,7 @@ public:
     bool search(int first, int last)
     {
         desk.search({.firstId = first, .lastId = last, .bauds = {}});
-        return QTest::qWaitFor([this] { return !desk.searching() && !desk.busy(); }, 30000);
+        return QTest::qWaitFor([this] { return !desk.isSearching() && !desk.isBusy(); }, 30000);
     }
     session::ServoRef ref(int id) const
     {
@@ -55,22 +55,22 @@ public:
         std::vector<session::ServoRef> refs;
         for (const int id : ids)
             refs.push_back(ref(id));
-        selection.choose(refs);
-        return settled() && desk.servo(refs.front())->tableRead && shown();
+        selection.setSelected(refs);
+        return waitUntilIdle() && desk.servo(refs.front())->hasFullTable && shown();
     }
     /// Connected, found and chosen; the first one's panel is filled.
     bool ready(const QString& port, const std::vector<int>& ids)
     {
         return connectTo(port) && search(1, 9) && choose(ids);
     }
-    bool settled()
+    bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !desk.busy() && !drive.busy(); }, 20000);
+        return QTest::qWaitFor([this] { return !desk.isBusy() && !drive.isBusy(); }, 20000);
     }
     /// What the desk knows has come into the widgets.
     bool shown()
     {
-        QSignalSpy spy(&panel, &ui::ControlPanel::shownAnew);
+        QSignalSpy spy(&panel, &ui::ControlPanel::goalStateChanged);
         Q_EMIT drive.changed();
         const bool come = spy.wait(5000);
         QCoreApplication::processEvents(); // new widgets have got their places
@@ -79,33 +79,33 @@ public:
     const session::ServoEntry& entry() { return *desk.servo(selection.current()); }
 
     template <typename Function>
-    decltype(auto) withWire(Function&& function)
+    decltype(auto) withBus(Function&& function)
     {
         return desk.connection()->simulation()->with(std::forward<Function>(function));
     }
     /// What the servo really holds.
     std::int64_t raw(int id, const char* key)
     {
-        return withWire(
+        return withBus(
             [&](sim::VirtualBus& wire) { return wire.servo(id)->raw(QString::fromLatin1(key)); });
     }
     void poke(int id, const char* key, std::int64_t raw)
     {
-        withWire(
+        withBus(
             [&](sim::VirtualBus& wire) { wire.servo(id)->poke(QString::fromLatin1(key), raw); });
     }
     /// Of the shaft, now. The simulation goes on when somebody listens.
     double degrees(int id)
     {
-        const bool idle = !desk.busy() && !desk.searching();
-        return withWire([&](sim::VirtualBus& wire) {
+        const bool idle = !desk.isBusy() && !desk.isSearching();
+        return withBus([&](sim::VirtualBus& wire) {
             if (idle)
                 wire.hostReads(desk.now());
             return wire.servo(id)->shaftDegrees();
         });
     }
     /// The shaft has not stirred for a while.
-    bool atRest(int id)
+    bool isAtRest(int id)
     {
         double before = degrees(id);
         base::Duration since = desk.now();
@@ -123,7 +123,7 @@ public:
     bool read()
     {
         desk.readTable(selection.current());
-        return settled() && shown();
+        return waitUntilIdle() && shown();
     }
 
     template <typename Widget>
@@ -171,7 +171,7 @@ public:
     bool go(const QString& goal)
     {
         enter("goal", goal);
-        return settled();
+        return waitUntilIdle();
     }
     QDialog* question()
     {
@@ -186,7 +186,7 @@ public:
         return open ? found : nullptr;
     }
     /// By the tile and the question it asks.
-    bool switchTo(const char* mode)
+    bool switchModeByTile(const char* mode)
     {
         QTest::mouseClick(
             find<QToolButton>(qPrintable(QStringLiteral("mode_") + QString::fromLatin1(mode))),
@@ -194,10 +194,10 @@ public:
         QDialog* asked = question();
         if (asked == nullptr)
             return false;
-        planText = asked->findChild<QLabel*>(QStringLiteral("questionText"))->text();
+        confirmationText = asked->findChild<QLabel*>(QStringLiteral("questionText"))->text();
         QTest::mouseClick(asked->findChild<QPushButton*>(QStringLiteral("questionYes")),
                           Qt::LeftButton);
-        if (!settled() || !shown())
+        if (!waitUntilIdle() || !shown())
             return false;
         const catalog::Mode* now = entry().servo.mode();
         return now != nullptr && now->key == QLatin1String(mode);
@@ -205,29 +205,29 @@ public:
     bool torque()
     {
         click("torqueSwitch");
-        return settled() && shown();
+        return waitUntilIdle() && shown();
     }
     ui::ControlSlider* slider() { return find<ui::ControlSlider>("goalSlider"); }
 
-    QString planText; ///< what the latest question said
+    QString confirmationText; ///< what the latest question said
 
 private:
     /// The session looks for its folder once, when it is made.
-    static session::Session sessionIn(const QString& folder)
+    static session::Session sessionWithData(const QString& folder)
     {
         qputenv("SERVODESK_DATA_DIR", folder.toLocal8Bit());
         return session::Session();
     }
 
 public:
-    SteadyClock steady;           ///< nothing has just moved
-    support::OwnDataFolder place; ///< before the session
-    session::Settings settings{place.folder.filePath(QStringLiteral("servodesk.ini"))};
+    AdvancingClock pressClock;               ///< nothing has just moved
+    support::TemporaryDataFolder dataFolder; ///< before the session
+    session::Settings settings{dataFolder.folder.filePath(QStringLiteral("servodesk.ini"))};
     session::Session session; ///< in its folder
     session::Desk desk{session};
     ui::Selection selection;
     ui::Commands commands{desk, selection};
-    session::Drive drive{desk};
+    session::MotionController drive{desk};
     ui::ControlPanel panel{desk, commands, selection, settings, drive};
 };
 } // namespace gui

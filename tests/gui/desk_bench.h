@@ -24,7 +24,7 @@ inline void failOnWarnings()
 }
 
 /// What is plugged in. The watch's thread looks, the test plugs.
-class Plugs {
+class FakePortList {
 public:
     void plug(const session::PortInfo& port)
     {
@@ -40,12 +40,12 @@ public:
                            [&](const session::PortInfo& port) { return port.path == path; }),
             ports.end());
     }
-    void takenByBraille(const QStringList& chips)
+    void adaptersClaimedByBrltty(const QStringList& chips)
     {
         const std::lock_guard lock(m_mutex);
-        m_look.taken = chips;
+        m_look.claimedAdapters = chips;
     }
-    session::PortWatch::Lister lister()
+    session::PortWatcher::PortLister lister()
     {
         return [this] {
             const std::lock_guard lock(m_mutex);
@@ -55,7 +55,7 @@ public:
 
 private:
     std::mutex m_mutex;
-    session::PortWatch::Look m_look;
+    session::PortWatcher::PortList m_look;
 };
 
 inline session::PortInfo adapter(const QString& path, const QString& serial)
@@ -70,7 +70,7 @@ inline session::PortInfo adapter(const QString& path, const QString& serial)
     return port;
 }
 
-class DeskBench {
+class WorkbenchFixture {
 public:
     bool open(const QString& port)
     {
@@ -82,7 +82,7 @@ public:
     bool search(const jobs::ScanSpec& spec = {})
     {
         desk.search(spec);
-        return QTest::qWaitFor([this] { return !desk.searching(); }, 60000);
+        return QTest::qWaitFor([this] { return !desk.isSearching(); }, 60000);
     }
     session::ServoRef ref(int id) const
     {
@@ -98,10 +98,10 @@ private:
     QTemporaryDir m_folder;
 
 public:
-    Plugs plugs;
+    FakePortList portList;
     session::Settings settings{m_folder.filePath(QStringLiteral("servodesk.ini"))};
-    session::PortWatch ports{nullptr, plugs.lister()};
-    support::OwnDataFolder place; ///< before the session
+    session::PortWatcher ports{nullptr, portList.lister()};
+    support::TemporaryDataFolder dataFolder; ///< before the session
     session::Session session;
     session::Desk desk{session};
     ui::Selection selection;

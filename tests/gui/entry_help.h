@@ -40,7 +40,7 @@ inline session::ServoEntry entryOf(const catalog::Identity& identity, int id = 1
     for (const catalog::Register& reg : entry.servo.profile->registers)
         put(entry, reg.key, reg.defaultRaw.value_or(0));
     entry.firstImage = entry.servo.image;
-    entry.tableRead = true;
+    entry.hasFullTable = true;
     return entry;
 }
 } // namespace guitest

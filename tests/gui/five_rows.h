@@ -6,9 +6,9 @@
 #include "sim/virtual_servo.h"
 
 namespace gui {
-inline session::WriteOrder fiveRows()
+inline session::WriteRequest fiveRegisterWrite()
 {
-    session::WriteOrder order;
+    session::WriteRequest order;
     for (const auto& [key, raw] : {std::pair{"min_angle_limit", 500},
                                    {"max_angle_limit", 3500},
                                    {"max_temperature", 61},
@@ -19,7 +19,7 @@ inline session::WriteOrder fiveRows()
     return order;
 }
 
-inline bool secondOfFiveRowsIsWritten(const sim::VirtualServo& servo)
+inline bool isSecondRegisterWritten(const sim::VirtualServo& servo)
 {
     return servo.raw(QStringLiteral("max_angle_limit")) == 3500;
 }

@@ -1,34 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The clock of ui::PressGuard in tests. SteadyClock: whatever moved did so long ago, so that a test
-// may press what it has just opened. PressClock: stands still until the test lets time pass.
+// The clock of ui::PressGuard in tests. AdvancingClock: whatever moved did so long ago, so that a
+// test may press what it has just opened. ManualPressClock: stands still until the test lets time
+// pass.
 #pragma once
 
 #include "ui/widgets/press_guard.h"
 
 namespace gui {
-class SteadyClock final : public base::Clock {
+class AdvancingClock final : public base::Clock {
 public:
-    SteadyClock() { ui::PressGuard::setClock(this); }
-    ~SteadyClock() override { ui::PressGuard::setClock(nullptr); }
-    SteadyClock(const SteadyClock&) = delete;
-    SteadyClock& operator=(const SteadyClock&) = delete;
+    AdvancingClock() { ui::PressGuard::setClock(this); }
+    ~AdvancingClock() override { ui::PressGuard::setClock(nullptr); }
+    AdvancingClock(const AdvancingClock&) = delete;
+    AdvancingClock& operator=(const AdvancingClock&) = delete;
 
     base::Duration now() const override { return m_now += std::chrono::hours(1); }
-    bool sleepUntil(base::Duration, const base::Stop*) override { return true; }
+    bool sleepUntil(base::Duration, const base::StopToken*) override { return true; }
 
 private:
     mutable base::Duration m_now{};
 };
 
-class PressClock final : public base::Clock {
+class ManualPressClock final : public base::Clock {
 public:
-    PressClock() { ui::PressGuard::setClock(this); }
-    ~PressClock() override { ui::PressGuard::setClock(nullptr); }
-    PressClock(const PressClock&) = delete;
-    PressClock& operator=(const PressClock&) = delete;
+    ManualPressClock() { ui::PressGuard::setClock(this); }
+    ~ManualPressClock() override { ui::PressGuard::setClock(nullptr); }
+    ManualPressClock(const ManualPressClock&) = delete;
+    ManualPressClock& operator=(const ManualPressClock&) = delete;
 
     base::Duration now() const override { return m_now; }
-    bool sleepUntil(base::Duration, const base::Stop*) override { return true; }
+    bool sleepUntil(base::Duration, const base::StopToken*) override { return true; }
     void pass(base::Duration time) { m_now += time; }
 
 private:

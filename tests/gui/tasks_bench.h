@@ -13,9 +13,9 @@
 #include <QDir>
 
 namespace gui {
-class TasksBench {
+class ServoTasksFixture {
 public:
-    TasksBench()
+    ServoTasksFixture()
     {
         window.resize(800, 600);
         window.show();
@@ -30,7 +30,7 @@ public:
     bool search(int first, int last)
     {
         desk.search({.firstId = first, .lastId = last, .bauds = {}});
-        return QTest::qWaitFor([this] { return !desk.searching() && !desk.busy(); }, 30000);
+        return QTest::qWaitFor([this] { return !desk.isSearching() && !desk.isBusy(); }, 30000);
     }
     bool choose(int id)
     {
@@ -41,27 +41,27 @@ public:
         if (selection.current() == 0)
             return false;
         desk.readTable(selection.current());
-        return settled();
+        return waitUntilIdle();
     }
     bool ready(const char* port, int first, int last, int id)
     {
         return connectTo(port) && search(first, last) && choose(id);
     }
-    bool settled()
+    bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !desk.busy(); }, 20000);
+        return QTest::qWaitFor([this] { return !desk.isBusy(); }, 20000);
     }
 
     const session::ServoEntry& entry() { return *desk.servo(selection.current()); }
     template <typename Function>
-    decltype(auto) withWire(Function&& function)
+    decltype(auto) withBus(Function&& function)
     {
         return desk.connection()->simulation()->with(std::forward<Function>(function));
     }
     /// What the servo really holds, past the wire.
     std::int64_t raw(int id, const char* key)
     {
-        return withWire(
+        return withBus(
             [&](sim::VirtualBus& wire) { return wire.servo(id)->raw(QString::fromLatin1(key)); });
     }
 
@@ -84,7 +84,7 @@ public:
         return shown ? found : nullptr;
     }
 
-    support::OwnDataFolder place; ///< before the session
+    support::TemporaryDataFolder dataFolder; ///< before the session
     session::Session session;
     session::Desk desk{session};
     ui::Selection selection;

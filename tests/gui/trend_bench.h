@@ -15,9 +15,9 @@
 #include <functional>
 
 namespace gui {
-class TrendBench {
+class TrendChartFixture {
 public:
-    TrendBench()
+    TrendChartFixture()
     {
         for (int i = 0; i < 2; ++i) {
             ids.push_back(store.open());
@@ -25,7 +25,7 @@ public:
             channel.id = ids.back();
             channel.key = i == 0 ? QStringLiteral("1/a") : QStringLiteral("1/b");
             channel.name = i == 0 ? QStringLiteral("Alpha") : QStringLiteral("Beta");
-            channel.colour = ui::trendColour(i, Qt::white);
+            channel.color = ui::trendColor(i, Qt::white);
             channels.push_back(channel);
         }
         chart.resize(800, 500);
@@ -58,7 +58,7 @@ public:
     }
 
     /// Until every frame that was asked for has been made.
-    void settle()
+    void waitForFrames()
     {
         chart.flush();
         QCoreApplication::sendPostedEvents();
@@ -100,11 +100,11 @@ public:
 
     QImage picture() { return plot->viewport()->grab().toImage(); }
 
-    /// Is the channel's colour anywhere in this part of the plot?
+    /// Is the channel's color anywhere in this part of the plot?
     bool paintedIn(const QRectF& shares, int channel)
     {
-        const QRgb wanted = ui::trendColourOn(channels[std::size_t(channel)].colour,
-                                              chart.palette().color(QPalette::Base))
+        const QRgb wanted = ui::trendColorOn(channels[std::size_t(channel)].color,
+                                             chart.palette().color(QPalette::Base))
                                 .rgb();
         const QImage image = picture();
         const QPoint low = at(shares.topLeft());
@@ -118,7 +118,7 @@ public:
         return false;
     }
 
-    /// A line between two rows of pixels is paler than its colour.
+    /// A line between two rows of pixels is paler than its color.
     static bool near(QRgb one, QRgb other)
     {
         return std::abs(qRed(one) - qRed(other)) < 70 &&

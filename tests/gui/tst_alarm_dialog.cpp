@@ -7,7 +7,7 @@
 #include <QRegularExpression>
 #include <QTableWidget>
 
-using gui::TasksBench;
+using gui::ServoTasksFixture;
 using ui::Command;
 
 namespace {
@@ -41,52 +41,52 @@ private Q_SLOTS:
     void lxHeatIsShownUntilItReturns();
     void modbusIsReset();
     void noAlarmOffersNothing();
-    void aServoThatFallsSilentShowsNoNumbers();
-    void questionsMeanNoByDefault_data();
-    void questionsMeanNoByDefault();
-    void aQuestionAnswersOnce();
-    void aQuestionGoesWithItsGuard();
+    void aServoThatStopsAnsweringShowsNoValues();
+    void questionsDefaultToNo_data();
+    void questionsDefaultToNo();
+    void aQuestionEmitsItsAnswerOnce();
+    void aQuestionClosesWithItsGuard();
 };
 
 void TestAlarmDialog::overloadIsReleasedOnlyAfterConsent()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:trouble", 5, 5, 5));
-    QVERIFY(bench.raw(5, "servo_status") & 32);
-    QDialog* dialog = bench.open(Command::ClearAlarm, "alarmDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:trouble", 5, 5, 5));
+    QVERIFY(fixture.raw(5, "servo_status") & 32);
+    QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
     QTRY_COMPARE(cell(dialog, 0, 0), text("overload"));
     QVERIFY(gui::textOf(dialog, "release").contains(text("away from the stall")));
 
     gui::click(dialog, "taskDeed");
-    QDialog* question = bench.dialog("question");
+    QDialog* question = fixture.dialog("question");
     QVERIFY(question);
     QVERIFY(gui::textOf(question, "questionRisk").contains(text("fingers")));
     QTest::keyClick(question, Qt::Key_Escape);
-    QVERIFY(bench.settled());
-    QVERIFY(bench.raw(5, "servo_status") & 32);
-    QVERIFY(bench.session.journal().entries()->empty());
-    const std::int64_t before = bench.raw(5, "present_position");
+    QVERIFY(fixture.waitUntilIdle());
+    QVERIFY(fixture.raw(5, "servo_status") & 32);
+    QVERIFY(fixture.session.journal().entries()->empty());
+    const std::int64_t before = fixture.raw(5, "present_position");
 
     QTRY_VERIFY(gui::button(dialog, "taskDeed")->isEnabled());
     gui::click(dialog, "taskDeed");
-    question = bench.dialog("question");
+    question = fixture.dialog("question");
     QVERIFY(question);
     gui::click(question, "questionYes");
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).contains(text("The alarm is gone")),
              qPrintable(gui::resultOf(dialog)));
-    QCOMPARE(bench.raw(5, "servo_status"), 0);
-    const std::int64_t turned = before - bench.raw(5, "present_position");
+    QCOMPARE(fixture.raw(5, "servo_status"), 0);
+    const std::int64_t turned = before - fixture.raw(5, "present_position");
     QVERIFY2(turned > 20 && turned < 90, qPrintable(QString::number(turned)));
     QTRY_VERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
 }
 
 void TestAlarmDialog::overcurrentIsReleasedOnlyAfterConsent()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    bench.withWire([](sim::VirtualBus& wire) {
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    fixture.withBus([](sim::VirtualBus& wire) {
         sim::VirtualServo& servo = *wire.servo(1);
         servo.load().coulombFriction = 100; // rusted in
         servo.poke(text("protection_current"), 100);
@@ -94,27 +94,27 @@ void TestAlarmDialog::overcurrentIsReleasedOnlyAfterConsent()
         servo.poke(text("unload_condition"), 8);
         servo.poke(text("goal_position"), 3000);
     });
-    QTRY_COMPARE(bench.raw(1, "servo_status"), 8);
-    QDialog* dialog = bench.open(Command::ClearAlarm, "alarmDialog");
+    QTRY_COMPARE(fixture.raw(1, "servo_status"), 8);
+    QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
     QTRY_COMPARE(cell(dialog, 0, 0), text("overcurrent"));
     QVERIFY(cell(dialog, 0, 3).startsWith(text("100 (650")));
     gui::click(dialog, "taskDeed");
-    QDialog* question = bench.dialog("question");
+    QDialog* question = fixture.dialog("question");
     QVERIFY(question);
-    QCOMPARE(bench.raw(1, "torque_switch"), 0);
+    QCOMPARE(fixture.raw(1, "torque_switch"), 0);
     gui::click(question, "questionYes");
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).contains(text("The alarm is gone")),
              qPrintable(gui::resultOf(dialog)));
-    QCOMPARE(bench.raw(1, "torque_switch"), 1);
+    QCOMPARE(fixture.raw(1, "torque_switch"), 1);
 }
 
 void TestAlarmDialog::voltageIsShownUntilItReturns()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:demo", 6, 6, 6));
-    QDialog* dialog = bench.open(Command::ClearAlarm, "alarmDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:demo", 6, 6, 6));
+    QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
     QTRY_COMPARE(cell(dialog, 0, 0), text("voltage"));
     QVERIFY(cell(dialog, 0, 1).contains(text("8.6 V")));
@@ -123,41 +123,41 @@ void TestAlarmDialog::voltageIsShownUntilItReturns()
     QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
     // Live: still too much, then right.
     const auto supply = [&](double volts) {
-        bench.withWire(
-            [&](sim::VirtualBus& wire) { wire.servo(6)->surroundings().supplyVolts = volts; });
+        fixture.withBus(
+            [&](sim::VirtualBus& wire) { wire.servo(6)->environment().supplyVolts = volts; });
     };
     supply(8.3);
     QTRY_VERIFY(cell(dialog, 0, 1).contains(text("8.3 V")));
     supply(6.0);
     QTRY_COMPARE(rows(dialog), 0);
     QVERIFY(gui::resultOf(dialog).contains(text("The alarm is gone")));
-    QVERIFY(bench.session.journal().entries()->empty());
+    QVERIFY(fixture.session.journal().entries()->empty());
 }
 
 void TestAlarmDialog::lxHeatIsShownUntilItReturns()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:lx", 3, 3, 3));
-    QDialog* dialog = bench.open(Command::ClearAlarm, "alarmDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:lx", 3, 3, 3));
+    QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
     QTRY_COMPARE(cell(dialog, 0, 0), text("temperature"));
     QVERIFY(gui::textOf(dialog, "release").contains(text("reports no alarms")));
     QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
-    bench.withWire([](sim::VirtualBus& wire) {
-        wire.servo(3)->surroundings().ambientCelsius = 25;
+    fixture.withBus([](sim::VirtualBus& wire) {
+        wire.servo(3)->environment().ambientCelsius = 25;
         wire.servo(3)->setTemperature(40);
     });
     QTRY_COMPARE(rows(dialog), 0);
     QVERIFY(gui::resultOf(dialog).contains(text("The alarm is gone")));
-    QVERIFY(bench.session.journal().entries()->empty());
+    QVERIFY(fixture.session.journal().entries()->empty());
 }
 
 void TestAlarmDialog::modbusIsReset()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:modbus", 1, 1, 1));
-    bench.withWire([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(2); });
-    QDialog* dialog = bench.open(Command::ClearAlarm, "alarmDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:modbus", 1, 1, 1));
+    fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(2); });
+    QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
     QTRY_COMPARE(cell(dialog, 0, 0), text("encoder"));
     QTRY_VERIFY(gui::button(dialog, "taskDeed")->isEnabled());
@@ -165,33 +165,33 @@ void TestAlarmDialog::modbusIsReset()
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).contains(text("The alarm is gone")),
              qPrintable(gui::resultOf(dialog)));
-    QCOMPARE(bench.raw(1, "servo_status") & 2, 0);
+    QCOMPARE(fixture.raw(1, "servo_status") & 2, 0);
 }
 
 void TestAlarmDialog::noAlarmOffersNothing()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:demo", 1, 1, 1));
-    QDialog* dialog = bench.open(Command::ClearAlarm, "alarmDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:demo", 1, 1, 1));
+    QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
     QTRY_VERIFY(gui::textOf(dialog, "release").contains(text("There is no alarm")));
     QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
 }
 
-void TestAlarmDialog::aServoThatFallsSilentShowsNoNumbers()
+void TestAlarmDialog::aServoThatStopsAnsweringShowsNoValues()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:demo", 6, 6, 6));
-    QDialog* dialog = bench.open(Command::ClearAlarm, "alarmDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:demo", 6, 6, 6));
+    QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
     QTRY_COMPARE(rows(dialog), 1);
-    bench.withWire([](sim::VirtualBus& wire) { wire.config().faults.muteIds = {6}; });
+    fixture.withBus([](sim::VirtualBus& wire) { wire.config().faults.muteIds = {6}; });
     QTRY_COMPARE(rows(dialog), 0);
     QVERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✗")));
     QVERIFY(!gui::resultOf(dialog).contains(text("gone")));
 }
 
-void TestAlarmDialog::questionsMeanNoByDefault_data()
+void TestAlarmDialog::questionsDefaultToNo_data()
 {
     QTest::addColumn<bool>("harmless");
     QTest::addColumn<int>("key");
@@ -202,22 +202,22 @@ void TestAlarmDialog::questionsMeanNoByDefault_data()
     QTest::newRow("Esc, harmless") << true << int(Qt::Key_Escape) << false;
 }
 
-void TestAlarmDialog::questionsMeanNoByDefault()
+void TestAlarmDialog::questionsDefaultToNo()
 {
     QFETCH(bool, harmless);
     QFETCH(int, key);
     QFETCH(bool, yes);
-    TasksBench bench;
+    ServoTasksFixture fixture;
     int agreed = 0;
     int refused = 0;
     ui::Question question;
     question.title = text("Really?");
     question.risk = text("It may break.");
-    question.yes = text("Do it");
-    question.harmless = harmless;
-    question.refused = [&] { ++refused; };
-    ui::ask(&bench.window, question, [&] { ++agreed; });
-    QDialog* dialog = bench.dialog("question");
+    question.acceptText = text("Do it");
+    question.acceptIsDefault = harmless;
+    question.rejected = [&] { ++refused; };
+    ui::ask(&fixture.window, question, [&] { ++agreed; });
+    QDialog* dialog = fixture.dialog("question");
     QVERIFY(dialog);
     QCOMPARE(gui::textOf(dialog, "questionRisk"), text("It may break."));
     QTest::keyClick(dialog, Qt::Key(key));
@@ -225,33 +225,33 @@ void TestAlarmDialog::questionsMeanNoByDefault()
     QCOMPARE(agreed == 1, yes);
 }
 
-void TestAlarmDialog::aQuestionAnswersOnce()
+void TestAlarmDialog::aQuestionEmitsItsAnswerOnce()
 {
-    TasksBench bench;
+    ServoTasksFixture fixture;
     int agreed = 0;
     ui::Question question;
     question.title = text("Really?");
-    question.yes = text("Do it");
-    ui::ask(&bench.window, question, [&] { ++agreed; });
-    QPointer<QDialog> dialog(bench.dialog("question"));
+    question.acceptText = text("Do it");
+    ui::ask(&fixture.window, question, [&] { ++agreed; });
+    QPointer<QDialog> dialog(fixture.dialog("question"));
     QVERIFY(dialog);
     gui::click(dialog, "questionYes");
     QTRY_VERIFY(!dialog);
     QCOMPARE(agreed, 1);
 }
 
-void TestAlarmDialog::aQuestionGoesWithItsGuard()
+void TestAlarmDialog::aQuestionClosesWithItsGuard()
 {
-    TasksBench bench;
+    ServoTasksFixture fixture;
     int answers = 0;
     auto guard = std::make_unique<QWidget>();
     ui::Question question;
     question.title = text("Really?");
-    question.yes = text("Do it");
+    question.acceptText = text("Do it");
     question.guard = guard.get();
-    question.refused = [&] { ++answers; };
-    ui::ask(&bench.window, question, [&] { ++answers; });
-    QPointer<QDialog> dialog(bench.dialog("question"));
+    question.rejected = [&] { ++answers; };
+    ui::ask(&fixture.window, question, [&] { ++answers; });
+    QPointer<QDialog> dialog(fixture.dialog("question"));
     QVERIFY(dialog);
     guard.reset();
     QTRY_VERIFY(!dialog);

@@ -43,55 +43,55 @@ class TestCommands : public QObject {
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
-    void everyCommandHasWordsInBothLanguages()
+    void everyCommandHasTextsInBothLanguages()
     {
-        gui::WindowBench bench;
+        gui::MainWindowFixture fixture;
         QStringList english;
         for (const Command command : all()) {
-            const QAction* action = bench.action(command);
+            const QAction* action = fixture.action(command);
             QVERIFY(!action->text().isEmpty());
             QVERIFY(!action->toolTip().isEmpty());
             english << action->whatsThis();
         }
-        bench.speak(QStringLiteral("zh_CN"));
+        fixture.setLanguage(QStringLiteral("zh_CN"));
         for (const Command command : all()) {
-            const QString tip = bench.action(command)->whatsThis();
+            const QString tip = fixture.action(command)->whatsThis();
             QVERIFY2(tip != english[static_cast<int>(command)], qPrintable(tip));
         }
     }
 
     /// "断开(&D)" is for a menu; a button says "断开".
-    void buttonsShowNoKeysOfMenus()
+    void buttonsShowNoMnemonics()
     {
-        gui::WindowBench bench(QStringLiteral("zh_CN"));
-        QVERIFY(bench.ready(1));
-        QVERIFY(bench.action(Command::Disconnect)->text().contains(QStringLiteral("(&")));
+        gui::MainWindowFixture fixture(QStringLiteral("zh_CN"));
+        QVERIFY(fixture.ready(1));
+        QVERIFY(fixture.action(Command::Disconnect)->text().contains(QStringLiteral("(&")));
         int seen = 0;
-        for (const QToolButton* button : bench.window->findChildren<QToolButton*>()) {
+        for (const QToolButton* button : fixture.window->findChildren<QToolButton*>()) {
             const bool command = button->defaultAction() != nullptr;
             seen += command ? 1 : 0;
             for (const QString& words : {button->text(), button->accessibleName()})
                 QVERIFY2(!command || !words.contains(QLatin1Char('(')), qPrintable(words));
         }
         QVERIFY(seen > 5);
-        QCOMPARE(bench.find<QToolButton>("connectButton")->text(), QStringLiteral("断开"));
+        QCOMPARE(fixture.find<QToolButton>("connectButton")->text(), QStringLiteral("断开"));
     }
 
     void helpOpensOnce()
     {
-        gui::WindowBench bench;
-        bench.action(Command::Help)->trigger();
-        bench.action(Command::Help)->trigger();
-        QCOMPARE(bench.window->findChildren<ui::HelpWindow*>().size(), 1);
-        QVERIFY(bench.window->findChild<ui::HelpWindow*>()->isVisible());
+        gui::MainWindowFixture fixture;
+        fixture.action(Command::Help)->trigger();
+        fixture.action(Command::Help)->trigger();
+        QCOMPARE(fixture.window->findChildren<ui::HelpWindow*>().size(), 1);
+        QVERIFY(fixture.window->findChild<ui::HelpWindow*>()->isVisible());
     }
 
     void noTwoCommandsShareAShortcut()
     {
-        gui::WindowBench bench;
+        gui::MainWindowFixture fixture;
         QSet<QString> used;
         for (const Command command : all()) {
-            const QString keys = bench.action(command)->shortcut().toString();
+            const QString keys = fixture.action(command)->shortcut().toString();
             if (keys.isEmpty())
                 continue;
             QVERIFY2(!used.contains(keys), qPrintable(keys));
@@ -100,13 +100,13 @@ private Q_SLOTS:
         QVERIFY(used.size() > 10);
     }
 
-    void everyIconIsInsideTheProgram()
+    void everyIconIsInTheResources()
     {
-        gui::WindowBench bench;
+        gui::MainWindowFixture fixture;
         QStringList names = iconsNamedIn(QStringLiteral(SOURCE_DIR "/ui"));
         for (const Command command : all()) {
-            if (!bench.action(command)->icon().isNull())
-                names << bench.action(command)->icon().name();
+            if (!fixture.action(command)->icon().isNull())
+                names << fixture.action(command)->icon().name();
         }
         QVERIFY(names.size() > 15);
         for (const QString& name : names) {
@@ -118,27 +118,27 @@ private Q_SLOTS:
         }
     }
 
-    void commandsAreOfUseWhenTheyCanBe()
+    void commandsAreEnabledWhenUsable()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.action(Command::Connect)->isEnabled());
-        QVERIFY(!bench.action(Command::Search)->isEnabled());
-        QVERIFY(!bench.action(Command::SetId)->isEnabled());
-        QVERIFY(bench.connectTo(QStringLiteral("sim:demo")));
-        QVERIFY(!bench.action(Command::Connect)->isEnabled());
-        QVERIFY(bench.action(Command::Search)->isEnabled());
-        QVERIFY(bench.action(Command::PowerCycle)->isEnabled());
-        QVERIFY(!bench.action(Command::SetId)->isEnabled());
-        QVERIFY(bench.choose(1));
-        QVERIFY(bench.action(Command::SetId)->isEnabled());
-        QVERIFY(!bench.action(Command::Undo)->isEnabled());
-        bench.desk().write(bench.selection().current(),
-                           {{{QStringLiteral("position_p"), 40}}, false, false});
-        QVERIFY(bench.settled());
-        QVERIFY(bench.action(Command::Undo)->isEnabled());
-        bench.action(Command::Undo)->trigger();
-        QVERIFY(bench.settled());
-        QCOMPARE(bench.raw("position_p"), std::optional<std::int64_t>(32));
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.action(Command::Connect)->isEnabled());
+        QVERIFY(!fixture.action(Command::Search)->isEnabled());
+        QVERIFY(!fixture.action(Command::SetId)->isEnabled());
+        QVERIFY(fixture.connectTo(QStringLiteral("sim:demo")));
+        QVERIFY(!fixture.action(Command::Connect)->isEnabled());
+        QVERIFY(fixture.action(Command::Search)->isEnabled());
+        QVERIFY(fixture.action(Command::PowerCycle)->isEnabled());
+        QVERIFY(!fixture.action(Command::SetId)->isEnabled());
+        QVERIFY(fixture.choose(1));
+        QVERIFY(fixture.action(Command::SetId)->isEnabled());
+        QVERIFY(!fixture.action(Command::Undo)->isEnabled());
+        fixture.desk().write(fixture.selection().current(),
+                             {{{QStringLiteral("position_p"), 40}}, false, false});
+        QVERIFY(fixture.waitUntilIdle());
+        QVERIFY(fixture.action(Command::Undo)->isEnabled());
+        fixture.action(Command::Undo)->trigger();
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(fixture.raw("position_p"), std::optional<std::int64_t>(32));
     }
 };
 

@@ -19,26 +19,26 @@
 #include <QTableView>
 
 namespace {
-constexpr int longTime = 60'000;
+constexpr int longTimeoutMs = 60'000;
 
-struct LineBench {
-    explicit LineBench(const QString& language = QStringLiteral("en"))
+struct CommissionPageFixture {
+    explicit CommissionPageFixture(const QString& language = QStringLiteral("en"))
     {
         ui::initProgram();
         languages.apply(language);
-        bench.commands.retranslate(); // the program speaks the language before it
-                                      // has commands
+        context.commands.retranslate(); // the program speaks the language before it
+                                        // has commands
         themes.apply(session::Theme::Light);
-        page = std::make_unique<ui::CommissionPage>(bench, settings);
+        page = std::make_unique<ui::CommissionPage>(context, settings);
         page->resize(1000, 640);
         page->show();
     }
-    session::Desk& desk() { return bench.desk; }
+    session::Desk& desk() { return context.desk; }
     bool open()
     {
         desk().connectTo({.name = QStringLiteral("sim:line")});
         return QTest::qWaitFor([this] { return desk().state() == session::LinkState::Open; },
-                               longTime);
+                               longTimeoutMs);
     }
     template <typename Widget>
     Widget* own(const char* name)
@@ -49,7 +49,7 @@ struct LineBench {
     {
         auto* button = own<QPushButton>(name);
         QVERIFY2(button != nullptr, name);
-        QTRY_VERIFY2_WITH_TIMEOUT(button->isVisible() && button->isEnabled(), name, longTime);
+        QTRY_VERIFY2_WITH_TIMEOUT(button->isVisible() && button->isEnabled(), name, longTimeoutMs);
         QTest::mouseClick(button, Qt::LeftButton);
     }
     QString headline() { return own<QLabel>("commissionHeadline")->text(); }
@@ -69,14 +69,15 @@ struct LineBench {
         const auto history = record::History::open(session::historyFile());
         const auto servos = (*history)->log().servos();
         for (const record::HistoryServo& one : *servos) {
-            if (one.who.id == id)
+            if (one.identity.id == id)
                 return one.label;
         }
         return {};
     }
     bool ends()
     {
-        return QTest::qWaitFor([this] { return !page->line().running(); }, longTime);
+        return QTest::qWaitFor([this] { return !page->commissioning().isRunning(); },
+                               longTimeoutMs);
     }
     int idOf(std::size_t place)
     {
@@ -84,14 +85,14 @@ struct LineBench {
             [place](sim::VirtualBus& wire) { return wire.servos()[place]->id(); });
     }
 
-    gui::SteadyClock steady; ///< nothing has just moved
-    support::OwnDataFolder place;
+    gui::AdvancingClock steady; ///< nothing has just moved
+    support::TemporaryDataFolder place;
     QTemporaryDir files;
     session::Settings settings{files.filePath(QStringLiteral("servodesk.ini"))};
     ui::LanguageSwitch languages;
     ui::ThemeSwitch themes;
     session::Session session;
-    ui::Bench bench{session};
+    ui::AppContext context{session};
     std::unique_ptr<ui::CommissionPage> page; ///< goes first
 };
 } // namespace
@@ -102,170 +103,174 @@ class TestCommissionPage : public QObject {
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
-    void saysWhyItCannotBegin()
+    void showsWhyItCannotStart()
     {
-        LineBench bench;
-        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
-        QVERIFY(!bench.own<QLabel>("commissionWhy")->text().isEmpty());
-        QVERIFY(!bench.own<QPushButton>("commissionPlug")->isVisible());
-        QVERIFY(bench.open());
+        CommissionPageFixture context;
+        QVERIFY(!context.own<QPushButton>("commissionStart")->isEnabled());
+        QVERIFY(!context.own<QLabel>("commissionWhy")->text().isEmpty());
+        QVERIFY(!context.own<QPushButton>("commissionPlug")->isVisible());
+        QVERIFY(context.open());
         // A file is proposed, so that it can be started at once.
-        const QString proposed = bench.own<QLineEdit>("commissionBatch")->text();
+        const QString proposed = context.own<QLineEdit>("commissionBatch")->text();
         QVERIFY(proposed.contains(QDate::currentDate().toString(Qt::ISODate)));
         QVERIFY(!QFile::exists(proposed));
-        QTRY_VERIFY(bench.own<QPushButton>("commissionStart")->isEnabled());
-        bench.own<QLineEdit>("commissionBatch")->clear();
-        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
-        bench.own<QLineEdit>("commissionBatch")->setText(QString(QChar(0)) + bench.batchFile());
-        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
-        QVERIFY(!bench.own<QLabel>("commissionWhy")->text().isEmpty());
-        bench.fill(7);
-        QTRY_VERIFY(bench.own<QPushButton>("commissionStart")->isEnabled());
-        bench.own<QSpinBox>("commissionLastId")->setValue(3);
-        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
+        QTRY_VERIFY(context.own<QPushButton>("commissionStart")->isEnabled());
+        context.own<QLineEdit>("commissionBatch")->clear();
+        QVERIFY(!context.own<QPushButton>("commissionStart")->isEnabled());
+        context.own<QLineEdit>("commissionBatch")->setText(QString(QChar(0)) + context.batchFile());
+        QVERIFY(!context.own<QPushButton>("commissionStart")->isEnabled());
+        QVERIFY(!context.own<QLabel>("commissionWhy")->text().isEmpty());
+        context.fill(7);
+        QTRY_VERIFY(context.own<QPushButton>("commissionStart")->isEnabled());
+        context.own<QSpinBox>("commissionLastId")->setValue(3);
+        QVERIFY(!context.own<QPushButton>("commissionStart")->isEnabled());
     }
 
     /// It falls silent in the middle of its change of ID: counted at once, and named on leaving.
-    void aServoThatWentAwayIsCountedAndNamed()
+    void aRemovedServoIsCountedAndNamed()
     {
-        LineBench bench;
-        QVERIFY(bench.open());
-        bench.fill(7);
-        bench.click("commissionStart");
-        bench.click("commissionPlug");
-        bench.desk().connection()->simulation()->with([](sim::VirtualBus& wire) {
+        CommissionPageFixture context;
+        QVERIFY(context.open());
+        context.fill(7);
+        context.click("commissionStart");
+        context.click("commissionPlug");
+        context.desk().connection()->simulation()->with([](sim::VirtualBus& wire) {
             wire.config().faults.muteWhen = [](const sim::VirtualServo& servo) {
                 return servo.id() == 7;
             };
         });
-        bench.click("commissionContinue");
-        QTRY_VERIFY_WITH_TIMEOUT(bench.headline().contains(QStringLiteral("same servo")), longTime);
+        context.click("commissionContinue");
+        QTRY_VERIFY_WITH_TIMEOUT(context.headline().contains(QStringLiteral("same servo")),
+                                 longTimeoutMs);
         QTRY_VERIFY(
-            bench.own<QLabel>("commissionSum")->text().contains(QStringLiteral("1 unfinished")));
-        const auto detail = [&] { return bench.own<QLabel>("commissionDetail")->text(); };
+            context.own<QLabel>("commissionSum")->text().contains(QStringLiteral("1 unfinished")));
+        const auto detail = [&] { return context.own<QLabel>("commissionDetail")->text(); };
         QTRY_VERIFY2(detail().contains(QStringLiteral("EPROM lock was opened")),
                      qPrintable(detail()));
         QVERIFY2(detail().contains(QStringLiteral("IDs: 1, 7")), qPrintable(detail()));
-        QSignalSpy found(&bench.desk(), &session::Desk::unfinishedFound);
-        bench.desk().findUnfinished();
-        QTRY_COMPARE_WITH_TIMEOUT(found.size(), 1, longTime);
-        const auto unfinished = found.front().front().value<session::UnfinishedWrites>();
+        QSignalSpy found(&context.desk(), &session::Desk::openWritesFound);
+        context.desk().findOpenWrites();
+        QTRY_COMPARE_WITH_TIMEOUT(found.size(), 1, longTimeoutMs);
+        const auto unfinished = found.front().front().value<session::OpenWrites>();
         QVERIFY(!unfinished.ids.empty());
-        QCOMPARE(unfinished.openElsewhere, QStringList{QStringLiteral("1 / 7")});
-        bench.click("commissionStop");
-        QVERIFY(bench.ends());
+        QCOMPARE(unfinished.unlockedElsewhere, QStringList{QStringLiteral("1 / 7")});
+        context.click("commissionStop");
+        QVERIFY(context.ends());
         QTRY_VERIFY2(detail().contains(QStringLiteral("EPROM lock was opened")),
                      qPrintable(detail()));
         QVERIFY2(detail().contains(QStringLiteral("IDs: 1, 7")), qPrintable(detail()));
     }
 
-    void oneClickSetsAServoUp()
+    void oneClickConfiguresAServo()
     {
-        LineBench bench;
-        QVERIFY(bench.open());
-        bench.fill(7);
-        bench.click("commissionStart");
-        QTRY_VERIFY(bench.headline().contains(QStringLiteral("next servo")));
-        QVERIFY(!bench.own<QSpinBox>("commissionFirstId")->isEnabled());
-        bench.click("commissionPlug");
-        QTRY_VERIFY_WITH_TIMEOUT(bench.own<QPushButton>("commissionContinue")->isVisible(),
-                                 longTime);
-        QCOMPARE(bench.idOf(0), 1); // nothing before the click
-        QCOMPARE(bench.rows(), 0);
-        bench.click("commissionContinue");
-        QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 1, longTime);
-        QCOMPARE(bench.idOf(0), 7);
-        QTRY_VERIFY(bench.headline().contains(QStringLiteral("Unplug: ID 7")));
-        auto* saved = bench.own<QLabel>("commissionSaved");
+        CommissionPageFixture context;
+        QVERIFY(context.open());
+        context.fill(7);
+        context.click("commissionStart");
+        QTRY_VERIFY(context.headline().contains(QStringLiteral("next servo")));
+        QVERIFY(!context.own<QSpinBox>("commissionFirstId")->isEnabled());
+        context.click("commissionPlug");
+        QTRY_VERIFY_WITH_TIMEOUT(context.own<QPushButton>("commissionContinue")->isVisible(),
+                                 longTimeoutMs);
+        QCOMPARE(context.idOf(0), 1); // nothing before the click
+        QCOMPARE(context.rows(), 0);
+        context.click("commissionContinue");
+        QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 1, longTimeoutMs);
+        QCOMPARE(context.idOf(0), 7);
+        QTRY_VERIFY(context.headline().contains(QStringLiteral("Unplug: ID 7")));
+        auto* saved = context.own<QLabel>("commissionSaved");
         QVERIFY(saved->isVisible() && QFile::exists(saved->toolTip()));
         QVERIFY(saved->text().contains(QFileInfo(saved->toolTip()).fileName()));
-        QVERIFY(bench.own<QTableView>("commissionTable")
+        QVERIFY(context.own<QTableView>("commissionTable")
                     ->model()
                     ->index(0, 0)
                     .data(Qt::ToolTipRole)
                     .toString()
                     .contains(saved->toolTip()));
-        QCOMPARE(bench.nameOf(7), bench.cell(0, 1)); // the history calls it so from now on
-        QVERIFY(bench.cell(0, 0).startsWith(QChar(0x2714)));
-        bench.click("commissionCopy");
+        QCOMPARE(context.nameOf(7), context.cell(0, 1)); // the history calls it so from now on
+        QVERIFY(context.cell(0, 0).startsWith(QChar(0x2714)));
+        context.click("commissionCopy");
         QCOMPARE(QGuiApplication::clipboard()->text(), QString::fromUtf8("STS3215 · ID 7 · 1 M"));
-        bench.click("commissionUnplug");
-        QTRY_VERIFY_WITH_TIMEOUT(bench.headline().contains(QStringLiteral("next servo")), longTime);
-        bench.click("commissionStop");
-        QVERIFY(bench.ends());
-        QVERIFY(bench.own<QSpinBox>("commissionFirstId")->isEnabled());
+        context.click("commissionUnplug");
+        QTRY_VERIFY_WITH_TIMEOUT(context.headline().contains(QStringLiteral("next servo")),
+                                 longTimeoutMs);
+        context.click("commissionStop");
+        QVERIFY(context.ends());
+        QVERIFY(context.own<QSpinBox>("commissionFirstId")->isEnabled());
 
         // Gone on with: ID 7 is known to be given, the next one is set aside by
         // hand.
-        bench.click("commissionStart");
-        QTRY_COMPARE(bench.rows(), 1);
-        bench.click("commissionPlug");
-        QTRY_VERIFY_WITH_TIMEOUT(bench.own<QPushButton>("commissionContinue")->isVisible(),
-                                 longTime);
-        QVERIFY(bench.own<QPushButton>("commissionContinue")->text().contains(QStringLiteral("8")));
-        bench.click("commissionAside");
-        QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 2, longTime);
-        QCOMPARE(bench.idOf(1), 1);
-        bench.click("commissionStop");
-        QVERIFY(bench.ends());
+        context.click("commissionStart");
+        QTRY_COMPARE(context.rows(), 1);
+        context.click("commissionPlug");
+        QTRY_VERIFY_WITH_TIMEOUT(context.own<QPushButton>("commissionContinue")->isVisible(),
+                                 longTimeoutMs);
+        QVERIFY(
+            context.own<QPushButton>("commissionContinue")->text().contains(QStringLiteral("8")));
+        context.click("commissionAside");
+        QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 2, longTimeoutMs);
+        QCOMPARE(context.idOf(1), 1);
+        context.click("commissionStop");
+        QVERIFY(context.ends());
     }
 
     /// A factory servo at the old place of one that was left in the middle may be that one.
-    void aServoThatMayHaveBeenBegunIsExplained_data()
+    void aPossiblyStartedServoIsExplained_data()
     {
         QTest::addColumn<bool>("automatic");
         QTest::newRow("with a click") << false;
         QTest::newRow("without asking") << true;
     }
-    void aServoThatMayHaveBeenBegunIsExplained()
+    void aPossiblyStartedServoIsExplained()
     {
         QFETCH(const bool, automatic);
-        LineBench bench;
+        CommissionPageFixture context;
         record::CommissionBatch batch;
-        record::CommissionPending begun;
+        record::PendingCommission begun;
         begun.at = QDateTime::currentDateTimeUtc();
         begun.servo = support::templateOf("sts3215", {}).servo;
         begun.oldBaud = begun.newBaud = 1'000'000;
         begun.newId = 9;
-        begun.idSent = true;
+        begun.isIdSent = true;
         begun.lockOpen = true;
         batch.pending = {begun};
-        QVERIFY(record::saveCommissionBatch(batch, bench.batchFile()));
-        QVERIFY(bench.open());
-        bench.fill(7);
-        bench.own<QCheckBox>("commissionAutomatic")->setChecked(automatic);
-        bench.click("commissionStart");
-        QTRY_VERIFY(bench.headline().contains(QStringLiteral("next servo")));
-        bench.click("commissionPlug");
-        auto* same = bench.own<QPushButton>("commissionSame");
-        QTRY_VERIFY_WITH_TIMEOUT(same->isVisible(), longTime);
-        const QString words = bench.own<QLabel>("commissionDetail")->text();
+        QVERIFY(record::saveCommissionBatch(batch, context.batchFile()));
+        QVERIFY(context.open());
+        context.fill(7);
+        context.own<QCheckBox>("commissionAutomatic")->setChecked(automatic);
+        context.click("commissionStart");
+        QTRY_VERIFY(context.headline().contains(QStringLiteral("next servo")));
+        context.click("commissionPlug");
+        auto* same = context.own<QPushButton>("commissionSame");
+        QTRY_VERIFY_WITH_TIMEOUT(same->isVisible(), longTimeoutMs);
+        const QString words = context.own<QLabel>("commissionDetail")->text();
         QVERIFY2(words.contains(QStringLiteral("left unfinished")), qPrintable(words));
         QVERIFY2(words.contains(QStringLiteral("ID 9")), qPrintable(words));
         QVERIFY2(words.contains(same->text()), qPrintable(words));
-        QCOMPARE(bench.idOf(0), 1);
-        bench.click("commissionSame");
-        QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 1, longTime);
-        QCOMPARE(bench.idOf(0), 9);
-        QVERIFY(bench.page->line().batch().pending.empty());
-        bench.click("commissionStop");
-        QVERIFY(bench.ends());
+        QCOMPARE(context.idOf(0), 1);
+        context.click("commissionSame");
+        QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 1, longTimeoutMs);
+        QCOMPARE(context.idOf(0), 9);
+        QVERIFY(context.page->commissioning().batch().pending.empty());
+        context.click("commissionStop");
+        QVERIFY(context.ends());
     }
 
-    void aBadTemplateIsToldBeforeAnythingIsWritten()
+    void aBadTemplateIsReportedBeforeAnyWrite()
     {
-        LineBench bench;
-        QVERIFY(bench.open());
-        bench.fill(7);
-        bench.own<QLineEdit>("commissionTemplate")->setText(QStringLiteral("/nowhere/t.json"));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.own<QFrame>("commissionBanner")->isVisible(), longTime);
-        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
-        QVERIFY(!QFile::exists(bench.batchFile()));
+        CommissionPageFixture context;
+        QVERIFY(context.open());
+        context.fill(7);
+        context.own<QLineEdit>("commissionTemplate")->setText(QStringLiteral("/nowhere/t.json"));
+        QTRY_VERIFY_WITH_TIMEOUT(context.own<QFrame>("commissionBanner")->isVisible(),
+                                 longTimeoutMs);
+        QVERIFY(!context.own<QPushButton>("commissionStart")->isEnabled());
+        QVERIFY(!QFile::exists(context.batchFile()));
     }
 
     void theBatchIsShownBeforeTheStart()
     {
-        LineBench bench;
+        CommissionPageFixture context;
         record::CommissionBatch batch;
         record::CommissionRow row;
         row.at = QDateTime::fromSecsSinceEpoch(1'700'000'000, Qt::UTC);
@@ -273,76 +278,77 @@ private Q_SLOTS:
         row.newId = 7;
         row.label = QStringLiteral("the seventh");
         batch.rows = {row};
-        QVERIFY(record::saveCommissionBatch(batch, bench.batchFile()));
-        bench.fill(7);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 1, longTime);
-        QCOMPARE(bench.cell(0, 1), row.label);
-        QVERIFY(!bench.own<QFrame>("commissionBanner")->isVisible());
+        QVERIFY(record::saveCommissionBatch(batch, context.batchFile()));
+        context.fill(7);
+        QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 1, longTimeoutMs);
+        QCOMPARE(context.cell(0, 1), row.label);
+        QVERIFY(!context.own<QFrame>("commissionBanner")->isVisible());
 
-        QVERIFY(bench.open());
-        const QString broken = bench.files.filePath(QStringLiteral("broken.csv"));
+        QVERIFY(context.open());
+        const QString broken = context.files.filePath(QStringLiteral("broken.csv"));
         QFile state(record::commissionStatePath(broken));
         QVERIFY(state.open(QIODevice::WriteOnly) && state.write("{\"format\":") > 0);
         state.close();
-        bench.own<QLineEdit>("commissionBatch")->setText(broken);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.own<QFrame>("commissionBanner")->isVisible(), longTime);
-        QCOMPARE(bench.rows(), 0);
-        QVERIFY(!bench.own<QPushButton>("commissionStart")->isEnabled());
-        bench.fill(7);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.rows(), 1, longTime);
-        QTRY_VERIFY(bench.own<QPushButton>("commissionStart")->isEnabled());
+        context.own<QLineEdit>("commissionBatch")->setText(broken);
+        QTRY_VERIFY_WITH_TIMEOUT(context.own<QFrame>("commissionBanner")->isVisible(),
+                                 longTimeoutMs);
+        QCOMPARE(context.rows(), 0);
+        QVERIFY(!context.own<QPushButton>("commissionStart")->isEnabled());
+        context.fill(7);
+        QTRY_COMPARE_WITH_TIMEOUT(context.rows(), 1, longTimeoutMs);
+        QTRY_VERIFY(context.own<QPushButton>("commissionStart")->isEnabled());
     }
 
-    void dangerousRowsAreAskedForOnce()
+    void dangerousRowsAreConfirmedOnce()
     {
-        LineBench bench;
-        QVERIFY(bench.open());
-        const QString file = bench.files.filePath(QStringLiteral("t.servo.json"));
+        CommissionPageFixture context;
+        QVERIFY(context.open());
+        const QString file = context.files.filePath(QStringLiteral("t.servo.json"));
         QVERIFY(record::saveSnapshot(
             support::templateOf("sts3215", {{"position_p", 24}, {"angle_resolution", 0}}), file));
-        bench.fill(7);
-        auto* too = bench.own<QCheckBox>("commissionDangerous");
+        context.fill(7);
+        auto* too = context.own<QCheckBox>("commissionDangerous");
         QVERIFY(!too->isVisible());
-        bench.own<QLineEdit>("commissionTemplate")->setText(file);
-        QTRY_VERIFY_WITH_TIMEOUT(too->isVisible(), longTime);
+        context.own<QLineEdit>("commissionTemplate")->setText(file);
+        QTRY_VERIFY_WITH_TIMEOUT(too->isVisible(), longTimeoutMs);
         too->setChecked(true);
         const auto question = [&](const char* name) {
-            return QTest::qWaitFor([&] { return bench.own<QPushButton>(name) != nullptr; },
-                                   longTime);
+            return QTest::qWaitFor([&] { return context.own<QPushButton>(name) != nullptr; },
+                                   longTimeoutMs);
         };
-        bench.click("commissionStart");
+        context.click("commissionStart");
         QVERIFY(question("questionNo"));
-        bench.own<QPushButton>("questionNo")->click();
-        QTRY_VERIFY(bench.own<QPushButton>("questionNo") == nullptr);
-        QVERIFY(!bench.page->line().running());
-        bench.click("commissionStart");
+        context.own<QPushButton>("questionNo")->click();
+        QTRY_VERIFY(context.own<QPushButton>("questionNo") == nullptr);
+        QVERIFY(!context.page->commissioning().isRunning());
+        context.click("commissionStart");
         QVERIFY(question("questionYes"));
-        bench.own<QPushButton>("questionYes")->click();
-        QTRY_VERIFY(bench.headline().contains(QStringLiteral("next servo")));
-        bench.click("commissionStop");
-        QVERIFY(bench.ends());
+        context.own<QPushButton>("questionYes")->click();
+        QTRY_VERIFY(context.headline().contains(QStringLiteral("next servo")));
+        context.click("commissionStop");
+        QVERIFY(context.ends());
     }
 
-    void closingThePortEndsTheLine()
+    void closingThePortEndsTheBatch()
     {
-        LineBench bench;
-        QVERIFY(bench.open());
-        bench.fill(7);
-        bench.own<QCheckBox>("commissionAutomatic")->setChecked(true);
-        bench.click("commissionStart");
-        QTRY_VERIFY(bench.headline().contains(QStringLiteral("next servo")));
-        bench.desk().disconnectFrom();
-        QVERIFY(bench.ends());
+        CommissionPageFixture context;
+        QVERIFY(context.open());
+        context.fill(7);
+        context.own<QCheckBox>("commissionAutomatic")->setChecked(true);
+        context.click("commissionStart");
+        QTRY_VERIFY(context.headline().contains(QStringLiteral("next servo")));
+        context.desk().disconnectFrom();
+        QVERIFY(context.ends());
     }
 
     void everyFieldHasItsName()
     {
-        LineBench bench;
+        CommissionPageFixture context;
         for (const char* name : {"commissionBatch", "commissionTemplate", "commissionLabel"}) {
-            auto* field = bench.own<QLineEdit>(name);
+            auto* field = context.own<QLineEdit>(name);
             QVERIFY(!field->accessibleName().isEmpty() && !field->toolTip().isEmpty());
             const QString words = field->accessibleName();
-            const auto labels = bench.page->findChildren<QLabel*>();
+            const auto labels = context.page->findChildren<QLabel*>();
             const auto shown = [&](const QLabel* one) { return one->text() == words; };
             QVERIFY2(std::any_of(labels.begin(), labels.end(), shown), name);
         }

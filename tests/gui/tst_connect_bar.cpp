@@ -29,12 +29,12 @@ using session::PortRequest;
 namespace {
 const QString demo = QStringLiteral("sim:demo");
 
-struct Bench : gui::DeskBench {
+struct Fixture : gui::WorkbenchFixture {
     ui::Banner banner;
     ui::ConnectBar bar{desk, commands, settings, ports};
-    ui::LinkTrouble trouble{desk, ports, bar, banner};
+    ui::LinkErrorBanner trouble{desk, ports, bar, banner};
 
-    Bench() { bar.show(); }
+    Fixture() { bar.show(); }
 
     template <typename Widget>
     Widget* find(const char* name) const
@@ -59,7 +59,7 @@ struct Bench : gui::DeskBench {
         desk.disconnectFrom();
         return QTest::qWaitFor([this] { return desk.state() == LinkState::Off; }, 10000);
     }
-    QString told(const char* label) const
+    QString labelText(const char* label) const
     {
         return banner.findChild<QLabel*>(QString::fromLatin1(label))->text();
     }
@@ -81,8 +81,8 @@ PortRequest full()
     request.baud = 57600;
     request.parity = session::Parity::Odd;
     request.protocol = base::Protocol::Lx;
-    request.patience = std::chrono::milliseconds(40);
-    request.silence = std::chrono::microseconds(2500);
+    request.maxReplyLateness = std::chrono::milliseconds(40);
+    request.frameSilence = std::chrono::microseconds(2500);
     request.retries = 0;
     return request;
 }
@@ -95,186 +95,187 @@ private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
     void cleanup() { text::installTranslator(QStringLiteral("en")); }
 
-    void fieldsSayWhatIsAsked();
-    void aRateOfOnesOwn();
+    void fieldsHaveLabels();
+    void aCustomRate();
     void oneClickOpensTheSimulatedBus();
-    void theButtonDoesWhatItSays();
+    void theButtonMatchesItsText();
     void withoutAPortTheListOpens();
-    void rememberedForEachAdapter();
-    void theLastOneIsSuggested();
-    void figuresAreShown();
-    void anAdapterThatIsAwaitedIsSaidToBeGone();
+    void settingsAreRememberedPerAdapter();
+    void theLastPortIsSuggested();
+    void statisticsAreShown();
+    void anAwaitedAdapterIsReportedMissing();
     void aStopIsNoError();
     void searchesAreNoErrors();
-    void failuresAreTold_data();
-    void failuresAreTold();
-    void aBusyPortNamesItsHolder();
+    void failuresAreReported_data();
+    void failuresAreReported();
+    void aBusyPortNamesItsOwner();
     void failuresFollowTheLanguage();
     void closedMessagesStayClosed();
     void unpluggedAndBack();
-    void brailleServiceIsNamed();
-    void ratesAreWritten();
+    void brailleServiceIsReported();
+    void ratesAreFormatted();
 };
 
-void TestConnectBar::fieldsSayWhatIsAsked()
+void TestConnectBar::fieldsHaveLabels()
 {
-    Bench bench;
-    QVERIFY(!bench.bar.request().baud && !bench.bar.request().protocol); // auto
+    Fixture fixture;
+    QVERIFY(!fixture.bar.request().baud && !fixture.bar.request().protocol); // auto
     const PortRequest wanted = full();
-    bench.bar.setRequest(wanted);
-    const PortRequest said = bench.bar.request();
-    QCOMPARE(said.name, wanted.name);
-    QVERIFY(said.baud == wanted.baud);
-    QVERIFY(said.parity == wanted.parity);
-    QVERIFY(said.protocol == wanted.protocol);
-    QVERIFY(said.patience == wanted.patience);
-    QVERIFY(said.silence == wanted.silence);
-    QVERIFY(said.retries == wanted.retries);
-    QVERIFY(bench.find<QToolButton>("moreButton")->toolTip().contains(QStringLiteral("is set")));
+    fixture.bar.setRequest(wanted);
+    const PortRequest barRequest = fixture.bar.request();
+    QCOMPARE(barRequest.name, wanted.name);
+    QVERIFY(barRequest.baud == wanted.baud);
+    QVERIFY(barRequest.parity == wanted.parity);
+    QVERIFY(barRequest.protocol == wanted.protocol);
+    QVERIFY(barRequest.maxReplyLateness == wanted.maxReplyLateness);
+    QVERIFY(barRequest.frameSilence == wanted.frameSilence);
+    QVERIFY(barRequest.retries == wanted.retries);
+    QVERIFY(fixture.find<QToolButton>("moreButton")->toolTip().contains(QStringLiteral("is set")));
 }
 
-void TestConnectBar::aRateOfOnesOwn()
+void TestConnectBar::aCustomRate()
 {
-    Bench bench;
+    Fixture fixture;
     PortRequest odd;
     odd.name = demo;
     odd.baud = 74880;
-    bench.bar.setRequest(odd);
-    QCOMPARE(bench.bar.request().baud.value_or(0), 74880);
+    fixture.bar.setRequest(odd);
+    QCOMPARE(fixture.bar.request().baud.value_or(0), 74880);
 }
 
 void TestConnectBar::oneClickOpensTheSimulatedBus()
 {
-    Bench bench;
-    ui::Welcome welcome(bench.commands);
+    Fixture fixture;
+    ui::Welcome welcome(fixture.commands);
     welcome.show();
-    QVERIFY(bench.find<ui::Pill>("simulatedBadge")->isHidden());
+    QVERIFY(fixture.find<ui::Pill>("simulatedBadge")->isHidden());
     welcome.findChild<QPushButton*>(QStringLiteral("welcomeSimulation"))->click();
-    QTRY_COMPARE(bench.desk.state(), LinkState::Open);
-    QVERIFY(bench.desk.simulated());
-    QVERIFY(bench.find<ui::Pill>("simulatedBadge")->isVisible());
-    QCOMPARE(bench.bar.request().name, bench.desk.lastRequest().name);
+    QTRY_COMPARE(fixture.desk.state(), LinkState::Open);
+    QVERIFY(fixture.desk.isSimulated());
+    QVERIFY(fixture.find<ui::Pill>("simulatedBadge")->isVisible());
+    QCOMPARE(fixture.bar.request().name, fixture.desk.lastRequest().name);
 }
 
-void TestConnectBar::theButtonDoesWhatItSays()
+void TestConnectBar::theButtonMatchesItsText()
 {
-    Bench bench;
-    auto* button = bench.find<QToolButton>("connectButton");
+    Fixture fixture;
+    auto* button = fixture.find<QToolButton>("connectButton");
     QCOMPARE(button->accessibleName(), QStringLiteral("Connect"));
-    QVERIFY(bench.connected(demo));
+    QVERIFY(fixture.connected(demo));
     QCOMPARE(button->accessibleName(), QStringLiteral("Disconnect"));
-    QVERIFY(!bench.find<ui::PortPicker>("portPicker")->isEnabled());
-    QSignalSpy pressed(bench.action(ui::Command::Disconnect), &QAction::triggered);
+    QVERIFY(!fixture.find<ui::PortPicker>("portPicker")->isEnabled());
+    QSignalSpy pressed(fixture.action(ui::Command::Disconnect), &QAction::triggered);
     button->click();
     QCOMPARE(pressed.count(), 1);
-    QVERIFY(bench.disconnected());
+    QVERIFY(fixture.disconnected());
     QCOMPARE(button->accessibleName(), QStringLiteral("Connect"));
-    QVERIFY(bench.find<ui::PortPicker>("portPicker")->isEnabled());
+    QVERIFY(fixture.find<ui::PortPicker>("portPicker")->isEnabled());
 }
 
 void TestConnectBar::withoutAPortTheListOpens()
 {
-    Bench bench;
-    bench.find<QToolButton>("connectButton")->click();
-    auto* picker = bench.find<ui::PortPicker>("portPicker");
+    Fixture fixture;
+    fixture.find<QToolButton>("connectButton")->click();
+    auto* picker = fixture.find<ui::PortPicker>("portPicker");
     QTRY_VERIFY(picker->view()->isVisible());
-    QCOMPARE(bench.desk.state(), LinkState::Off);
+    QCOMPARE(fixture.desk.state(), LinkState::Off);
     picker->hidePopup();
 }
 
-void TestConnectBar::rememberedForEachAdapter()
+void TestConnectBar::settingsAreRememberedPerAdapter()
 {
-    Bench bench;
-    auto* baud = bench.find<QComboBox>("baudBox");
-    auto* protocol = bench.find<QComboBox>("protocolBox");
-    bench.choose(demo);
+    Fixture fixture;
+    auto* baud = fixture.find<QComboBox>("baudBox");
+    auto* protocol = fixture.find<QComboBox>("protocolBox");
+    fixture.choose(demo);
     baud->setCurrentIndex(baud->findData(500000));
     protocol->setCurrentIndex(protocol->findData(QStringLiteral("feetech")));
-    bench.bar.findChild<QSpinBox*>(QStringLiteral("patienceBox"))->setValue(60);
-    bench.find<QToolButton>("connectButton")->click();
-    QTRY_COMPARE(bench.desk.state(), LinkState::Open);
-    QCOMPARE(bench.desk.baud(), 500000);
-    QVERIFY(bench.disconnected());
+    fixture.bar.findChild<QSpinBox*>(QStringLiteral("patienceBox"))->setValue(60);
+    fixture.find<QToolButton>("connectButton")->click();
+    QTRY_COMPARE(fixture.desk.state(), LinkState::Open);
+    QCOMPARE(fixture.desk.baud(), 500000);
+    QVERIFY(fixture.disconnected());
 
-    bench.choose(QStringLiteral("sim:lx")); // never used: as it comes
-    QVERIFY(!bench.bar.request().baud);
-    QVERIFY(!bench.bar.request().protocol);
-    QVERIFY(!bench.bar.request().patience);
-    bench.choose(demo);
-    QCOMPARE(bench.bar.request().baud.value_or(0), 500000);
-    QVERIFY(bench.bar.request().protocol == base::Protocol::Feetech);
-    QVERIFY(bench.bar.request().patience == std::chrono::milliseconds(60));
+    fixture.choose(QStringLiteral("sim:lx")); // never used: as it comes
+    QVERIFY(!fixture.bar.request().baud);
+    QVERIFY(!fixture.bar.request().protocol);
+    QVERIFY(!fixture.bar.request().maxReplyLateness);
+    fixture.choose(demo);
+    QCOMPARE(fixture.bar.request().baud.value_or(0), 500000);
+    QVERIFY(fixture.bar.request().protocol == base::Protocol::Feetech);
+    QVERIFY(fixture.bar.request().maxReplyLateness == std::chrono::milliseconds(60));
     // And in the next session.
-    ui::ConnectBar later(bench.desk, bench.commands, bench.settings, bench.ports);
+    ui::ConnectBar later(fixture.desk, fixture.commands, fixture.settings, fixture.ports);
     QCOMPARE(later.request().name, demo);
     QCOMPARE(later.request().baud.value_or(0), 500000);
 }
 
-void TestConnectBar::theLastOneIsSuggested()
+void TestConnectBar::theLastPortIsSuggested()
 {
-    gui::DeskBench bench;
+    gui::WorkbenchFixture fixture;
     const QString usb3 = QStringLiteral("/dev/ttyUSB3");
     PortRequest used;
     used.name = QStringLiteral("/dev/ttyUSB0");
     used.baud = 38400;
-    bench.settings.remember(QStringLiteral("usb:1a86:7523#5A2F31"), used);
-    bench.plugs.plug(gui::adapter(QStringLiteral("/dev/ttyUSB0"), QStringLiteral("OTHER")));
-    bench.plugs.plug(gui::adapter(usb3, QStringLiteral("5A2F31")));
-    ui::ConnectBar bar(bench.desk, bench.commands, bench.settings, bench.ports);
+    fixture.settings.saveRequest(QStringLiteral("usb:1a86:7523#5A2F31"), used);
+    fixture.portList.plug(gui::adapter(QStringLiteral("/dev/ttyUSB0"), QStringLiteral("OTHER")));
+    fixture.portList.plug(gui::adapter(usb3, QStringLiteral("5A2F31")));
+    ui::ConnectBar bar(fixture.desk, fixture.commands, fixture.settings, fixture.ports);
     QTRY_COMPARE(bar.request().name, usb3); // it has another path today
     QCOMPARE(bar.request().baud.value_or(0), 38400);
 }
 
-void TestConnectBar::figuresAreShown()
+void TestConnectBar::statisticsAreShown()
 {
-    Bench bench;
-    auto* status = bench.find<ui::Pill>("linkStatus");
-    QCOMPARE(status->words(), QStringLiteral("not connected"));
-    QVERIFY(bench.open(QStringLiteral("sim:sts3215@1")));
-    QVERIFY(bench.search({.firstId = 0, .lastId = 2, .bauds = {}}));
-    bench.desk.wish(QStringLiteral("test"), {{{bench.ref(1), {QStringLiteral("present_position")}}},
-                                             std::chrono::milliseconds(10)});
+    Fixture fixture;
+    auto* status = fixture.find<ui::Pill>("linkStatus");
+    QCOMPARE(status->text(), QStringLiteral("not connected"));
+    QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1")));
+    QVERIFY(fixture.search({.firstId = 0, .lastId = 2, .bauds = {}}));
+    fixture.desk.subscribe(
+        QStringLiteral("test"),
+        {{{fixture.ref(1), {QStringLiteral("present_position")}}}, std::chrono::milliseconds(10)});
     static const QRegularExpression busy(
         QStringLiteral("^[1-9][0-9]* reads/s · 0 errors · wire [0-9]+ %$"));
-    QTRY_VERIFY2_WITH_TIMEOUT(busy.match(status->words()).hasMatch(), qPrintable(status->words()),
+    QTRY_VERIFY2_WITH_TIMEOUT(busy.match(status->text()).hasMatch(), qPrintable(status->text()),
                               5000);
     QVERIFY(status->toolTip().contains(QStringLiteral("Round trip")));
 }
 
 /// As while a sweep test runs: the link is not lost yet, but it is no good link either.
-void TestConnectBar::anAdapterThatIsAwaitedIsSaidToBeGone()
+void TestConnectBar::anAwaitedAdapterIsReportedMissing()
 {
-    Bench bench;
-    auto* status = bench.find<ui::Pill>("linkStatus");
-    QVERIFY(bench.open(QStringLiteral("sim:sts3215@1")));
-    QVERIFY(bench.search({.firstId = 0, .lastId = 2, .bauds = {}}));
-    session::Connection& connection = *bench.desk.connection();
-    const bus::LinkPatience patience(connection.bus(), std::chrono::minutes(5));
+    Fixture fixture;
+    auto* status = fixture.find<ui::Pill>("linkStatus");
+    QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1")));
+    QVERIFY(fixture.search({.firstId = 0, .lastId = 2, .bauds = {}}));
+    session::Connection& connection = *fixture.desk.connection();
+    const bus::ReconnectScope reconnect(connection.bus(), std::chrono::minutes(5));
     const auto wire = connection.simulation();
     wire->with([](sim::VirtualBus& bus) { bus.cutLink(); });
-    QTRY_COMPARE(status->words(), QStringLiteral("adapter gone, waiting up to 5 s"));
+    QTRY_COMPARE(status->text(), QStringLiteral("adapter gone, waiting up to 5 s"));
     QVERIFY(status->toolTip().contains(QStringLiteral("not switched on")));
-    QCOMPARE(bench.desk.state(), LinkState::Open);
+    QCOMPARE(fixture.desk.state(), LinkState::Open);
     wire->with([](sim::VirtualBus& bus) { bus.restoreLink(); });
-    QTRY_VERIFY2(status->words().contains(QStringLiteral("reads/s")), qPrintable(status->words()));
+    QTRY_VERIFY2(status->text().contains(QStringLiteral("reads/s")), qPrintable(status->text()));
 }
 
 /// Every servo answers to the stop, and nobody waits for it.
 void TestConnectBar::aStopIsNoError()
 {
-    Bench bench;
-    auto* status = bench.find<ui::Pill>("linkStatus");
-    QVERIFY(bench.open(QStringLiteral("sim:sts3215@1,sts3215@2")));
-    QVERIFY(bench.search({.firstId = 0, .lastId = 2, .bauds = {}}));
-    const auto sum = [&] { return bench.desk.statistics().total; };
+    Fixture fixture;
+    auto* status = fixture.find<ui::Pill>("linkStatus");
+    QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1,sts3215@2")));
+    QVERIFY(fixture.search({.firstId = 0, .lastId = 2, .bauds = {}}));
+    const auto sum = [&] { return fixture.desk.statistics().total; };
     const auto before = sum().foreign;
-    bench.desk.emergencyStop();
+    fixture.desk.emergencyStop();
     QTRY_VERIFY(sum().foreign > before);
-    bench.desk.readTable(bench.ref(1));
+    fixture.desk.readTable(fixture.ref(1));
     const auto answered = sum().ok;
     QTRY_VERIFY(sum().ok > answered);
-    QTRY_VERIFY_WITH_TIMEOUT(!status->words().startsWith(QStringLiteral("0 reads/s")), 5000);
-    QVERIFY2(status->words().contains(QStringLiteral(" 0 errors")), qPrintable(status->words()));
+    QTRY_VERIFY_WITH_TIMEOUT(!status->text().startsWith(QStringLiteral("0 reads/s")), 5000);
+    QVERIFY2(status->text().contains(QStringLiteral(" 0 errors")), qPrintable(status->text()));
 }
 
 void TestConnectBar::searchesAreNoErrors()
@@ -283,29 +284,29 @@ void TestConnectBar::searchesAreNoErrors()
     bus::Statistics now;
     bus::Counters& servo = now.byId[1];
     servo.ok = 1;
-    meter.look(now, false, {});
-    servo.timeOuts = 1;
-    meter.look(now, false, std::chrono::milliseconds(900)); // a search begins
-    servo.timeOuts = 3;
-    now.byId[100].timeOuts = 250;
-    now.total.badChecks = 2;
-    meter.look(now, true, std::chrono::seconds(1));
-    servo.timeOuts = 5;
-    meter.look(now, true, std::chrono::seconds(2)); // it has ended
-    QCOMPARE(meter.figures().errors, std::uint64_t(1));
+    meter.addStatistics(now, false, {});
+    servo.timeouts = 1;
+    meter.addStatistics(now, false, std::chrono::milliseconds(900)); // a search begins
+    servo.timeouts = 3;
+    now.byId[100].timeouts = 250;
+    now.total.badChecksums = 2;
+    meter.addStatistics(now, true, std::chrono::seconds(1));
+    servo.timeouts = 5;
+    meter.addStatistics(now, true, std::chrono::seconds(2)); // it has ended
+    QCOMPARE(meter.values().errors, std::uint64_t(1));
     now.total.foreign = 1;
-    now.byId[77].timeOuts = 4; // a free ID that a change of ID has asked for
+    now.byId[77].timeouts = 4; // a free ID that a change of ID has asked for
     now.total.ok = 100;
     now.wireTime = std::chrono::milliseconds(500);
-    meter.look(now, false, std::chrono::seconds(4));
-    QCOMPARE(meter.figures().errors, std::uint64_t(2));
-    QCOMPARE(meter.figures().readsPerSecond, 50);
-    QCOMPARE(meter.figures().wireUse, 0.25);
+    meter.addStatistics(now, false, std::chrono::seconds(4));
+    QCOMPARE(meter.values().errors, std::uint64_t(2));
+    QCOMPARE(meter.values().readsPerSecond, 50);
+    QCOMPARE(meter.values().busLoad, 0.25);
     meter.reset();
-    QCOMPARE(meter.figures().errors, std::uint64_t(0));
+    QCOMPARE(meter.values().errors, std::uint64_t(0));
 }
 
-void TestConnectBar::failuresAreTold_data()
+void TestConnectBar::failuresAreReported_data()
 {
     QTest::addColumn<QString>("port");
     QTest::addColumn<QString>("what");
@@ -321,29 +322,31 @@ void TestConnectBar::failuresAreTold_data()
                                   << QStringLiteral("check host and port");
 }
 
-void TestConnectBar::failuresAreTold()
+void TestConnectBar::failuresAreReported()
 {
     QFETCH(const QString, port);
     QFETCH(const QString, what);
     QFETCH(const QString, remedy);
-    Bench bench;
+    Fixture fixture;
     PortRequest request;
     request.name = port;
-    bench.bar.setRequest(request);
-    bench.bar.connectNow();
-    QTRY_VERIFY_WITH_TIMEOUT(!bench.banner.isHidden(), 10000);
-    QVERIFY2(bench.told("bannerWhat").contains(what), qPrintable(bench.told("bannerWhat")));
-    QVERIFY2(bench.told("bannerMore").contains(remedy), qPrintable(bench.told("bannerMore")));
-    QCOMPARE(bench.desk.state(), LinkState::Off);
+    fixture.bar.setRequest(request);
+    fixture.bar.connectNow();
+    QTRY_VERIFY_WITH_TIMEOUT(!fixture.banner.isHidden(), 10000);
+    QVERIFY2(fixture.labelText("bannerWhat").contains(what),
+             qPrintable(fixture.labelText("bannerWhat")));
+    QVERIFY2(fixture.labelText("bannerMore").contains(remedy),
+             qPrintable(fixture.labelText("bannerMore")));
+    QCOMPARE(fixture.desk.state(), LinkState::Off);
     // The remedy was followed, more or less: what is chosen now is tried.
-    bench.choose(demo);
-    bench.offer()->click();
-    QTRY_COMPARE(bench.desk.state(), LinkState::Open);
-    QVERIFY(bench.banner.isHidden());
-    QVERIFY(bench.settings.lastPort() == demo); // what failed is not remembered
+    fixture.choose(demo);
+    fixture.offer()->click();
+    QTRY_COMPARE(fixture.desk.state(), LinkState::Open);
+    QVERIFY(fixture.banner.isHidden());
+    QVERIFY(fixture.settings.lastPort() == demo); // what failed is not remembered
 }
 
-void TestConnectBar::aBusyPortNamesItsHolder()
+void TestConnectBar::aBusyPortNamesItsOwner()
 {
     PtyPair pty;
     session::Session other;
@@ -351,40 +354,43 @@ void TestConnectBar::aBusyPortNamesItsHolder()
     request.name = pty.path;
     const auto taken = other.connect(request);
     QVERIFY(taken.has_value());
-    Bench bench;
-    bench.bar.setRequest(request);
-    bench.bar.connectNow();
-    QTRY_VERIFY(!bench.banner.isHidden());
+    Fixture fixture;
+    fixture.bar.setRequest(request);
+    fixture.bar.connectNow();
+    QTRY_VERIFY(!fixture.banner.isHidden());
     const QString holder = QStringLiteral("(%1)").arg(QCoreApplication::applicationPid());
-    QVERIFY2(bench.told("bannerWhat").contains(holder), qPrintable(bench.told("bannerWhat")));
-    QVERIFY(bench.told("bannerMore").contains(QStringLiteral("Close the other program")));
+    QVERIFY2(fixture.labelText("bannerWhat").contains(holder),
+             qPrintable(fixture.labelText("bannerWhat")));
+    QVERIFY(fixture.labelText("bannerMore").contains(QStringLiteral("Close the other program")));
 }
 
 void TestConnectBar::failuresFollowTheLanguage()
 {
-    Bench bench;
-    bench.banner.present({base::ErrorCode::PortPermission, {}, QStringLiteral("uucp")});
-    QVERIFY(bench.told("bannerMore").contains(QStringLiteral("sudo usermod -aG uucp $USER")));
-    QVERIFY(bench.told("bannerMore").contains(QStringLiteral("log in again")));
+    Fixture fixture;
+    fixture.banner.showMessage({base::ErrorCode::PortPermission, {}, QStringLiteral("uucp")});
+    QVERIFY(
+        fixture.labelText("bannerMore").contains(QStringLiteral("sudo usermod -aG uucp $USER")));
+    QVERIFY(fixture.labelText("bannerMore").contains(QStringLiteral("log in again")));
     text::installTranslator(QStringLiteral("zh_CN"));
     QEvent change(QEvent::LanguageChange);
-    QCoreApplication::sendEvent(&bench.banner, &change);
+    QCoreApplication::sendEvent(&fixture.banner, &change);
     static const QRegularExpression han(QStringLiteral("\\p{Han}"));
-    QVERIFY(bench.told("bannerWhat").contains(han));
-    QVERIFY(bench.told("bannerMore").contains(QStringLiteral("sudo usermod -aG uucp $USER")));
+    QVERIFY(fixture.labelText("bannerWhat").contains(han));
+    QVERIFY(
+        fixture.labelText("bannerMore").contains(QStringLiteral("sudo usermod -aG uucp $USER")));
 }
 
 void TestConnectBar::closedMessagesStayClosed()
 {
-    Bench bench;
-    bench.banner.present({base::ErrorCode::PortBusy});
-    QVERIFY(!bench.banner.isHidden());
-    bench.banner.findChild<QToolButton*>(QStringLiteral("bannerClose"))->click();
-    QVERIFY(bench.banner.isHidden());
+    Fixture fixture;
+    fixture.banner.showMessage({base::ErrorCode::PortBusy});
+    QVERIFY(!fixture.banner.isHidden());
+    fixture.banner.findChild<QToolButton*>(QStringLiteral("bannerClose"))->click();
+    QVERIFY(fixture.banner.isHidden());
     text::installTranslator(QStringLiteral("zh_CN"));
     QEvent change(QEvent::LanguageChange);
-    QCoreApplication::sendEvent(&bench.banner, &change);
-    QVERIFY(bench.banner.isHidden());
+    QCoreApplication::sendEvent(&fixture.banner, &change);
+    QVERIFY(fixture.banner.isHidden());
 }
 
 void TestConnectBar::unpluggedAndBack()
@@ -392,42 +398,42 @@ void TestConnectBar::unpluggedAndBack()
     const QString serial = QStringLiteral("5A2F31");
     auto before = std::make_unique<PtyPair>();
     PtyPair after;
-    Bench bench;
-    bench.plugs.plug(gui::adapter(before->path, serial));
-    QTRY_VERIFY(bench.ports.find(before->path) != nullptr);
-    QVERIFY(bench.connected(before->path));
+    Fixture fixture;
+    fixture.portList.plug(gui::adapter(before->path, serial));
+    QTRY_VERIFY(fixture.ports.find(before->path) != nullptr);
+    QVERIFY(fixture.connected(before->path));
     const QString old = before->path;
     before.reset(); // the cable
-    QTRY_COMPARE_WITH_TIMEOUT(bench.desk.state(), LinkState::Lost, 1000);
-    bench.plugs.unplug(old);
-    QVERIFY(!bench.banner.isHidden());
-    QVERIFY2(bench.told("bannerWhat").contains(QStringLiteral("was unplugged")),
-             qPrintable(bench.told("bannerWhat")));
-    QVERIFY(bench.offer() == nullptr);
-    QCOMPARE(bench.find<ui::Pill>("linkStatus")->words(), QStringLiteral("unplugged"));
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.desk.state(), LinkState::Lost, 1000);
+    fixture.portList.unplug(old);
+    QVERIFY(!fixture.banner.isHidden());
+    QVERIFY2(fixture.labelText("bannerWhat").contains(QStringLiteral("was unplugged")),
+             qPrintable(fixture.labelText("bannerWhat")));
+    QVERIFY(fixture.offer() == nullptr);
+    QCOMPARE(fixture.find<ui::Pill>("linkStatus")->text(), QStringLiteral("unplugged"));
 
-    QTRY_VERIFY(bench.ports.ports().empty());
-    bench.plugs.plug(gui::adapter(after.path, serial));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.offer() != nullptr, 5000);
-    QVERIFY(bench.told("bannerWhat").contains(after.path));
-    QCOMPARE(bench.desk.state(), LinkState::Lost); // nothing is opened unasked
-    QCOMPARE(bench.offer()->accessibleName(), QStringLiteral("Connect again"));
-    bench.offer()->click();
-    QTRY_COMPARE(bench.desk.state(), LinkState::Open);
-    QCOMPARE(bench.desk.lastRequest().name, after.path);
-    QVERIFY(bench.banner.isHidden());
+    QTRY_VERIFY(fixture.ports.ports().empty());
+    fixture.portList.plug(gui::adapter(after.path, serial));
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.offer() != nullptr, 5000);
+    QVERIFY(fixture.labelText("bannerWhat").contains(after.path));
+    QCOMPARE(fixture.desk.state(), LinkState::Lost); // nothing is opened unasked
+    QCOMPARE(fixture.offer()->accessibleName(), QStringLiteral("Connect again"));
+    fixture.offer()->click();
+    QTRY_COMPARE(fixture.desk.state(), LinkState::Open);
+    QCOMPARE(fixture.desk.lastRequest().name, after.path);
+    QVERIFY(fixture.banner.isHidden());
 }
 
-void TestConnectBar::brailleServiceIsNamed()
+void TestConnectBar::brailleServiceIsReported()
 {
-    Bench bench;
-    bench.plugs.takenByBraille({QStringLiteral("1a86:7523")});
-    QTRY_VERIFY(!bench.banner.isHidden());
-    QVERIFY(bench.told("bannerWhat").contains(QStringLiteral("1a86:7523")));
-    QVERIFY(bench.told("bannerMore").contains(QStringLiteral("sudo apt remove brltty")));
+    Fixture fixture;
+    fixture.portList.adaptersClaimedByBrltty({QStringLiteral("1a86:7523")});
+    QTRY_VERIFY(!fixture.banner.isHidden());
+    QVERIFY(fixture.labelText("bannerWhat").contains(QStringLiteral("1a86:7523")));
+    QVERIFY(fixture.labelText("bannerMore").contains(QStringLiteral("sudo apt remove brltty")));
 }
 
-void TestConnectBar::ratesAreWritten()
+void TestConnectBar::ratesAreFormatted()
 {
     QCOMPARE(ui::rateText(1000000).remove(QChar(0x202F)), QStringLiteral("1000000"));
     QCOMPARE(ui::rateText(1000000).size(), 9);

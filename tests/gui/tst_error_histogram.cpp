@@ -29,7 +29,7 @@ std::uint64_t sum(const std::vector<ErrorHistogram::Bar>& bars)
 }
 
 /// As a good servo does: many near 0, the same ones every time.
-std::vector<double> bell(int legs)
+std::vector<double> normalDistribution(int legs)
 {
     std::mt19937 dice(7); // NOLINT: a test must be repeatable
     std::binomial_distribution<int> steps(10, 0.5);
@@ -39,12 +39,12 @@ std::vector<double> bell(int legs)
     return errors;
 }
 
-int pixelsOf(const QImage& image, const QColor& colour)
+int countPixels(const QImage& image, const QColor& color)
 {
     int found = 0;
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x)
-            found += image.pixelColor(x, y).rgb() == colour.rgb() ? 1 : 0;
+            found += image.pixelColor(x, y).rgb() == color.rgb() ? 1 : 0;
     }
     return found;
 }
@@ -68,14 +68,14 @@ private Q_SLOTS:
 
     void everyLegIsCountedOnce_data();
     void everyLegIsCountedOnce();
-    void wholeStepsHaveBarsOfTheirOwn();
-    void itGrowsWithWhatComes();
-    void whatIsNoNumberIsLeftOut();
-    void itSaysItsNumbers();
-    void itSaysWhatABarIs();
-    void anEmptyOneSaysSo();
-    void limitsAreSeenWhereTheyMatter();
-    void itIsSeenInBothThemes();
+    void wholeStepsHaveTheirOwnBars();
+    void itGrowsWithNewLegs();
+    void nanValuesAreIgnored();
+    void accessibleTextHasTheNumbers();
+    void tooltipExplainsABar();
+    void emptyHistogramShowsAMessage();
+    void limitsAreDrawnWhenInRange();
+    void isVisibleInBothThemes();
 };
 
 void TestErrorHistogram::everyLegIsCountedOnce_data()
@@ -93,9 +93,9 @@ void TestErrorHistogram::everyLegIsCountedOnce()
     ErrorHistogram chart;
     chart.resize(size);
     chart.setLimits(8, 16);
-    chart.add(bell(500));
-    chart.add(3.4);
-    chart.add(-1200);
+    chart.addErrors(normalDistribution(500));
+    chart.addErrors(3.4);
+    chart.addErrors(-1200);
     const auto bars = chart.bars();
     QCOMPARE(sum(bars), std::uint64_t(502));
     for (std::size_t i = 1; i < bars.size(); ++i)
@@ -103,11 +103,11 @@ void TestErrorHistogram::everyLegIsCountedOnce()
     QVERIFY(!picture(chart).isNull());
 }
 
-void TestErrorHistogram::wholeStepsHaveBarsOfTheirOwn()
+void TestErrorHistogram::wholeStepsHaveTheirOwnBars()
 {
     ErrorHistogram chart;
     chart.resize(320, 180);
-    chart.add(std::vector<double>{-2, -1, -1, 0, 0, 0, 1, 5});
+    chart.addErrors(std::vector<double>{-2, -1, -1, 0, 0, 0, 1, 5});
     const auto bars = chart.bars();
     QCOMPARE(bars.size(), std::size_t(5));
     QCOMPARE(bars[2].count, std::uint64_t(3));
@@ -115,13 +115,13 @@ void TestErrorHistogram::wholeStepsHaveBarsOfTheirOwn()
     QVERIFY(bars[2].to <= 0.5);
 }
 
-void TestErrorHistogram::itGrowsWithWhatComes()
+void TestErrorHistogram::itGrowsWithNewLegs()
 {
     ErrorHistogram chart;
     chart.resize(320, 180);
-    chart.add(bell(100));
+    chart.addErrors(normalDistribution(100));
     const double narrow = chart.bars().front().to - chart.bars().front().from;
-    chart.add(400);
+    chart.addErrors(400);
     const double wide = chart.bars().front().to - chart.bars().front().from;
     QVERIFY(wide > 10 * narrow);
     QVERIFY(chart.bars().size() < 60);
@@ -130,21 +130,21 @@ void TestErrorHistogram::itGrowsWithWhatComes()
     QVERIFY(chart.bars().empty());
 }
 
-void TestErrorHistogram::whatIsNoNumberIsLeftOut()
+void TestErrorHistogram::nanValuesAreIgnored()
 {
     ErrorHistogram chart;
-    chart.add(std::nan(""));
-    chart.add(std::numeric_limits<double>::infinity());
+    chart.addErrors(std::nan(""));
+    chart.addErrors(std::numeric_limits<double>::infinity());
     QCOMPARE(chart.count(), std::uint64_t(0));
-    chart.add(std::numeric_limits<double>::max());
+    chart.addErrors(std::numeric_limits<double>::max());
     QCOMPARE(sum(chart.bars()), std::uint64_t(1));
 }
 
-void TestErrorHistogram::itSaysItsNumbers()
+void TestErrorHistogram::accessibleTextHasTheNumbers()
 {
     ErrorHistogram chart;
     chart.setLimits(8, 16);
-    chart.add(std::vector<double>{-9, 0, 1, 20});
+    chart.addErrors(std::vector<double>{-9, 0, 1, 20});
     QCOMPARE(chart.accessibleName(), q("Error at target"));
     const QString words = chart.accessibleDescription();
     for (const char* part : {"Legs: 4.", "From −9 to +20 step", "mean +3 step",
@@ -157,13 +157,13 @@ void TestErrorHistogram::itSaysItsNumbers()
              qPrintable(chart.accessibleDescription()));
 }
 
-void TestErrorHistogram::itSaysWhatABarIs()
+void TestErrorHistogram::tooltipExplainsABar()
 {
     ErrorHistogram chart;
     chart.resize(320, 180);
     chart.setAttribute(Qt::WA_DontShowOnScreen);
     chart.show();
-    chart.add(std::vector<double>{-4, 0, 0, 0, 4});
+    chart.addErrors(std::vector<double>{-4, 0, 0, 0, 4});
     const auto ask = [&](const QPoint& place) {
         QHelpEvent help(QEvent::ToolTip, place, chart.mapToGlobal(place));
         QCoreApplication::sendEvent(&chart, &help);
@@ -171,29 +171,29 @@ void TestErrorHistogram::itSaysWhatABarIs()
     };
     const QString middle = ask(chart.rect().center());
     QVERIFY2(middle.contains(q("3 of 5 legs (60.0 %)")), qPrintable(middle));
-    const QString elsewhere = ask({1, 90});
-    QVERIFY2(elsewhere.contains(q("Legs: 5.")), qPrintable(elsewhere));
+    const QString textOutsideBars = ask({1, 90});
+    QVERIFY2(textOutsideBars.contains(q("Legs: 5.")), qPrintable(textOutsideBars));
     QToolTip::hideText();
 }
 
-void TestErrorHistogram::anEmptyOneSaysSo()
+void TestErrorHistogram::emptyHistogramShowsAMessage()
 {
     ErrorHistogram chart;
     chart.resize(320, 180);
     QVERIFY(chart.accessibleDescription().contains(q("No steady error")));
     const QImage image = picture(chart);
-    QVERIFY(pixelsOf(image, ui::tone(Tone::Accent, chart.palette())) == 0);
+    QVERIFY(countPixels(image, ui::tone(Tone::Accent, chart.palette())) == 0);
     bool written = false;
     for (int x = 0; x < image.width(); ++x)
         written = written || image.pixel(x, 90) != image.pixel(0, 0);
     QVERIFY(written);
 }
 
-void TestErrorHistogram::limitsAreSeenWhereTheyMatter()
+void TestErrorHistogram::limitsAreDrawnWhenInRange()
 {
     ErrorHistogram chart;
     chart.resize(320, 180);
-    chart.add(std::vector<double>{-4, 0, 4});
+    chart.addErrors(std::vector<double>{-4, 0, 4});
     const QImage without = picture(chart);
     chart.setLimits(8, 5000);
     const QImage with = picture(chart);
@@ -204,7 +204,7 @@ void TestErrorHistogram::limitsAreSeenWhereTheyMatter()
     QCOMPARE(picture(chart), without);
 }
 
-void TestErrorHistogram::itIsSeenInBothThemes()
+void TestErrorHistogram::isVisibleInBothThemes()
 {
     ui::ThemeSwitch theme;
     QRgb before = 0;
@@ -212,15 +212,15 @@ void TestErrorHistogram::itIsSeenInBothThemes()
         theme.apply(wish);
         ErrorHistogram chart;
         chart.resize(320, 180);
-        chart.add(bell(300));
+        chart.addErrors(normalDistribution(300));
         const QImage image = picture(chart);
         const QColor bar = ui::tone(Tone::Accent, chart.palette());
-        QVERIFY(pixelsOf(image, bar) > 2000);
+        QVERIFY(countPixels(image, bar) > 2000);
         QVERIFY(bar.rgb() != before);
         before = bar.rgb();
         // At the end the frame must still be free: nothing is cut off.
-        QVERIFY(pixelsOf(image.copy(0, 0, 2, 180), bar) == 0);
-        QVERIFY(pixelsOf(image.copy(318, 0, 2, 180), bar) == 0);
+        QVERIFY(countPixels(image.copy(0, 0, 2, 180), bar) == 0);
+        QVERIFY(countPixels(image.copy(318, 0, 2, 180), bar) == 0);
     }
 }
 

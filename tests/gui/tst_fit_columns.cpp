@@ -13,7 +13,7 @@ class TestFitColumns : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void theWidestAreShortenedFirst()
+    void widestColumnsShrinkFirst()
     {
         QStandardItemModel model(1, 5);
         const QString texts[] = {QStringLiteral("short"), QString(80, QLatin1Char('w')),

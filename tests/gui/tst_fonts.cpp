@@ -45,19 +45,19 @@ class TestFonts : public QObject {
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
-    void theMachineHasNoneOfThem()
+    void systemHasNoneOfTheFonts()
     {
         QVERIFY(QFontDatabase::hasFamily(QStringLiteral("DejaVu Sans")));
         QVERIFY(!QFontDatabase::hasFamily(QStringLiteral("Noto Sans")));
     }
 
-    void theWindowUsesItsOwn()
+    void windowUsesBundledFont()
     {
         const double size = QApplication::font().pointSizeF();
-        gui::WindowBench bench;
-        for (const QWidget* widget : bench.window->findChildren<QWidget*>())
+        gui::MainWindowFixture fixture;
+        for (const QWidget* widget : fixture.window->findChildren<QWidget*>())
             QCOMPARE(QFontInfo(widget->font()).family(), QStringLiteral("Noto Sans"));
-        QFont bold = bench.window->font();
+        QFont bold = fixture.window->font();
         bold.setBold(true);
         QCOMPARE(QFontInfo(bold).family(), QStringLiteral("Noto Sans"));
         QCOMPARE(QFontInfo(bold).weight(), int(QFont::Bold));
@@ -66,19 +66,19 @@ private Q_SLOTS:
 
     /// No empty boxes in an English window; where Chinese is chosen the tooltip tells what is
     /// missing.
-    void noChineseIsShownWithoutAFontForIt()
+    void chineseIsHiddenWithoutAFont()
     {
-        gui::WindowBench bench;
-        const auto* button = bench.find<QAbstractButton>("languageButton");
+        gui::MainWindowFixture fixture;
+        const auto* button = fixture.find<QAbstractButton>("languageButton");
         QCOMPARE(button->text(), QStringLiteral("EN / ZH"));
         QVERIFY(button->toolTip().contains(QStringLiteral("fonts-noto-cjk")));
-        for (const QAction* action : bench.bench.commands.findChildren<QAction*>()) {
+        for (const QAction* action : fixture.context.commands.findChildren<QAction*>()) {
             const QString text = action->text();
             QVERIFY2(std::none_of(text.begin(), text.end(), isChinese), qPrintable(text));
         }
     }
 
-    void digitsAreOfOneWidth()
+    void digitsHaveEqualWidth()
     {
         for (const QString& family :
              {report::textFamilies().front(), report::codeFamilies().front()}) {
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(code.horizontalAdvance(u'W'), code.horizontalAdvance(u'i'));
     }
 
-    void everySignIsInThem()
+    void fontsHaveEverySymbol()
     {
         const QRawFont letters = QRawFont::fromFont(QFont(report::textFamilies().value(0)));
         const QRawFont signs = QRawFont::fromFont(QFont(report::textFamilies().value(1)));
@@ -109,7 +109,7 @@ private Q_SLOTS:
     }
 
     /// A sign from another font makes no line taller.
-    void signsKeepTheLineHeight()
+    void symbolsKeepTheLineHeight()
     {
         const QFontMetricsF letters{QFont(report::textFamilies().value(0), 20)};
         const QFontMetricsF signs{QFont(report::textFamilies().value(1), 20)};
@@ -117,9 +117,9 @@ private Q_SLOTS:
         QCOMPARE(signs.descent(), letters.descent());
     }
 
-    void codeInTheHelpIsOfOneWidth()
+    void codeInHelpIsMonospaced()
     {
-        const gui::WindowBench bench;
+        const gui::MainWindowFixture fixture;
         const ui::HelpWindow help(nullptr);
         int pieces = 0;
         const auto* text = help.findChild<QTextBrowser*>(QStringLiteral("helpText"));
@@ -139,7 +139,7 @@ private Q_SLOTS:
 int main(int argc, char** argv)
 {
     const QTemporaryDir place;
-    qputenv("FONTCONFIG_FILE", support::machineWith(place, DEJAVU_FONTS));
+    qputenv("FONTCONFIG_FILE", support::fontConfigWith(place, DEJAVU_FONTS));
     const QApplication application(argc, argv);
     TestFonts test;
     return QTest::qExec(&test, argc, argv);

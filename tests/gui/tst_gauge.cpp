@@ -8,19 +8,19 @@
 
 #include <QSignalSpy>
 
-using ui::DialView;
+using ui::DialState;
 using ui::Gauge;
 using ui::PositionDial;
 
 namespace {
-DialView halfTurn()
+DialState halfTurnDial()
 {
-    DialView view;
+    DialState view;
     view.position = 2048;
     view.goal = 2048;
     view.minGoal = 1024;
     view.maxGoal = 3072;
-    view.goalMovable = true;
+    view.isGoalMovable = true;
     return view;
 }
 
@@ -40,24 +40,24 @@ class TestGauge : public QObject {
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
-    void itKnowsNearFromBeyond_data()
+    void distinguishesNearLimitFromBeyond_data()
     {
         QTest::addColumn<double>("value");
         QTest::addColumn<int>("standing");
-        QTest::newRow("middle") << 6.0 << int(Gauge::Standing::Fine);
-        QTest::newRow("near the upper") << 7.9 << int(Gauge::Standing::Near);
-        QTest::newRow("at the upper") << 8.0 << int(Gauge::Standing::Near);
-        QTest::newRow("above") << 8.1 << int(Gauge::Standing::Beyond);
-        QTest::newRow("below") << 3.9 << int(Gauge::Standing::Beyond);
+        QTest::newRow("middle") << 6.0 << int(Gauge::LimitState::Ok);
+        QTest::newRow("near the upper") << 7.9 << int(Gauge::LimitState::Near);
+        QTest::newRow("at the upper") << 8.0 << int(Gauge::LimitState::Near);
+        QTest::newRow("above") << 8.1 << int(Gauge::LimitState::Exceeded);
+        QTest::newRow("below") << 3.9 << int(Gauge::LimitState::Exceeded);
     }
-    void itKnowsNearFromBeyond()
+    void distinguishesNearLimitFromBeyond()
     {
         QFETCH(double, value);
         QFETCH(int, standing);
         Gauge gauge;
         gauge.setScale({.min = 2, .max = 10, .low = 4, .high = 8, .decimals = 1});
         gauge.setValue(value, {}, false);
-        QCOMPARE(int(gauge.standing()), standing);
+        QCOMPARE(int(gauge.limitState()), standing);
     }
 
     void bothDirectionsHaveOneLimit()
@@ -65,20 +65,20 @@ private Q_SLOTS:
         Gauge gauge;
         gauge.setScale({.min = -100, .max = 100, .high = 80});
         gauge.setValue(-85, {}, false);
-        QCOMPARE(gauge.standing(), Gauge::Standing::Beyond);
+        QCOMPARE(gauge.limitState(), Gauge::LimitState::Exceeded);
         gauge.setValue(85, {}, false);
-        QCOMPARE(gauge.standing(), Gauge::Standing::Beyond);
+        QCOMPARE(gauge.limitState(), Gauge::LimitState::Exceeded);
         gauge.setValue(-20, {}, false);
-        QCOMPARE(gauge.standing(), Gauge::Standing::Fine);
+        QCOMPARE(gauge.limitState(), Gauge::LimitState::Ok);
     }
 
-    void whatIsNotMeasuredSaysSo()
+    void unmeasuredValueIsMarked()
     {
         Gauge gauge;
         gauge.setTitle(QStringLiteral("Current"));
         gauge.setValue(12, QStringLiteral("≤ 3"), false);
         QVERIFY(gauge.accessibleDescription().contains(QLatin1String("12")));
-        gauge.setUnmeasured(QStringLiteral("not measured by SCS15"));
+        gauge.setNotMeasured(QStringLiteral("not measured by SCS15"));
         QCOMPARE(gauge.valueText(), QStringLiteral("—"));
         QVERIFY(gauge.accessibleDescription().contains(QLatin1String("SCS15")));
         gauge.setValue(std::nan(""), {}, false);
@@ -87,23 +87,23 @@ private Q_SLOTS:
         QCOMPARE(gauge.valueText(), QStringLiteral("3"));
     }
 
-    void theDialAsksOnlyWhenItMay()
+    void theDialRequestsOnlyWhenEnabled()
     {
         PositionDial dial;
         dial.resize(240, 220);
-        DialView view = halfTurn();
-        view.goalMovable = false;
+        DialState view = halfTurnDial();
+        view.isGoalMovable = false;
         dial.show(view);
-        QSignalSpy wished(&dial, &PositionDial::goalWished);
+        QSignalSpy goalSpy(&dial, &PositionDial::goalRequested);
         QTest::mouseClick(&dial, Qt::LeftButton, {}, at(dial, 30));
         QTest::keyClick(&dial, Qt::Key_Up);
-        QCOMPARE(wished.size(), 0);
-        view.goalMovable = true;
+        QCOMPARE(goalSpy.size(), 0);
+        view.isGoalMovable = true;
         dial.show(view);
         QTest::mouseClick(&dial, Qt::LeftButton, {}, at(dial, 45));
-        QCOMPARE(wished.size(), 1);
+        QCOMPARE(goalSpy.size(), 1);
         // The middle of the range is at the top, clockwise is more.
-        const auto goal = wished.front().front().value<std::int64_t>();
+        const auto goal = goalSpy.front().front().value<std::int64_t>();
         QVERIFY(std::abs(goal - (2048 + 512)) < 25);
     }
 
@@ -111,14 +111,14 @@ private Q_SLOTS:
     {
         PositionDial dial;
         dial.resize(240, 220);
-        dial.show(halfTurn());
-        QSignalSpy wished(&dial, &PositionDial::goalWished);
+        dial.show(halfTurnDial());
+        QSignalSpy goalSpy(&dial, &PositionDial::goalRequested);
         QTest::mouseClick(&dial, Qt::LeftButton, {}, at(dial, 130));
-        QCOMPARE(wished.back().front().value<std::int64_t>(), 3072);
+        QCOMPARE(goalSpy.back().front().value<std::int64_t>(), 3072);
         QTest::keyClick(&dial, Qt::Key_Home);
-        QCOMPARE(wished.back().front().value<std::int64_t>(), 1024);
+        QCOMPARE(goalSpy.back().front().value<std::int64_t>(), 1024);
         QTest::keyClick(&dial, Qt::Key_Up);
-        QCOMPARE(wished.back().front().value<std::int64_t>(), 1025); // not read again yet
+        QCOMPARE(goalSpy.back().front().value<std::int64_t>(), 1025); // not read again yet
     }
 
     /// In multi-turn the knob follows the pointer round and round.
@@ -126,19 +126,19 @@ private Q_SLOTS:
     {
         PositionDial dial;
         dial.resize(240, 220);
-        DialView view = halfTurn();
+        DialState view = halfTurnDial();
         view.minGoal = -30719;
         view.maxGoal = 30719;
         dial.show(view);
-        QSignalSpy wished(&dial, &PositionDial::goalWished);
+        QSignalSpy goalSpy(&dial, &PositionDial::goalRequested);
         QTest::mousePress(&dial, Qt::LeftButton, {}, at(dial, 0));
         for (int angle = 0; angle <= 720; angle += 30)
             QTest::mouseMove(&dial, at(dial, angle));
         QTest::mouseRelease(&dial, Qt::LeftButton, {}, at(dial, 0));
-        QVERIFY(std::abs(wished.back().front().value<std::int64_t>() - (2048 + 8192)) < 40);
+        QVERIFY(std::abs(goalSpy.back().front().value<std::int64_t>() - (2048 + 8192)) < 40);
     }
 
-    void wordsStayInsideTheFace_data()
+    void textStaysInsideTheGauge_data()
     {
         QTest::addColumn<QString>("words");
         QTest::addColumn<double>("diameter");
@@ -150,7 +150,7 @@ private Q_SLOTS:
             QTest::addRow("short, %.0f", diameter) << QStringLiteral("2048") << diameter;
         }
     }
-    void wordsStayInsideTheFace()
+    void textStaysInsideTheGauge()
     {
         QFETCH(QString, words);
         QFETCH(double, diameter);
@@ -159,7 +159,7 @@ private Q_SLOTS:
         const ui::CircleText fitted = ui::fitIntoCircle(words, QApplication::font(), circle, top);
         const QRectF taken =
             QFontMetricsF(fitted.font)
-                .boundingRect(fitted.place, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
+                .boundingRect(fitted.rect, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap,
                               words);
         for (const QPointF& corner :
              {taken.topLeft(), taken.topRight(), taken.bottomLeft(), taken.bottomRight()}) {
@@ -174,22 +174,22 @@ private Q_SLOTS:
         QWidget window;
         auto* dial = new PositionDial(&window);
         dial->resize(240, 220);
-        dial->show(halfTurn());
+        dial->show(halfTurnDial());
         window.show();
         QVERIFY(QTest::qWaitForWindowActive(&window));
         dial->clearFocus();
-        QSignalSpy wished(dial, &PositionDial::goalWished);
+        QSignalSpy goalSpy(dial, &PositionDial::goalRequested);
         const auto turn = [&] {
             QWheelEvent event(QPointF(50, 50), dial->mapToGlobal(QPointF(50, 50)), {}, {0, 120},
                               Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
             QCoreApplication::sendEvent(dial, &event);
         };
         turn();
-        QCOMPARE(wished.size(), 0);
+        QCOMPARE(goalSpy.size(), 0);
         dial->setFocus();
         turn();
-        QCOMPARE(wished.size(), 1);
-        QCOMPARE(wished.front().front().value<std::int64_t>(), 2058);
+        QCOMPARE(goalSpy.size(), 1);
+        QCOMPARE(goalSpy.front().front().value<std::int64_t>(), 2058);
     }
 };
 

@@ -7,17 +7,18 @@
 #include "sim/sim_link.h"
 
 namespace {
-struct KeeperBench : gui::DeskBench {
-    session::Scope scope{desk};
-    session::Archive archive;
-    session::HistoryKeeper keeper{desk, scope, archive};
+struct HistoryRecorderFixture : gui::WorkbenchFixture {
+    session::LiveData scope{desk};
+    session::HistoryService historyService;
+    session::HistoryRecorder keeper{desk, scope, historyService};
 
     template <typename T>
     T asked(const std::function<base::Result<T>(record::History&)>& question)
     {
         std::optional<T> found;
-        archive.ask<T>(question, &archive,
-                       [&](const base::Result<T>& answer) { found = answer.value_or(T()); });
+        historyService.query<T>(question, &historyService, [&](const base::Result<T>& answer) {
+            found = answer.value_or(T());
+        });
         (void)QTest::qWaitFor([&] { return found.has_value(); }, 10'000);
         return found.value_or(T());
     }
@@ -33,62 +34,64 @@ struct KeeperBench : gui::DeskBench {
     }
     void watch(int id)
     {
-        session::FeedWish wish;
-        wish.parts.push_back(
+        session::Subscription subscription;
+        subscription.parts.push_back(
             {ref(id), {QStringLiteral("present_position"), QStringLiteral("present_voltage")}});
-        desk.wish(QStringLiteral("operate"), wish);
+        desk.subscribe(QStringLiteral("operate"), subscription);
     }
-    template <typename Deed>
-    void withBus(Deed deed)
+    template <typename Action>
+    void withBus(Action action)
     {
-        desk.connection()->simulation()->with(deed);
+        desk.connection()->simulation()->with(action);
     }
 };
 } // namespace
 
-class TestHistoryKeeper : public QObject {
+class TestHistoryRecorder : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
-    void anAlarmHasABeginningAndAnEnd()
+    void anAlarmHasAStartAndAnEnd()
     {
-        KeeperBench bench;
-        QVERIFY(bench.open(QStringLiteral("sim:sts3215@1")));
-        QVERIFY(bench.search());
-        bench.desk.readTable(bench.ref(1));
-        QTRY_VERIFY(!bench.desk.busy());
-        bench.watch(1);
-        QVERIFY(bench.alarms().empty());
-        bench.withBus([](sim::VirtualBus& bus) { bus.servo(1)->surroundings().supplyVolts = 3.0; });
-        QTRY_VERIFY(bench.desk.servo(bench.ref(1))->alarms.anyActive());
-        QTRY_COMPARE(bench.alarms().size(), std::size_t(1));
-        const auto came = bench.alarms().front();
-        QCOMPARE(came.key, QStringLiteral("voltage"));
-        QCOMPARE(came.servoId, 1);
-        QVERIFY(came.at.isValid() && !came.went.isValid());
+        HistoryRecorderFixture fixture;
+        QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1")));
+        QVERIFY(fixture.search());
+        fixture.desk.readTable(fixture.ref(1));
+        QTRY_VERIFY(!fixture.desk.isBusy());
+        fixture.watch(1);
+        QVERIFY(fixture.alarms().empty());
+        fixture.withBus(
+            [](sim::VirtualBus& bus) { bus.servo(1)->environment().supplyVolts = 3.0; });
+        QTRY_VERIFY(fixture.desk.servo(fixture.ref(1))->alarms.hasActive());
+        QTRY_COMPARE(fixture.alarms().size(), std::size_t(1));
+        const auto alarm = fixture.alarms().front();
+        QCOMPARE(alarm.key, QStringLiteral("voltage"));
+        QCOMPARE(alarm.servoId, 1);
+        QVERIFY(alarm.at.isValid() && !alarm.clearedAt.isValid());
 
-        bench.withBus([](sim::VirtualBus& bus) { bus.servo(1)->surroundings().supplyVolts = 7.4; });
-        QTRY_VERIFY(!bench.desk.servo(bench.ref(1))->alarms.anyActive());
-        QTRY_VERIFY(bench.alarms().front().went.isValid());
-        QCOMPARE(bench.alarms().size(), std::size_t(1));
+        fixture.withBus(
+            [](sim::VirtualBus& bus) { bus.servo(1)->environment().supplyVolts = 7.4; });
+        QTRY_VERIFY(!fixture.desk.servo(fixture.ref(1))->alarms.hasActive());
+        QTRY_VERIFY(fixture.alarms().front().clearedAt.isValid());
+        QCOMPARE(fixture.alarms().size(), std::size_t(1));
     }
 
     void aRecordingIsListedWithItsServos()
     {
-        KeeperBench bench;
-        QVERIFY(bench.open(QStringLiteral("sim:sts3215@1,sts3215@2")));
-        QVERIFY(bench.search());
-        bench.watch(2);
+        HistoryRecorderFixture fixture;
+        QVERIFY(fixture.open(QStringLiteral("sim:sts3215@1,sts3215@2")));
+        QVERIFY(fixture.search());
+        fixture.watch(2);
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("run.csv"));
-        QTRY_VERIFY(bench.scope.store().count() > 20);
-        QVERIFY(bench.scope.record({.path = path}));
-        QTRY_VERIFY(bench.scope.recordingStatus().rows > 20);
-        bench.scope.stopRecording();
-        QTRY_COMPARE(bench.recordings().size(), std::size_t(1));
-        const auto kept = bench.recordings().front();
+        QTRY_VERIFY(fixture.scope.store().count() > 20);
+        QVERIFY(fixture.scope.startRecording({.path = path}));
+        QTRY_VERIFY(fixture.scope.recordingStatus().rows > 20);
+        fixture.scope.stopRecording();
+        QTRY_COMPARE(fixture.recordings().size(), std::size_t(1));
+        const auto kept = fixture.recordings().front();
         QCOMPARE(kept.file, path);
         QVERIFY(kept.rows > 20 && kept.length.count() > 0 && kept.simulated);
         QCOMPARE(kept.servos.size(), std::size_t(1));
@@ -96,5 +99,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestHistoryKeeper)
+QTEST_MAIN(TestHistoryRecorder)
 #include "tst_history_keeper.moc"

@@ -13,7 +13,7 @@
 #include <QRegularExpression>
 #include <QTableView>
 
-using gui::TasksBench;
+using gui::ServoTasksFixture;
 using ui::Command;
 
 namespace {
@@ -34,39 +34,39 @@ QString cell(QDialog* dialog, int row, ui::IntentColumn column)
 }
 
 /// The servo falls silent while its lock is open and the second of five registers is written.
-bool interrupt(TasksBench& bench)
+bool interrupt(ServoTasksFixture& fixture)
 {
-    bench.withWire([](sim::VirtualBus& wire) {
-        wire.config().faults.muteWhen = gui::secondOfFiveRowsIsWritten;
+    fixture.withBus([](sim::VirtualBus& wire) {
+        wire.config().faults.muteWhen = gui::isSecondRegisterWritten;
     });
-    bench.desk.write(bench.selection.current(), gui::fiveRows());
-    const bool ended = bench.settled();
-    bench.withWire([](sim::VirtualBus& wire) { wire.config().faults = {}; });
-    return ended && bench.session.journal().open()->size() == 1;
+    fixture.desk.write(fixture.selection.current(), gui::fiveRegisterWrite());
+    const bool ended = fixture.waitUntilIdle();
+    fixture.withBus([](sim::VirtualBus& wire) { wire.config().faults = {}; });
+    return ended && fixture.session.journal().open()->size() == 1;
 }
 
 /// As an earlier session left it: nothing of it was written.
-QString leaveOpen(TasksBench& bench, const QString& port = {})
+QString leaveOpenIntent(ServoTasksFixture& fixture, const QString& port = {})
 {
     base::Intent intent;
     intent.kind = base::IntentKind::Write;
     intent.lockOpened = true;
-    intent.servo = bench.entry().servo.identity();
+    intent.servo = fixture.entry().servo.identity();
     if (!port.isEmpty())
         intent.servo.port = port;
-    const auto before = bench.entry().servo.raw(text("max_temperature")).value_or(0);
+    const auto before = fixture.entry().servo.raw(text("max_temperature")).value_or(0);
     intent.items = {{text("max_temperature"), 13, before, 61}};
-    return bench.session.journal().begin(intent).value_or(QString());
+    return fixture.session.journal().begin(intent).value_or(QString());
 }
 /// Closing the window would ask nothing.
-bool nothingUnfinished(TasksBench& bench)
+bool hasNoOpenWrites(ServoTasksFixture& fixture)
 {
-    std::optional<session::UnfinishedWrites> unfinished;
-    QObject::connect(&bench.desk, &session::Desk::unfinishedFound, &bench.window,
-                     [&](const session::UnfinishedWrites& found) { unfinished = found; });
-    bench.desk.findUnfinished();
-    const bool told = QTest::qWaitFor([&] { return unfinished.has_value(); }, 20000);
-    return told && unfinished->ids.empty() && unfinished->unlocked.empty();
+    std::optional<session::OpenWrites> unfinished;
+    QObject::connect(&fixture.desk, &session::Desk::openWritesFound, &fixture.window,
+                     [&](const session::OpenWrites& found) { unfinished = found; });
+    fixture.desk.findOpenWrites();
+    const bool detected = QTest::qWaitFor([&] { return unfinished.has_value(); }, 20000);
+    return detected && unfinished->ids.empty() && unfinished->unlocked.empty();
 }
 } // namespace
 
@@ -76,72 +76,73 @@ class TestIntentsDialog : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void aCutWriteIsOfferedAndUndone();
-    void aCutWriteIsFinished();
-    void aServoIsFollowed_data();
-    void aServoIsFollowed();
-    void aServoThatHasMovedAlreadyIsFollowed_data() { aServoIsFollowed_data(); }
-    void aServoThatHasMovedAlreadyIsFollowed();
+    void anInterruptedWriteIsOfferedAndUndone();
+    void anInterruptedWriteIsFinished();
+    void aRenumberedServoIsFollowed_data();
+    void aRenumberedServoIsFollowed();
+    void aServoAlreadyAtItsNewIdIsFollowed_data() { aRenumberedServoIsFollowed_data(); }
+    void aServoAlreadyAtItsNewIdIsFollowed();
     void isOfferedAfterTheFirstSearch();
-    void laterIsNotAskedTwice();
-    void forgettingAsksFirst();
-    void theOneChosenIsSettledAlone();
-    void aTrialIsPutBackAndSaysSo();
-    void undoTakesBackAllOfAFinishedWrite();
-    void nobodyThereCannotBeSettled();
-    void nothingOpenSaysSo();
-    void anotherPortIsNamedAtTheFirstConnection();
-    void anAdapterUnderAnotherNameIsLookedAt();
-    void aPortThatIsThereIsNotLookedForHere();
-    void whatIsUnderWayElsewhereIsLeftToIt();
-    void aSettlementThatBreaksOffSaysWhy_data();
-    void aSettlementThatBreaksOffSaysWhy();
-    void whatCouldNotBeRecordedIsSaid();
-    void theMarkOfARestartIsPutBack();
-    void whatHasAnotherValueStaysAndIsSaid();
-    void anotherServoIsNotCalledDone();
+    void laterSuppressesTheQuestion();
+    void discardingAsksFirst();
+    void onlyTheSelectedIntentIsRecovered();
+    void aTrialIsRevertedAndReported();
+    void undoRevertsAllOfAFinishedWrite();
+    void missingServoCannotBeRecovered();
+    void emptyListShowsAMessage();
+    void anotherPortIsReportedOnTheFirstConnection();
+    void anAdapterUnderAnotherNameIsChecked();
+    void aPresentPortIsNotCheckedHere();
+    void intentsInProgressElsewhereAreSkipped();
+    void anInterruptedRecoveryReportsWhy_data();
+    void anInterruptedRecoveryReportsWhy();
+    void unrecordedResultIsReported();
+    void theRestartMarkIsRestored();
+    void otherValuesAreKeptAndReported();
+    void anotherServoIsNotReportedDone();
 };
 
-void TestIntentsDialog::aCutWriteIsOfferedAndUndone()
+void TestIntentsDialog::anInterruptedWriteIsOfferedAndUndone()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    const std::int64_t before = bench.raw(1, "min_angle_limit");
-    QVERIFY(interrupt(bench));
-    QCOMPARE(bench.raw(1, "lock"), 0);
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    const std::int64_t before = fixture.raw(1, "min_angle_limit");
+    QVERIFY(interrupt(fixture));
+    QCOMPARE(fixture.raw(1, "lock"), 0);
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QAbstractItemModelTester tester(table(dialog)->model());
     QCOMPARE(table(dialog)->model()->rowCount(), 1);
     QVERIFY(cell(dialog, 0, ui::IntentColumn::Servo).contains(text("STS3215")));
     QVERIFY(cell(dialog, 0, ui::IntentColumn::Change).contains(text("500")));
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Lock), text("open"));
-    QCOMPARE(bench.raw(1, "lock"), 0); // looking wrote nothing
+    QCOMPARE(fixture.raw(1, "lock"), 0); // looking wrote nothing
     gui::click(dialog, "intentUndo");
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
     QTRY_COMPARE(table(dialog)->model()->rowCount(), 0);
-    QCOMPARE(bench.raw(1, "min_angle_limit"), before);
-    QCOMPARE(bench.raw(1, "lock"), 1);
-    QVERIFY(bench.session.journal().open()->empty());
+    QCOMPARE(fixture.raw(1, "min_angle_limit"), before);
+    QCOMPARE(fixture.raw(1, "lock"), 1);
+    QVERIFY(fixture.session.journal().open()->empty());
 }
 
-void TestIntentsDialog::aCutWriteIsFinished()
+void TestIntentsDialog::anInterruptedWriteIsFinished()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    QVERIFY(interrupt(bench));
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(interrupt(fixture));
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QTest::keyClick(gui::button(dialog, "intentFinish"), Qt::Key_Space);
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
-    QTRY_VERIFY(bench.session.journal().open()->empty());
-    QCOMPARE(bench.raw(1, "overload_torque"), 70);
-    QCOMPARE(bench.raw(1, "lock"), 1);
+    QTRY_VERIFY(fixture.session.journal().open()->empty());
+    QCOMPARE(fixture.raw(1, "overload_torque"), 70);
+    QCOMPARE(fixture.raw(1, "lock"), 1);
     // The table follows by itself.
-    QTRY_COMPARE(bench.entry().servo.raw(text("overload_torque")), std::optional<std::int64_t>(70));
+    QTRY_COMPARE(fixture.entry().servo.raw(text("overload_torque")),
+                 std::optional<std::int64_t>(70));
 }
 
-void TestIntentsDialog::aServoIsFollowed_data()
+void TestIntentsDialog::aRenumberedServoIsFollowed_data()
 {
     QTest::addColumn<int>("kind");
     QTest::addColumn<QString>("key");
@@ -154,194 +155,194 @@ void TestIntentsDialog::aServoIsFollowed_data()
 }
 
 /// Finishing a change of ID or rate takes the servo elsewhere; it stays selected.
-void TestIntentsDialog::aServoIsFollowed()
+void TestIntentsDialog::aRenumberedServoIsFollowed()
 {
     QFETCH(int, kind);
     QFETCH(QString, key);
     QFETCH(int, value);
     QFETCH(int, id);
     QFETCH(int, baud);
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
     base::Intent intent;
     intent.kind = base::IntentKind(kind);
-    intent.servo = bench.entry().servo.identity();
-    intent.items = {{key, 5, bench.raw(1, key.toLatin1().constData()), value}};
-    QVERIFY(bench.session.journal().begin(intent));
-    const session::ServoRef ref = bench.selection.current();
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    intent.servo = fixture.entry().servo.identity();
+    intent.items = {{key, 5, fixture.raw(1, key.toLatin1().constData()), value}};
+    QVERIFY(fixture.session.journal().begin(intent));
+    const session::ServoRef ref = fixture.selection.current();
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     gui::click(dialog, "intentFinish");
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
-    QVERIFY(bench.settled());
-    QCOMPARE(bench.selection.current(), ref);
-    QCOMPARE(bench.entry().servo.id, id);
-    QCOMPARE(bench.entry().servo.baud, baud);
-    QVERIFY(!bench.entry().readError);
+    QVERIFY(fixture.waitUntilIdle());
+    QCOMPARE(fixture.selection.current(), ref);
+    QCOMPARE(fixture.entry().servo.id, id);
+    QCOMPARE(fixture.entry().servo.baud, baud);
+    QVERIFY(!fixture.entry().readError);
 }
 
 /// The cable was cut right after the write of the ID or the rate, with the lock open.
-void TestIntentsDialog::aServoThatHasMovedAlreadyIsFollowed()
+void TestIntentsDialog::aServoAlreadyAtItsNewIdIsFollowed()
 {
     QFETCH(int, kind);
     QFETCH(QString, key);
     QFETCH(int, value);
     QFETCH(int, id);
     QFETCH(int, baud);
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    const session::ServoRef ref = bench.selection.current();
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    const session::ServoRef ref = fixture.selection.current();
     base::Intent intent;
     intent.kind = base::IntentKind(kind);
     intent.lockOpened = true;
-    intent.servo = bench.entry().servo.identity();
-    intent.items = {{key, 5, bench.raw(1, key.toLatin1().constData()), value}};
-    QVERIFY(bench.session.journal().begin(intent));
-    bench.withWire([&](sim::VirtualBus& wire) {
+    intent.servo = fixture.entry().servo.identity();
+    intent.items = {{key, 5, fixture.raw(1, key.toLatin1().constData()), value}};
+    QVERIFY(fixture.session.journal().begin(intent));
+    fixture.withBus([&](sim::VirtualBus& wire) {
         sim::VirtualServo* servo = wire.servo(1);
         servo->poke(text("lock"), 0);
         servo->poke(key, value);
     });
-    bench.desk.readTable(ref);
-    bench.desk.loadHistory(ref);
-    QVERIFY(bench.settled());
-    QTRY_VERIFY(bench.entry().silent && bench.entry().lockOpenedByUs);
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    fixture.desk.readTable(ref);
+    fixture.desk.loadHistory(ref);
+    QVERIFY(fixture.waitUntilIdle());
+    QTRY_VERIFY(fixture.entry().silent && fixture.entry().lockOpenedByUs);
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QTRY_COMPARE(table(dialog)->model()->rowCount(), 1);
     gui::click(dialog, "intentFinish");
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
-    QVERIFY(bench.settled());
-    QCOMPARE(bench.raw(id, "lock"), 1);
-    QCOMPARE(bench.desk.servos(), std::vector{ref});
-    QCOMPARE(bench.entry().servo.id, id);
-    QCOMPARE(bench.entry().servo.baud, baud);
-    QTRY_VERIFY(!bench.entry().silent && !bench.entry().lockOpenedByUs);
-    QTRY_COMPARE(bench.entry().lockOpen(), std::optional(false));
-    QVERIFY(nothingUnfinished(bench));
+    QVERIFY(fixture.waitUntilIdle());
+    QCOMPARE(fixture.raw(id, "lock"), 1);
+    QCOMPARE(fixture.desk.servos(), std::vector{ref});
+    QCOMPARE(fixture.entry().servo.id, id);
+    QCOMPARE(fixture.entry().servo.baud, baud);
+    QTRY_VERIFY(!fixture.entry().silent && !fixture.entry().lockOpenedByUs);
+    QTRY_COMPARE(fixture.entry().isLockOpen(), std::optional(false));
+    QVERIFY(hasNoOpenWrites(fixture));
 }
 
 void TestIntentsDialog::isOfferedAfterTheFirstSearch()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    const std::int64_t before = bench.raw(1, "max_temperature");
-    QVERIFY(!leaveOpen(bench).isEmpty());
-    bench.desk.disconnectFrom();
-    QTRY_COMPARE(bench.desk.state(), session::LinkState::Off);
-    QVERIFY(bench.connectTo("sim:sts3215@1"));
-    QVERIFY(bench.search(1, 1));
-    QDialog* dialog = bench.dialog("intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    const std::int64_t before = fixture.raw(1, "max_temperature");
+    QVERIFY(!leaveOpenIntent(fixture).isEmpty());
+    fixture.desk.disconnectFrom();
+    QTRY_COMPARE(fixture.desk.state(), session::LinkState::Off);
+    QVERIFY(fixture.connectTo("sim:sts3215@1"));
+    QVERIFY(fixture.search(1, 1));
+    QDialog* dialog = fixture.dialog("intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
     QTest::keyClick(dialog, Qt::Key_Escape);
-    QVERIFY(bench.settled());
-    QCOMPARE(bench.raw(1, "max_temperature"), before);
-    QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+    QVERIFY(fixture.waitUntilIdle());
+    QCOMPARE(fixture.raw(1, "max_temperature"), before);
+    QCOMPARE(fixture.session.journal().open()->size(), std::size_t(1));
 }
 
-void TestIntentsDialog::laterIsNotAskedTwice()
+void TestIntentsDialog::laterSuppressesTheQuestion()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    QVERIFY(!leaveOpen(bench).isEmpty());
-    QPointer<QDialog> dialog(bench.open(Command::OpenIntents, "intentsDialog"));
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(!leaveOpenIntent(fixture).isEmpty());
+    QPointer<QDialog> dialog(fixture.open(Command::OpenIntents, "intentsDialog"));
     QVERIFY(dialog);
     gui::click(dialog, "intentLater");
     QTRY_VERIFY(!dialog);
-    QSignalSpy found(&bench.desk, &session::Desk::openIntents);
-    bench.desk.lookForIntents(); // nobody's wish: as after another search
+    QSignalSpy found(&fixture.desk, &session::Desk::openIntentsFound);
+    fixture.desk.findOpenIntents(); // nobody's wish: as after another search
     QVERIFY(found.wait());
-    QCOMPARE(bench.window.findChildren<QDialog*>().size(), 0);
-    QVERIFY(bench.open(Command::OpenIntents, "intentsDialog"));
+    QCOMPARE(fixture.window.findChildren<QDialog*>().size(), 0);
+    QVERIFY(fixture.open(Command::OpenIntents, "intentsDialog"));
 }
 
-void TestIntentsDialog::forgettingAsksFirst()
+void TestIntentsDialog::discardingAsksFirst()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    QVERIFY(!leaveOpen(bench).isEmpty());
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(!leaveOpenIntent(fixture).isEmpty());
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     gui::click(dialog, "intentForget");
-    QDialog* question = bench.dialog("question");
+    QDialog* question = fixture.dialog("question");
     QVERIFY(question);
-    QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+    QCOMPARE(fixture.session.journal().open()->size(), std::size_t(1));
     gui::click(question, "questionYes");
     QTRY_COMPARE(table(dialog)->model()->rowCount(), 0);
-    QVERIFY(bench.session.journal().open()->empty());
+    QVERIFY(fixture.session.journal().open()->empty());
 }
 
-void TestIntentsDialog::theOneChosenIsSettledAlone()
+void TestIntentsDialog::onlyTheSelectedIntentIsRecovered()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    const QString first = leaveOpen(bench);
-    const QString second = leaveOpen(bench);
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    const QString first = leaveOpenIntent(fixture);
+    const QString second = leaveOpenIntent(fixture);
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(table(dialog)->model()->rowCount(), 2);
     table(dialog)->selectRow(1);
     gui::click(dialog, "intentUndo");
     QTRY_COMPARE(table(dialog)->model()->rowCount(), 1);
-    const auto open = bench.session.journal().open();
+    const auto open = fixture.session.journal().open();
     QCOMPARE(open->size(), std::size_t(1));
     QCOMPARE(open->front().uuid, first);
     QVERIFY(second != first);
 }
 
 /// Finishing a test's settings puts them back: no word of a change that was finished.
-void TestIntentsDialog::aTrialIsPutBackAndSaysSo()
+void TestIntentsDialog::aTrialIsRevertedAndReported()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
     base::Intent intent;
     intent.kind = base::IntentKind::Trial;
     intent.temporary = true;
-    intent.servo = bench.entry().servo.identity();
-    const std::int64_t before = bench.raw(1, "position_p");
+    intent.servo = fixture.entry().servo.identity();
+    const std::int64_t before = fixture.raw(1, "position_p");
     intent.items = {{text("position_p"), 21, before, before + 28}};
-    QVERIFY(bench.session.journal().begin(intent));
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(fixture.session.journal().begin(intent));
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
     QCOMPARE(gui::button(dialog, "intentFinish")->text(), text("Put back"));
     gui::click(dialog, "intentFinish");
     QTRY_VERIFY(gui::resultOf(dialog).contains(text("settings from before the test")));
     QVERIFY(!gui::resultOf(dialog).contains(text("finished")));
-    QCOMPARE(bench.raw(1, "position_p"), before);
-    QVERIFY(bench.session.journal().open()->empty());
+    QCOMPARE(fixture.raw(1, "position_p"), before);
+    QVERIFY(fixture.session.journal().open()->empty());
 }
 
 /// Of an interrupted write what had been changed in this session would be undone alone, and leave a
 /// mixture behind.
-void TestIntentsDialog::undoTakesBackAllOfAFinishedWrite()
+void TestIntentsDialog::undoRevertsAllOfAFinishedWrite()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    QVERIFY(interrupt(bench));
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(interrupt(fixture));
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     gui::click(dialog, "intentFinish");
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
-    QTRY_VERIFY(bench.desk.nextUndo() != nullptr);
-    QCOMPARE(bench.desk.nextUndo()->before.size(), std::size_t(5));
-    QVERIFY(bench.settled());
-    bench.desk.undo();
-    QVERIFY(bench.settled());
-    QTRY_COMPARE(bench.raw(1, "overload_torque"), 80);
-    QCOMPARE(bench.raw(1, "max_temperature"), 70);
-    QCOMPARE(bench.raw(1, "min_angle_limit"), 0);
-    QVERIFY(bench.desk.nextUndo() == nullptr); // nothing of it is left over
+    QTRY_VERIFY(fixture.desk.undoStep() != nullptr);
+    QCOMPARE(fixture.desk.undoStep()->oldItems.size(), std::size_t(5));
+    QVERIFY(fixture.waitUntilIdle());
+    fixture.desk.undo();
+    QVERIFY(fixture.waitUntilIdle());
+    QTRY_COMPARE(fixture.raw(1, "overload_torque"), 80);
+    QCOMPARE(fixture.raw(1, "max_temperature"), 70);
+    QCOMPARE(fixture.raw(1, "min_angle_limit"), 0);
+    QVERIFY(fixture.desk.undoStep() == nullptr); // nothing of it is left over
 }
 
-void TestIntentsDialog::nobodyThereCannotBeSettled()
+void TestIntentsDialog::missingServoCannotBeRecovered()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    QVERIFY(!leaveOpen(bench).isEmpty());
-    bench.withWire([](sim::VirtualBus& wire) { wire.config().faults.muteIds = {1}; });
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(!leaveOpenIntent(fixture).isEmpty());
+    fixture.withBus([](sim::VirtualBus& wire) { wire.config().faults.muteIds = {1}; });
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("it does not answer"));
     QVERIFY(!gui::button(dialog, "intentFinish")->isEnabled());
@@ -349,11 +350,11 @@ void TestIntentsDialog::nobodyThereCannotBeSettled()
     QVERIFY(gui::button(dialog, "intentForget")->isEnabled());
 }
 
-void TestIntentsDialog::nothingOpenSaysSo()
+void TestIntentsDialog::emptyListShowsAMessage()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QVERIFY(gui::resultOf(dialog).contains(text("No change was left open")));
     QVERIFY(!gui::textOf(dialog, "explanation").contains(text("Choose what to do")));
@@ -361,16 +362,16 @@ void TestIntentsDialog::nothingOpenSaysSo()
     QVERIFY(!gui::button(dialog, "intentForget")->isEnabled());
 }
 
-void TestIntentsDialog::anotherPortIsNamedAtTheFirstConnection()
+void TestIntentsDialog::anotherPortIsReportedOnTheFirstConnection()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    QVERIFY(!leaveOpen(bench, text("/dev/ttyUSB7")).isEmpty());
-    bench.desk.disconnectFrom();
-    QTRY_COMPARE(bench.desk.state(), session::LinkState::Off);
-    QVERIFY(bench.connectTo("sim:sts3215@1"));
-    QVERIFY(bench.search(1, 1));
-    QDialog* dialog = bench.dialog("intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(!leaveOpenIntent(fixture, text("/dev/ttyUSB7")).isEmpty());
+    fixture.desk.disconnectFrom();
+    QTRY_COMPARE(fixture.desk.state(), session::LinkState::Off);
+    QVERIFY(fixture.connectTo("sim:sts3215@1"));
+    QVERIFY(fixture.search(1, 1));
+    QDialog* dialog = fixture.dialog("intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(table(dialog)->model()->rowCount(), 0);
     const QString named = gui::textOf(dialog, "intentsElsewhere");
@@ -381,13 +382,13 @@ void TestIntentsDialog::anotherPortIsNamedAtTheFirstConnection()
     QVERIFY(!gui::button(dialog, "intentsLookHere")->isVisible());
 }
 
-void TestIntentsDialog::anAdapterUnderAnotherNameIsLookedAt()
+void TestIntentsDialog::anAdapterUnderAnotherNameIsChecked()
 {
-    TasksBench bench;
+    ServoTasksFixture fixture;
     support::SimProgram sim({text("--servos"), text("sts3215@1")});
-    QVERIFY(bench.connectTo(sim.port()) && bench.search(1, 1) && bench.choose(1));
-    QVERIFY(!leaveOpen(bench, text("/dev/ttyUSB7")).isEmpty());
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(fixture.connectTo(sim.port()) && fixture.search(1, 1) && fixture.choose(1));
+    QVERIFY(!leaveOpenIntent(fixture, text("/dev/ttyUSB7")).isEmpty());
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(table(dialog)->model()->rowCount(), 0);
     gui::click(dialog, "intentsLookHere");
@@ -397,42 +398,42 @@ void TestIntentsDialog::anAdapterUnderAnotherNameIsLookedAt()
     table(dialog)->selectRow(0);
     gui::click(dialog, "intentFinish");
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✓")));
-    QTRY_VERIFY(bench.session.journal().open()->empty());
+    QTRY_VERIFY(fixture.session.journal().open()->empty());
 }
 
 /// Its own servo may still be connected there; what answers here may be its twin.
-void TestIntentsDialog::aPortThatIsThereIsNotLookedForHere()
+void TestIntentsDialog::aPresentPortIsNotCheckedHere()
 {
-    TasksBench bench;
+    ServoTasksFixture fixture;
     support::SimProgram other({text("--servos"), text("sts3215@1")});
     support::SimProgram sim({text("--servos"), text("sts3215@1")});
-    QVERIFY(bench.connectTo(sim.port()) && bench.search(1, 1) && bench.choose(1));
-    QVERIFY(!leaveOpen(bench, other.port()).isEmpty());
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QVERIFY(fixture.connectTo(sim.port()) && fixture.search(1, 1) && fixture.choose(1));
+    QVERIFY(!leaveOpenIntent(fixture, other.port()).isEmpty());
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     const QString named = gui::textOf(dialog, "intentsElsewhere");
     QVERIFY2(named.contains(text("Connect to that port")) && named.contains(other.port()),
              qPrintable(named));
     QVERIFY(!gui::button(dialog, "intentsLookHere")->isVisible());
-    QSignalSpy found(&bench.desk, &session::Desk::openIntents);
-    bench.desk.lookForIntents(true);
+    QSignalSpy found(&fixture.desk, &session::Desk::openIntentsFound);
+    fixture.desk.findOpenIntents(true);
     QTRY_COMPARE(found.size(), 1);
     QCOMPARE(table(dialog)->model()->rowCount(), 0);
-    QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+    QCOMPARE(fixture.session.journal().open()->size(), std::size_t(1));
 }
 
-void TestIntentsDialog::whatIsUnderWayElsewhereIsLeftToIt()
+void TestIntentsDialog::intentsInProgressElsewhereAreSkipped()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
     auto other = std::make_unique<record::HistoryJournal>(session::historyFile(), text("other"));
     base::Intent intent;
-    intent.servo = bench.entry().servo.identity();
-    const auto before = bench.entry().servo.raw(text("max_temperature")).value_or(0);
+    intent.servo = fixture.entry().servo.identity();
+    const auto before = fixture.entry().servo.raw(text("max_temperature")).value_or(0);
     intent.items = {{text("max_temperature"), 13, before, 61}};
     const auto uuid = other->begin(intent);
     QVERIFY(uuid);
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("still under way in another program"));
     const auto explanation = [&] { return gui::textOf(dialog, "explanation"); };
@@ -440,17 +441,17 @@ void TestIntentsDialog::whatIsUnderWayElsewhereIsLeftToIt()
     QVERIFY2(!explanation().contains(text("cable")), qPrintable(explanation()));
     for (const char* name : {"intentFinish", "intentUndo", "intentForget"})
         QVERIFY2(!gui::button(dialog, name)->isEnabled(), name);
-    bench.desk.forgetIntent(*uuid);
-    QVERIFY(bench.settled());
-    QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+    fixture.desk.discardIntent(*uuid);
+    QVERIFY(fixture.waitUntilIdle());
+    QCOMPARE(fixture.session.journal().open()->size(), std::size_t(1));
     other.reset(); // as if it had been killed
-    bench.desk.lookForIntents();
+    fixture.desk.findOpenIntents();
     QTRY_COMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the old values"));
     QVERIFY(gui::button(dialog, "intentUndo")->isEnabled());
     QVERIFY2(explanation().contains(text("a cable was pulled")), qPrintable(explanation()));
 }
 
-void TestIntentsDialog::aSettlementThatBreaksOffSaysWhy_data()
+void TestIntentsDialog::anInterruptedRecoveryReportsWhy_data()
 {
     QTest::addColumn<bool>("cut"); ///< after the second of five values; or: a test is running
     QTest::newRow("cable cut") << true;
@@ -458,151 +459,152 @@ void TestIntentsDialog::aSettlementThatBreaksOffSaysWhy_data()
 }
 
 /// Not that nothing was written, and a list that could not be read is not an empty one.
-void TestIntentsDialog::aSettlementThatBreaksOffSaysWhy()
+void TestIntentsDialog::anInterruptedRecoveryReportsWhy()
 {
     QFETCH(bool, cut);
     support::SimProgram simulator(support::words("--servos sts3215@1 --baud 1000000"));
     support::CutCable cable(simulator.port(), false);
-    TasksBench bench;
-    QVERIFY(bench.ready(qPrintable(cable.port()), 1, 1, 1));
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready(qPrintable(cable.port()), 1, 1, 1));
     base::Intent intent;
     intent.kind = base::IntentKind::Write;
-    intent.servo = bench.entry().servo.identity();
-    for (const device::WriteItem& item : gui::fiveRows().items) {
-        const catalog::Register* reg = bench.entry().servo.profile->find(item.key);
+    intent.servo = fixture.entry().servo.identity();
+    for (const device::WriteItem& item : gui::fiveRegisterWrite().items) {
+        const catalog::Register* reg = fixture.entry().servo.profile->find(item.key);
         intent.items.push_back(
-            {item.key, reg->offset, bench.entry().servo.raw(*reg).value_or(0), item.raw});
+            {item.key, reg->offset, fixture.entry().servo.raw(*reg).value_or(0), item.raw});
     }
-    const auto uuid = bench.session.journal().begin(intent);
+    const auto uuid = fixture.session.journal().begin(intent);
     QVERIFY(uuid);
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     const auto offered = [&] { // a busy machine may make the servo's answers late
-        if (!bench.desk.busy() && !gui::button(dialog, "intentFinish")->isEnabled())
-            bench.desk.lookForIntents();
-        return !bench.desk.busy() && gui::button(dialog, "intentFinish")->isEnabled();
+        if (!fixture.desk.isBusy() && !gui::button(dialog, "intentFinish")->isEnabled())
+            fixture.desk.findOpenIntents();
+        return !fixture.desk.isBusy() && gui::button(dialog, "intentFinish")->isEnabled();
     };
     QTRY_VERIFY_WITH_TIMEOUT(offered(), 30'000);
-    constexpr int unlockAndTwo = 3;
+    constexpr int framesUntilThirdRow = 3;
     const int before = cable.writes();
     if (cut) {
-        cable.cutAtWrite(unlockAndTwo + 1);
+        cable.cutAtWrite(framesUntilThirdRow + 1);
     } else {
         session::Task test;
         test.name = text("sweep");
-        test.lasting = true;
+        test.isLongRunning = true;
         test.work = [](session::TaskContext& context) -> base::Result<void> {
-            while (!context.stop.requested())
+            while (!context.stop.isRequested())
                 QThread::msleep(5);
             return {};
         };
-        bench.desk.perform(bench.selection.current(), test);
-        QTRY_VERIFY(bench.desk.testing());
+        fixture.desk.perform(fixture.selection.current(), test);
+        QTRY_VERIFY(fixture.desk.isTesting());
     }
-    QSignalSpy found(&bench.desk, &session::Desk::openIntents);
+    QSignalSpy found(&fixture.desk, &session::Desk::openIntentsFound);
     gui::click(dialog, "intentFinish");
     const auto working = [&] { return gui::resultOf(dialog).contains(text("Working")); };
     QTRY_VERIFY_WITH_TIMEOUT(!working(), 60'000);
-    bench.desk.stopTest();
-    QVERIFY(bench.settled());
-    const QString said = gui::resultOf(dialog);
-    QVERIFY2(said.startsWith(QStringLiteral("✗")), qPrintable(said));
-    QVERIFY2(!said.contains(text("Nothing was written")), qPrintable(said));
-    QVERIFY2(said.contains(text("stays open")), qPrintable(said));
-    QCOMPARE(cable.writes() - before >= unlockAndTwo, cut);
+    fixture.desk.stopTest();
+    QVERIFY(fixture.waitUntilIdle());
+    const QString message = gui::resultOf(dialog);
+    QVERIFY2(message.startsWith(QStringLiteral("✗")), qPrintable(message));
+    QVERIFY2(!message.contains(text("Nothing was written")), qPrintable(message));
+    QVERIFY2(message.contains(text("stays open")), qPrintable(message));
+    QCOMPARE(cable.writes() - before >= framesUntilThirdRow, cut);
     QCOMPARE(found.size(), 0);
     QCOMPARE(table(dialog)->model()->rowCount(), 1);
-    const auto open = bench.session.journal().open();
+    const auto open = fixture.session.journal().open();
     QVERIFY(std::any_of(open->begin(), open->end(),
                         [&](const base::Intent& one) { return one.uuid == *uuid; }));
 }
 
-void TestIntentsDialog::whatCouldNotBeRecordedIsSaid()
+void TestIntentsDialog::unrecordedResultIsReported()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
     session::Event event;
     event.kind = session::Event::Kind::Written;
-    event.servo = bench.selection.current();
+    event.servo = fixture.selection.current();
     event.report.emplace();
     event.report->id = 1;
     event.report->writes = {{text("position_p"), 21, 32, 20, 20, device::WriteOutcome::Kept, {}}};
     event.notices = {{base::NoticeCode::NotRecorded, 1, text("history.sqlite: disk full")}};
-    const ui::EventWords words = ui::describe(event, bench.desk);
-    QVERIFY2(words.line.contains(text("20, kept")), qPrintable(words.line));
-    QVERIFY2(words.line.contains(text("NOT RECORDED")), qPrintable(words.line));
-    QVERIFY(words.more.join(QLatin1Char('\n')).contains(text("disk full")));
+    const ui::EventText words = ui::describe(event, fixture.desk);
+    QVERIFY2(words.message.contains(text("20, kept")), qPrintable(words.message));
+    QVERIFY2(words.message.contains(text("NOT RECORDED")), qPrintable(words.message));
+    QVERIFY(words.details.join(QLatin1Char('\n')).contains(text("disk full")));
 }
 
 namespace {
 /// The mark of a restart, as a program that was killed in between has left it.
-bool leaveMark(TasksBench& bench, std::int64_t standing)
+bool leaveRestartMarker(ServoTasksFixture& fixture, std::int64_t standing)
 {
     base::Intent intent;
     intent.kind = base::IntentKind::Trial;
     intent.temporary = true;
-    intent.servo = bench.entry().servo.identity();
+    intent.servo = fixture.entry().servo.identity();
     intent.items = {{text("torque_limit"), 48, 1000, 999}};
-    bench.withWire(
+    fixture.withBus(
         [standing](sim::VirtualBus& wire) { wire.servo(1)->poke(text("torque_limit"), standing); });
-    return bench.session.journal().begin(intent).has_value();
+    return fixture.session.journal().begin(intent).has_value();
 }
 } // namespace
 
-void TestIntentsDialog::theMarkOfARestartIsPutBack()
+void TestIntentsDialog::theRestartMarkIsRestored()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    QVERIFY(leaveMark(bench, 999));
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(leaveRestartMarker(fixture, 999));
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("the new values"));
     gui::click(dialog, "intentFinish");
     QTRY_VERIFY(gui::resultOf(dialog).contains(text("have been put back")));
-    QCOMPARE(bench.raw(1, "torque_limit"), 1000);
-    QVERIFY(bench.session.journal().open()->empty());
+    QCOMPARE(fixture.raw(1, "torque_limit"), 1000);
+    QVERIFY(fixture.session.journal().open()->empty());
 }
 
-void TestIntentsDialog::whatHasAnotherValueStaysAndIsSaid()
+void TestIntentsDialog::otherValuesAreKeptAndReported()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1", 1, 1, 1));
-    QVERIFY(leaveMark(bench, 700));
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1", 1, 1, 1));
+    QVERIFY(leaveRestartMarker(fixture, 700));
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
     QCOMPARE(cell(dialog, 0, ui::IntentColumn::Found), text("other values since, which stay"));
     gui::click(dialog, "intentUndo");
     QTRY_VERIFY(gui::resultOf(dialog).contains(text("Nothing was written")));
     QVERIFY2(gui::resultOf(dialog).contains(text("Torque limit")),
              qPrintable(gui::resultOf(dialog)));
-    QCOMPARE(bench.raw(1, "torque_limit"), 700);
-    QVERIFY(bench.session.journal().open()->empty());
+    QCOMPARE(fixture.raw(1, "torque_limit"), 700);
+    QVERIFY(fixture.session.journal().open()->empty());
 }
 
 /// Exchanged while the list is open: nothing is written, and the status line says no other thing.
-void TestIntentsDialog::anotherServoIsNotCalledDone()
+void TestIntentsDialog::anotherServoIsNotReportedDone()
 {
-    TasksBench bench;
-    QVERIFY(bench.ready("sim:sts3215@1,sts3250@7", 1, 7, 1));
-    QVERIFY(!leaveOpen(bench).isEmpty());
-    QDialog* dialog = bench.open(Command::OpenIntents, "intentsDialog");
+    ServoTasksFixture fixture;
+    QVERIFY(fixture.ready("sim:sts3215@1,sts3250@7", 1, 7, 1));
+    QVERIFY(!leaveOpenIntent(fixture).isEmpty());
+    QDialog* dialog = fixture.open(Command::OpenIntents, "intentsDialog");
     QVERIFY(dialog);
-    bench.withWire([](sim::VirtualBus& wire) {
+    fixture.withBus([](sim::VirtualBus& wire) {
         wire.servo(1)->poke(text("id"), 20);
         wire.servo(7)->poke(text("id"), 1);
     });
     std::optional<session::Event> task;
-    connect(&bench.desk, &session::Desk::happened, dialog, [&task](const session::Event& event) {
-        if (event.kind == session::Event::Kind::Task && event.task == text("recover"))
-            task = event;
-    });
+    connect(&fixture.desk, &session::Desk::eventOccurred, dialog,
+            [&task](const session::Event& event) {
+                if (event.kind == session::Event::Kind::Task && event.task == text("recover"))
+                    task = event;
+            });
     gui::click(dialog, "intentFinish");
     QTRY_VERIFY(task);
     QTRY_VERIFY(gui::resultOf(dialog).startsWith(QStringLiteral("✗")));
-    const ui::EventWords words = ui::describe(*task, bench.desk);
-    QCOMPARE(words.sign, QStringLiteral("✗"));
-    QVERIFY2(!words.line.contains(text("done")), qPrintable(words.line));
-    QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+    const ui::EventText words = ui::describe(*task, fixture.desk);
+    QCOMPARE(words.symbol, QStringLiteral("✗"));
+    QVERIFY2(!words.message.contains(text("done")), qPrintable(words.message));
+    QCOMPARE(fixture.session.journal().open()->size(), std::size_t(1));
 }
 
 QTEST_MAIN(TestIntentsDialog)

@@ -16,7 +16,7 @@
 #include <QTreeView>
 
 namespace {
-QString called(const QWidget& widget)
+QString displayName(const QWidget& widget)
 {
     QString path;
     for (const QWidget* w = &widget; w != nullptr && !w->isWindow(); w = w->parentWidget()) {
@@ -29,7 +29,7 @@ QString called(const QWidget& widget)
 }
 
 /// Qt's own parts of bigger widgets answer through those.
-bool isInner(const QWidget& widget)
+bool isInternalChild(const QWidget& widget)
 {
     const QWidget* parent = widget.parentWidget();
     return widget.objectName().startsWith(QLatin1String("qt_")) ||
@@ -55,7 +55,7 @@ bool isInteractive(const QWidget& widget)
 }
 
 /// What a label or button cannot show although it wants to.
-QString cutOff(const QWidget& widget)
+QString isTruncated(const QWidget& widget)
 {
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
         if (label->text().isEmpty() || !label->toolTip().isEmpty())
@@ -75,7 +75,7 @@ QString cutOff(const QWidget& widget)
     return {};
 }
 
-QStringList cutHeaders(const QHeaderView& header)
+QStringList elidedHeaders(const QHeaderView& header)
 {
     QStringList cut;
     if (header.orientation() != Qt::Horizontal || header.model() == nullptr || header.isHidden())
@@ -92,7 +92,7 @@ QStringList cutHeaders(const QHeaderView& header)
 }
 
 /// Cells whose text is wider than they are, and that do not say the rest in a tooltip.
-QStringList silentCells(const QAbstractItemView& view)
+QStringList elidedCellsWithoutTooltip(const QAbstractItemView& view)
 {
     QStringList silent;
     const QAbstractItemModel* model = view.model();
@@ -111,20 +111,20 @@ QStringList silentCells(const QAbstractItemView& view)
     }
     return silent;
 }
-QStringList cutOffIn(const QWidget& window)
+QStringList elidedWidgets(const QWidget& window)
 {
     QStringList faults;
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
-        if (!widget->isVisible() || isInner(*widget))
+        if (!widget->isVisible() || isInternalChild(*widget))
             continue;
-        if (const QString text = cutOff(*widget); !text.isEmpty())
-            faults << called(*widget) + QStringLiteral(": ") + text;
+        if (const QString text = isTruncated(*widget); !text.isEmpty())
+            faults << displayName(*widget) + QStringLiteral(": ") + text;
         if (const auto* header = qobject_cast<const QHeaderView*>(widget)) {
-            for (const QString& text : cutHeaders(*header))
-                faults << called(*widget) + QStringLiteral(": header ") + text;
+            for (const QString& text : elidedHeaders(*header))
+                faults << displayName(*widget) + QStringLiteral(": header ") + text;
         } else if (const auto* view = qobject_cast<const QAbstractItemView*>(widget)) {
-            for (const QString& text : silentCells(*view))
-                faults << called(*widget) + QStringLiteral(": cell ") + text;
+            for (const QString& text : elidedCellsWithoutTooltip(*view))
+                faults << displayName(*widget) + QStringLiteral(": cell ") + text;
         }
     }
     return faults;
@@ -146,7 +146,7 @@ private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
     void cleanup()
     {
-        gui::otherFont.reset();
+        gui::fontOverride.reset();
         QApplication::setFont(m_font);
     }
 
@@ -161,13 +161,13 @@ private Q_SLOTS:
         const QString chinese = QStringLiteral("zh_CN");
         const QString memory = QStringLiteral("memory");
         const QString operate = QStringLiteral("operate");
-        struct Letters {
+        struct FontCase {
             const char* name;
             const char* family;
             double size;
         };
-        for (const Letters& letters : {Letters{"own font", "", 1}, Letters{"120 %", "", 1.2},
-                                       Letters{"DejaVu", "DejaVu Sans", 1}}) {
+        for (const FontCase& letters : {FontCase{"own font", "", 1}, FontCase{"120 %", "", 1.2},
+                                        FontCase{"DejaVu", "DejaVu Sans", 1}}) {
             const auto row = [&](const char* what, const QString& language, const char* port,
                                  const QString& page) {
                 QTest::addRow("%s, %s, %s", what, qPrintable(page), letters.name)
@@ -202,72 +202,72 @@ private Q_SLOTS:
         QApplication::setFont(font);
         if (!family.isEmpty()) {
             font.setFamilies({family});
-            gui::otherFont = font;
+            gui::fontOverride = font;
         }
-        gui::WindowBench bench(language);
-        QCOMPARE(QFontInfo(bench.window->font()).family(),
+        gui::MainWindowFixture fixture(language);
+        QCOMPARE(QFontInfo(fixture.window->font()).family(),
                  family.isEmpty() ? QStringLiteral("Noto Sans") : family);
-        bench.page = page;
-        bench.window->resize(1024, 700);
+        fixture.page = page;
+        fixture.window->resize(1024, 700);
         if (!port.isEmpty())
-            QVERIFY(bench.ready(1, port));
-        QVERIFY(QTest::qWaitForWindowExposed(bench.window.get()));
-        QCOMPARE(bench.window->size(), QSize(1024, 700));
+            QVERIFY(fixture.ready(1, port));
+        QVERIFY(QTest::qWaitForWindowExposed(fixture.window.get()));
+        QCOMPARE(fixture.window->size(), QSize(1024, 700));
         QString faults;
         const auto nothing = [&] {
-            faults = cutOffIn(*bench.window).join(QLatin1Char('\n'));
+            faults = elidedWidgets(*fixture.window).join(QLatin1Char('\n'));
             return faults.isEmpty();
         };
         // What has just changed its words gets its room in the next turn of the event loop.
         QVERIFY2(QTest::qWaitFor(nothing), qPrintable(faults));
     }
 
-    void theUsualWindowShowsEveryColumn_data()
+    void theDefaultWindowShowsEveryColumn_data()
     {
         QTest::addColumn<QString>("language");
         QTest::newRow("English") << "en";
         QTest::newRow("Chinese") << "zh_CN";
     }
-    void theUsualWindowShowsEveryColumn()
+    void theDefaultWindowShowsEveryColumn()
     {
         QFETCH(QString, language);
-        gui::WindowBench bench(language);
-        QVERIFY(bench.ready(1));
-        const auto* table = bench.find<QTableView>("memoryTable");
+        gui::MainWindowFixture fixture(language);
+        QVERIFY(fixture.ready(1));
+        const auto* table = fixture.find<QTableView>("memoryTable");
         for (int column = 0; column < table->model()->columnCount(); ++column)
             QVERIFY2(!table->isColumnHidden(column), qPrintable(QString::number(column)));
     }
 
-    void whateverCanBeUsedHasNames()
+    void interactiveWidgetsHaveNames()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
         QStringList faults;
         int seen = 0;
-        for (const QWidget* widget : bench.window->findChildren<QWidget*>()) {
-            if (!isInteractive(*widget) || isInner(*widget))
+        for (const QWidget* widget : fixture.window->findChildren<QWidget*>()) {
+            if (!isInteractive(*widget) || isInternalChild(*widget))
                 continue;
             ++seen;
             if (widget->objectName().isEmpty())
-                faults << called(*widget) + QStringLiteral(": no object name");
+                faults << displayName(*widget) + QStringLiteral(": no object name");
             if (widget->accessibleName().isEmpty())
-                faults << called(*widget) + QStringLiteral(": no accessible name");
+                faults << displayName(*widget) + QStringLiteral(": no accessible name");
             if (widget->toolTip().isEmpty())
-                faults << called(*widget) + QStringLiteral(": no tooltip");
+                faults << displayName(*widget) + QStringLiteral(": no tooltip");
         }
         QVERIFY(seen > 20);
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
     }
 
-    void theSwitchToChineseLeavesNoEnglishSentence()
+    void switchingToChineseLeavesNoEnglish()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        bench.speak(QStringLiteral("zh_CN"));
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        fixture.setLanguage(QStringLiteral("zh_CN"));
         static const QRegularExpression sentence(
             QStringLiteral("\\b[A-Za-z]{3,} [a-z]{2,} [a-z]{2,}\\b"));
         QStringList faults;
-        for (const QWidget* widget : bench.window->findChildren<QWidget*>()) {
+        for (const QWidget* widget : fixture.window->findChildren<QWidget*>()) {
             QStringList texts{widget->toolTip(), widget->accessibleName()};
             if (const auto* label = qobject_cast<const QLabel*>(widget))
                 texts << label->text();
@@ -275,7 +275,7 @@ private Q_SLOTS:
                 texts << button->text();
             for (const QString& text : texts) {
                 if (text.contains(sentence))
-                    faults << called(*widget) + QStringLiteral(": ") + text;
+                    faults << displayName(*widget) + QStringLiteral(": ") + text;
             }
         }
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));

@@ -20,37 +20,37 @@ using support::CliProgram;
 using support::SimProgram;
 
 namespace {
-constexpr int longTime = 30'000;
+constexpr int longTimeoutMs = 30'000;
 
-struct Bench : gui::WindowBench {
-    Bench()
+struct Fixture : gui::MainWindowFixture {
+    Fixture()
         : simulator(support::words("--servos sts3215@1 --baud 1000000"))
         , cable(std::make_unique<support::CutCable>(simulator.port(), false))
     {
-        settings.setChoice(QStringLiteral("operate/no_torque_hint"), true);
+        settings.setPageValue(QStringLiteral("operate/no_torque_hint"), true);
         page = QStringLiteral("operate");
     }
     /// Constant speed, torque on, 800.
-    bool spins()
+    bool startSpinning()
     {
         if (!ready(1, cable->port()))
             return false;
-        session::Drive& drive = bench.drive;
+        session::MotionController& drive = context.motion;
         drive.setServos({selection().current()});
-        const auto idle = [&] { return settled() && !drive.busy(); };
+        const auto idle = [&] { return waitUntilIdle() && !drive.isBusy(); };
         drive.switchMode(QStringLiteral("speed"));
-        if (!QTest::qWaitFor(idle, longTime))
+        if (!QTest::qWaitFor(idle, longTimeoutMs))
             return false;
         drive.setTorque(device::Torque::On);
-        if (!QTest::qWaitFor(idle, longTime))
+        if (!QTest::qWaitFor(idle, longTimeoutMs))
             return false;
         drive.move({.goal = speedText()});
-        return QTest::qWaitFor([&] { return idle() && raw("goal_speed") == 800; }, longTime);
+        return QTest::qWaitFor([&] { return idle() && raw("goal_speed") == 800; }, longTimeoutMs);
     }
     QString speedText()
     {
         const device::Servo& servo = entry().servo;
-        return device::exactText(800, servo.meaning(*device::goalRegister(servo)));
+        return device::exactValueText(800, servo.meaning(*device::goalRegister(servo)));
     }
     QString title(QDialog* dialog)
     {
@@ -67,11 +67,11 @@ struct Bench : gui::WindowBench {
     }
     bool is(session::LinkState state)
     {
-        return QTest::qWaitFor([&] { return desk().state() == state; }, longTime);
+        return QTest::qWaitFor([&] { return desk().state() == state; }, longTimeoutMs);
     }
     bool closed()
     {
-        return QTest::qWaitFor([this] { return !window->isVisible(); }, longTime);
+        return QTest::qWaitFor([this] { return !window->isVisible(); }, longTimeoutMs);
     }
     /// Of the servo, asked by another program after this one has let go of the port.
     int remaining(const char* key)
@@ -79,10 +79,12 @@ struct Bench : gui::WindowBench {
         cable.reset();
         CliProgram other;
         other.setPort(simulator.port());
-        const support::Ran ran =
+        const support::ProgramResult result =
             other.json(qPrintable(QStringLiteral("read 1 %1").arg(QLatin1String(key))));
-        return ran.json()[QStringLiteral("registers")].toArray().at(0)[QStringLiteral("raw")].toInt(
-            -1);
+        return result.json()[QStringLiteral("registers")]
+            .toArray()
+            .at(0)[QStringLiteral("raw")]
+            .toInt(-1);
     }
 
     SimProgram simulator;
@@ -96,163 +98,166 @@ void ways()
     QTest::newRow("disconnect") << false;
 }
 
-void leave(Bench& bench, bool closes)
+void leave(Fixture& fixture, bool closes)
 {
     if (closes)
-        bench.window->close();
+        fixture.window->close();
     else
-        bench.action(ui::Command::Disconnect)->trigger();
+        fixture.action(ui::Command::Disconnect)->trigger();
 }
 
-QDialog* askedToLeave(Bench& bench, bool closes)
+QDialog* requestLeaving(Fixture& fixture, bool closes)
 {
-    leave(bench, closes);
-    return bench.question();
+    leave(fixture, closes);
+    return fixture.question();
 }
 } // namespace
 
-class TestLeaving : public QObject {
+class TestCloseConfirmation : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
-    void aTurningServoIsAskedAboutAndStopped_data() { ways(); }
-    void aTurningServoIsAskedAboutAndStopped()
+    void aTurningServoIsStoppedAfterConfirmation_data() { ways(); }
+    void aTurningServoIsStoppedAfterConfirmation()
     {
         QFETCH(bool, closes);
-        Bench bench;
-        QDialog* dialog = bench.spins() ? askedToLeave(bench, closes) : nullptr;
+        Fixture fixture;
+        QDialog* dialog = fixture.startSpinning() ? requestLeaving(fixture, closes) : nullptr;
         QVERIFY(dialog != nullptr);
-        QVERIFY2(bench.title(dialog).startsWith(QLatin1String("Servo 1 is turning. Stop it")),
-                 qPrintable(bench.title(dialog)));
-        QCOMPARE(bench.desk().state(), session::LinkState::Open); // nothing has been done yet
-        QCOMPARE(bench.raw("goal_speed"), 800);
+        QVERIFY2(fixture.title(dialog).startsWith(QLatin1String("Servo 1 is turning. Stop it")),
+                 qPrintable(fixture.title(dialog)));
+        QCOMPARE(fixture.desk().state(), session::LinkState::Open); // nothing has been done yet
+        QCOMPARE(fixture.raw("goal_speed"), 800);
         gui::click(dialog, "questionYes");
-        QVERIFY(closes ? bench.closed() : bench.is(session::LinkState::Off));
+        QVERIFY(closes ? fixture.closed() : fixture.is(session::LinkState::Off));
         if (!closes)
-            QVERIFY2(bench.line().contains(QLatin1String("Stopped before: ID 1")),
-                     qPrintable(bench.line()));
-        QCOMPARE(bench.remaining("goal_speed"), 0);
+            QVERIFY2(fixture.line().contains(QLatin1String("Stopped before: ID 1")),
+                     qPrintable(fixture.line()));
+        QCOMPARE(fixture.remaining("goal_speed"), 0);
     }
 
     void itMayBeLeftTurning_data() { ways(); }
     void itMayBeLeftTurning()
     {
         QFETCH(bool, closes);
-        Bench bench;
-        QDialog* dialog = bench.spins() ? askedToLeave(bench, closes) : nullptr;
+        Fixture fixture;
+        QDialog* dialog = fixture.startSpinning() ? requestLeaving(fixture, closes) : nullptr;
         QVERIFY(dialog != nullptr);
         gui::click(dialog, "questionOther");
-        QVERIFY(closes ? bench.closed() : bench.is(session::LinkState::Off));
-        QCOMPARE(bench.remaining("goal_speed"), 800);
+        QVERIFY(closes ? fixture.closed() : fixture.is(session::LinkState::Off));
+        QCOMPARE(fixture.remaining("goal_speed"), 800);
     }
 
     void cancelChangesNothing_data() { ways(); }
     void cancelChangesNothing()
     {
         QFETCH(bool, closes);
-        Bench bench;
-        QDialog* dialog = bench.spins() ? askedToLeave(bench, closes) : nullptr;
+        Fixture fixture;
+        QDialog* dialog = fixture.startSpinning() ? requestLeaving(fixture, closes) : nullptr;
         QVERIFY(dialog != nullptr);
         gui::click(dialog, "questionNo");
-        QTRY_VERIFY(bench.window->findChild<QDialog*>(QStringLiteral("question")) == nullptr);
-        QCOMPARE(bench.desk().state(), session::LinkState::Open);
-        QVERIFY(bench.window->isVisible());
-        leave(bench, closes); // and it can be asked again
-        QVERIFY(bench.question() != nullptr);
+        QTRY_VERIFY(fixture.window->findChild<QDialog*>(QStringLiteral("question")) == nullptr);
+        QCOMPARE(fixture.desk().state(), session::LinkState::Open);
+        QVERIFY(fixture.window->isVisible());
+        leave(fixture, closes); // and it can be asked again
+        QVERIFY(fixture.question() != nullptr);
     }
 
     /// Without anyone to ask it is stopped.
-    void withoutAQuestionItIsStopped()
+    void stopsWithoutAQuestionWhenDisabled()
     {
-        Bench bench;
-        QVERIFY(bench.spins());
-        bench.desk().close();
-        QVERIFY(bench.closed());
-        QCOMPARE(bench.remaining("goal_speed"), 0);
+        Fixture fixture;
+        QVERIFY(fixture.startSpinning());
+        fixture.desk().closeForExit();
+        QVERIFY(fixture.closed());
+        QCOMPARE(fixture.remaining("goal_speed"), 0);
     }
 
     /// One that rests closes without a question.
-    void aRestingServoIsNotAskedAbout()
+    void aServoAtRestNeedsNoConfirmation()
     {
-        Bench bench;
-        QVERIFY(bench.spins());
-        bench.bench.drive.halt();
-        QVERIFY(bench.settled());
-        bench.window->close();
-        QVERIFY(bench.closed());
+        Fixture fixture;
+        QVERIFY(fixture.startSpinning());
+        fixture.context.motion.halt();
+        QVERIFY(fixture.waitUntilIdle());
+        fixture.window->close();
+        QVERIFY(fixture.closed());
     }
 
     /// What does not answer cannot be stopped, and the window does not vanish over it.
-    void aServoThatCannotBeStoppedKeepsTheWindowOpen()
+    void anUnstoppableServoKeepsTheWindowOpen()
     {
-        Bench bench;
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        session::Drive& drive = bench.bench.drive;
-        drive.setServos({bench.selection().current()});
+        Fixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        session::MotionController& drive = fixture.context.motion;
+        drive.setServos({fixture.selection().current()});
         drive.switchMode(QStringLiteral("speed"));
-        QTRY_VERIFY_WITH_TIMEOUT(!drive.busy() && !bench.desk().busy(), longTime);
+        QTRY_VERIFY_WITH_TIMEOUT(!drive.isBusy() && !fixture.desk().isBusy(), longTimeoutMs);
         drive.setTorque(device::Torque::On);
-        QTRY_VERIFY_WITH_TIMEOUT(!drive.busy() && !bench.desk().busy(), longTime);
-        drive.move({.goal = bench.speedText()});
-        QTRY_VERIFY_WITH_TIMEOUT(bench.raw("goal_speed") == 800, longTime);
-        bench.desk().connection()->simulation()->with(
+        QTRY_VERIFY_WITH_TIMEOUT(!drive.isBusy() && !fixture.desk().isBusy(), longTimeoutMs);
+        drive.move({.goal = fixture.speedText()});
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.raw("goal_speed") == 800, longTimeoutMs);
+        fixture.desk().connection()->simulation()->with(
             [](sim::VirtualBus& wire) { wire.config().faults.muteIds = {1}; });
-        bench.window->close();
-        QDialog* dialog = bench.question();
+        fixture.window->close();
+        QDialog* dialog = fixture.question();
         QVERIFY(dialog != nullptr);
         gui::click(dialog, "questionYes");
         QTRY_VERIFY_WITH_TIMEOUT(
-            bench.bannerText().contains(QLatin1String("ID 1 could not be stopped")), longTime);
-        QCOMPARE(bench.desk().state(), session::LinkState::Open);
-        QVERIFY(bench.window->isVisible());
-        bench.window->close();
-        dialog = bench.question();
+            fixture.bannerText().contains(QLatin1String("ID 1 could not be stopped")),
+            longTimeoutMs);
+        QCOMPARE(fixture.desk().state(), session::LinkState::Open);
+        QVERIFY(fixture.window->isVisible());
+        fixture.window->close();
+        dialog = fixture.question();
         QVERIFY(dialog != nullptr);
         gui::click(dialog, "questionOther");
-        QVERIFY(bench.closed());
+        QVERIFY(fixture.closed());
     }
 
-    void aStopWithoutAPortIsSaidAtOnce()
+    void aStopWithoutAPortIsReportedAtOnce()
     {
-        Bench bench;
-        QTest::mouseClick(bench.find<QPushButton>("stopButton"), Qt::LeftButton);
-        QVERIFY2(bench.line().startsWith(QLatin1String("Not sent: no port is open.")),
-                 qPrintable(bench.line()));
-        QVERIFY2(bench.bannerText().contains(QLatin1String("switch off their supply")),
-                 qPrintable(bench.bannerText()));
-        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
-        QVERIFY(bench.line().startsWith(QLatin1String("Not sent: no port is open.")));
+        Fixture fixture;
+        QTest::mouseClick(fixture.find<QPushButton>("stopButton"), Qt::LeftButton);
+        QVERIFY2(fixture.line().startsWith(QLatin1String("Not sent: no port is open.")),
+                 qPrintable(fixture.line()));
+        QVERIFY2(fixture.bannerText().contains(QLatin1String("switch off their supply")),
+                 qPrintable(fixture.bannerText()));
+        QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
+        QVERIFY(fixture.line().startsWith(QLatin1String("Not sent: no port is open.")));
     }
 
     /// Nobody may take the silence after connecting again for a stop that has come.
-    void aStopAfterTheCableWasCutIsSaidAgainOnReconnecting()
+    void aStopAfterALostLinkIsReportedAgainOnReconnecting()
     {
-        Bench bench;
-        QVERIFY(bench.spins());
-        bench.cable->cut();
-        QVERIFY(bench.is(session::LinkState::Lost));
-        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
-        QVERIFY(bench.line().startsWith(QLatin1String("Not sent: no port is open.")));
-        bench.desk().connectTo({.name = bench.simulator.port()});
-        QVERIFY(bench.is(session::LinkState::Open));
-        QTRY_VERIFY(bench.bannerText().contains(QLatin1String("was not sent")));
-        QVERIFY(bench.settled());
-        QVERIFY(bench.bannerText().contains(QLatin1String("was not sent"))); // a search later, too
-        QTest::mouseClick(bench.find<QPushButton>("stopButton"), Qt::LeftButton);
-        QTRY_VERIFY(bench.bannerText().isEmpty());
+        Fixture fixture;
+        QVERIFY(fixture.startSpinning());
+        fixture.cable->cut();
+        QVERIFY(fixture.is(session::LinkState::Lost));
+        QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
+        QVERIFY(fixture.line().startsWith(QLatin1String("Not sent: no port is open.")));
+        fixture.desk().connectTo({.name = fixture.simulator.port()});
+        QVERIFY(fixture.is(session::LinkState::Open));
+        QTRY_VERIFY(fixture.bannerText().contains(QLatin1String("was not sent")));
+        QVERIFY(fixture.waitUntilIdle());
+        QVERIFY(
+            fixture.bannerText().contains(QLatin1String("was not sent"))); // a search later, too
+        QTest::mouseClick(fixture.find<QPushButton>("stopButton"), Qt::LeftButton);
+        QTRY_VERIFY(fixture.bannerText().isEmpty());
     }
 
     /// The line never goes on claiming what was true before the latest action.
-    void aMoveReplacesWhatWasSaidBefore()
+    void aMoveReplacesThePreviousMessage()
     {
-        Bench bench;
-        QVERIFY(bench.spins());
-        QVERIFY2(bench.line().contains(QLatin1String("goal sent: 800")), qPrintable(bench.line()));
-        QVERIFY(!bench.line().contains(QLatin1String("goal_speed = 0")));
+        Fixture fixture;
+        QVERIFY(fixture.startSpinning());
+        QVERIFY2(fixture.line().contains(QLatin1String("goal sent: 800")),
+                 qPrintable(fixture.line()));
+        QVERIFY(!fixture.line().contains(QLatin1String("goal_speed = 0")));
     }
 };
 
-QTEST_MAIN(TestLeaving)
+QTEST_MAIN(TestCloseConfirmation)
 #include "tst_leaving.moc"

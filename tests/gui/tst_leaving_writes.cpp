@@ -11,29 +11,29 @@
 #include <QPushButton>
 
 namespace {
-constexpr int longTime = 30'000;
+constexpr int longTimeoutMs = 30'000;
 
 QString text(const char* latin)
 {
     return QString::fromLatin1(latin);
 }
 
-struct Bench : gui::WindowBench {
+struct Fixture : gui::MainWindowFixture {
     template <typename Deed>
-    auto withWire(Deed&& deed)
+    auto withBus(Deed&& deed)
     {
         return desk().connection()->simulation()->with(std::forward<Deed>(deed));
     }
     void mute(bool mute)
     {
-        withWire([mute](sim::VirtualBus& wire) {
+        withBus([mute](sim::VirtualBus& wire) {
             wire.config().faults.muteIds = mute ? std::vector<int>{1} : std::vector<int>{};
         });
     }
     std::int64_t lock()
     {
         std::int64_t value = -1;
-        withWire([&value](sim::VirtualBus& wire) { value = wire.servo(1)->raw(text("lock")); });
+        withBus([&value](sim::VirtualBus& wire) { value = wire.servo(1)->raw(text("lock")); });
         return value;
     }
     /// The servo falls silent while its lock is open, and answers again afterwards.
@@ -41,12 +41,12 @@ struct Bench : gui::WindowBench {
     {
         if (!ready(1, text("sim:sts3215@1")))
             return false;
-        withWire([](sim::VirtualBus& wire) {
-            wire.config().faults.muteWhen = gui::secondOfFiveRowsIsWritten;
+        withBus([](sim::VirtualBus& wire) {
+            wire.config().faults.muteWhen = gui::isSecondRegisterWritten;
         });
-        desk().write(selection().current(), gui::fiveRows());
-        const bool ended = settled();
-        withWire([](sim::VirtualBus& wire) { wire.config().faults.muteWhen = nullptr; });
+        desk().write(selection().current(), gui::fiveRegisterWrite());
+        const bool ended = waitUntilIdle();
+        withBus([](sim::VirtualBus& wire) { wire.config().faults.muteWhen = nullptr; });
         mute(false);
         return ended && lock() == 0 && unfinished() == 1;
     }
@@ -54,17 +54,17 @@ struct Bench : gui::WindowBench {
     QString line() { return find<QLabel>("messageText")->toolTip(); }
     bool closed()
     {
-        return QTest::qWaitFor([this] { return !window->isVisible(); }, longTime);
+        return QTest::qWaitFor([this] { return !window->isVisible(); }, longTimeoutMs);
     }
     bool isOff()
     {
         return QTest::qWaitFor([this] { return desk().state() == session::LinkState::Off; },
-                               longTime);
+                               longTimeoutMs);
     }
 };
 } // namespace
 
-class TestLeavingWrites : public QObject {
+class TestCloseOpenWrites : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -72,161 +72,161 @@ private Q_SLOTS:
 
     void disconnectingClosesTheLock();
     void closingClosesTheLock();
-    void theLockMayBeLeftOpen();
+    void theLockCanBeLeftOpen();
     void cancelChangesNothing();
     void aLockThatStaysOpenKeepsTheWindowOpen();
-    void aLockThatIsClosedLaterIsNoLongerNamed();
-    void withoutAQuestionTheLockIsClosedAsWell();
-    void whatTheJournalHoldsIsSaidWithoutAPort();
-    void nothingUnfinishedIsNotAskedAbout();
+    void aLockClosedLaterIsNoLongerReported();
+    void theLockIsClosedWithoutAQuestionToo();
+    void openIntentsAreReportedWithoutAPort();
+    void noQuestionWithoutOpenWrites();
 };
 
-void TestLeavingWrites::disconnectingClosesTheLock()
+void TestCloseOpenWrites::disconnectingClosesTheLock()
 {
-    Bench bench;
-    QVERIFY(bench.interrupted());
-    bench.action(ui::Command::Disconnect)->trigger();
-    QDialog* dialog = bench.question();
+    Fixture fixture;
+    QVERIFY(fixture.interrupted());
+    fixture.action(ui::Command::Disconnect)->trigger();
+    QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     QVERIFY2(gui::labelsOf(dialog).contains(text("A write is unfinished. Disconnect anyway?")),
              qPrintable(gui::labelsOf(dialog)));
     QVERIFY(gui::labelsOf(dialog).contains(text("The EPROM lock of ID 1 is open")));
-    QCOMPARE(bench.lock(), 0);
+    QCOMPARE(fixture.lock(), 0);
     bool locked = false;
     QObject::connect(
-        &bench.desk(), &session::Desk::happened, dialog->parent(),
+        &fixture.desk(), &session::Desk::eventOccurred, dialog->parent(),
         [&](const session::Event& event) { locked = locked || !event.locked.empty(); });
     gui::click(dialog, "questionYes");
-    QVERIFY(bench.isOff());
+    QVERIFY(fixture.isOff());
     QVERIFY(locked);
-    QVERIFY2(bench.line().contains(text("EPROM lock closed: ID 1")), qPrintable(bench.line()));
-    QCOMPARE(bench.unfinished(), std::size_t(1));
-    QVERIFY(bench.connectTo(text("sim:sts3215@1")));
+    QVERIFY2(fixture.line().contains(text("EPROM lock closed: ID 1")), qPrintable(fixture.line()));
+    QCOMPARE(fixture.unfinished(), std::size_t(1));
+    QVERIFY(fixture.connectTo(text("sim:sts3215@1")));
 }
 
-void TestLeavingWrites::closingClosesTheLock()
+void TestCloseOpenWrites::closingClosesTheLock()
 {
-    Bench bench;
-    QVERIFY(bench.interrupted());
+    Fixture fixture;
+    QVERIFY(fixture.interrupted());
     std::vector<session::ServoRef> locked;
-    QObject::connect(&bench.desk(), &session::Desk::happened, &bench.desk(),
+    QObject::connect(&fixture.desk(), &session::Desk::eventOccurred, &fixture.desk(),
                      [&](const session::Event& event) {
                          if (event.kind == session::Event::Kind::Disconnected)
                              locked = event.locked;
                      });
-    bench.window->close();
-    QDialog* dialog = bench.question();
+    fixture.window->close();
+    QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     gui::click(dialog, "questionYes");
-    QVERIFY(bench.closed());
+    QVERIFY(fixture.closed());
     QCOMPARE(locked.size(), std::size_t(1));
 }
 
-void TestLeavingWrites::theLockMayBeLeftOpen()
+void TestCloseOpenWrites::theLockCanBeLeftOpen()
 {
-    Bench bench;
-    QVERIFY(bench.interrupted());
+    Fixture fixture;
+    QVERIFY(fixture.interrupted());
     std::optional<session::Event> end;
-    QObject::connect(&bench.desk(), &session::Desk::happened, &bench.desk(),
+    QObject::connect(&fixture.desk(), &session::Desk::eventOccurred, &fixture.desk(),
                      [&](const session::Event& event) {
                          if (event.kind == session::Event::Kind::Disconnected)
                              end = event;
                      });
-    bench.window->close();
-    QDialog* dialog = bench.question();
+    fixture.window->close();
+    QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     gui::click(dialog, "questionOther");
-    QVERIFY(bench.closed());
+    QVERIFY(fixture.closed());
     QVERIFY(end && end->locked.empty() && end->unlocked.empty());
 }
 
-void TestLeavingWrites::cancelChangesNothing()
+void TestCloseOpenWrites::cancelChangesNothing()
 {
-    Bench bench;
-    QVERIFY(bench.interrupted());
-    bench.window->close();
-    QDialog* dialog = bench.question();
+    Fixture fixture;
+    QVERIFY(fixture.interrupted());
+    fixture.window->close();
+    QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     gui::click(dialog, "questionNo");
-    QTRY_VERIFY(bench.window->findChild<QDialog*>(text("question")) == nullptr);
-    QVERIFY(bench.window->isVisible());
-    QCOMPARE(bench.desk().state(), session::LinkState::Open);
-    QCOMPARE(bench.lock(), 0);
+    QTRY_VERIFY(fixture.window->findChild<QDialog*>(text("question")) == nullptr);
+    QVERIFY(fixture.window->isVisible());
+    QCOMPARE(fixture.desk().state(), session::LinkState::Open);
+    QCOMPARE(fixture.lock(), 0);
 }
 
-void TestLeavingWrites::aLockThatStaysOpenKeepsTheWindowOpen()
+void TestCloseOpenWrites::aLockThatStaysOpenKeepsTheWindowOpen()
 {
-    Bench bench;
-    QVERIFY(bench.interrupted());
-    bench.mute(true);
-    bench.window->close();
-    QDialog* dialog = bench.question();
+    Fixture fixture;
+    QVERIFY(fixture.interrupted());
+    fixture.mute(true);
+    fixture.window->close();
+    QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     gui::click(dialog, "questionYes");
-    QTRY_VERIFY_WITH_TIMEOUT(bench.line().contains(text("the EPROM lock of ID 1 is still open")),
-                             longTime);
-    QVERIFY(bench.window->isVisible());
-    QCOMPARE(bench.desk().state(), session::LinkState::Open);
-    bench.window->close();
-    dialog = bench.question();
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.line().contains(text("the EPROM lock of ID 1 is still open")),
+                             longTimeoutMs);
+    QVERIFY(fixture.window->isVisible());
+    QCOMPARE(fixture.desk().state(), session::LinkState::Open);
+    fixture.window->close();
+    dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     gui::click(dialog, "questionOther");
-    QVERIFY(bench.closed());
+    QVERIFY(fixture.closed());
 }
 
-void TestLeavingWrites::aLockThatIsClosedLaterIsNoLongerNamed()
+void TestCloseOpenWrites::aLockClosedLaterIsNoLongerReported()
 {
-    Bench bench;
-    QVERIFY(bench.interrupted());
-    bench.mute(true);
-    bench.window->close();
-    QDialog* dialog = bench.question();
+    Fixture fixture;
+    QVERIFY(fixture.interrupted());
+    fixture.mute(true);
+    fixture.window->close();
+    QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     gui::click(dialog, "questionYes");
-    auto* banner = bench.find<QWidget>("banner");
+    auto* banner = fixture.find<QWidget>("banner");
     QVERIFY(banner != nullptr);
-    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longTime);
-    bench.mute(false);
-    QVERIFY(bench.settled());
-    bench.desk().settleIntent(bench.session.journal().open()->front().uuid,
-                              jobs::RecoverAction::Undo);
-    QTRY_COMPARE_WITH_TIMEOUT(bench.unfinished(), std::size_t(0), longTime);
-    QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), longTime);
-    bench.window->close();
-    QVERIFY(bench.closed());
+    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longTimeoutMs);
+    fixture.mute(false);
+    QVERIFY(fixture.waitUntilIdle());
+    fixture.desk().recoverIntent(fixture.session.journal().open()->front().uuid,
+                                 jobs::RecoveryAction::Undo);
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.unfinished(), std::size_t(0), longTimeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), longTimeoutMs);
+    fixture.window->close();
+    QVERIFY(fixture.closed());
 }
 
-void TestLeavingWrites::withoutAQuestionTheLockIsClosedAsWell()
+void TestCloseOpenWrites::theLockIsClosedWithoutAQuestionToo()
 {
-    Bench bench;
-    QVERIFY(bench.interrupted());
-    QTRY_VERIFY(bench.entry().lockOpenedByUs);
-    bench.desk().disconnectFrom();
-    QVERIFY(bench.isOff());
-    QVERIFY2(bench.line().contains(text("EPROM lock closed: ID 1")), qPrintable(bench.line()));
+    Fixture fixture;
+    QVERIFY(fixture.interrupted());
+    QTRY_VERIFY(fixture.entry().lockOpenedByUs);
+    fixture.desk().disconnectFrom();
+    QVERIFY(fixture.isOff());
+    QVERIFY2(fixture.line().contains(text("EPROM lock closed: ID 1")), qPrintable(fixture.line()));
 }
 
-void TestLeavingWrites::whatTheJournalHoldsIsSaidWithoutAPort()
+void TestCloseOpenWrites::openIntentsAreReportedWithoutAPort()
 {
-    Bench bench;
-    QVERIFY(bench.interrupted());
-    bench.desk().disconnectFrom();
-    QVERIFY(bench.isOff());
-    bench.window->close();
-    QDialog* dialog = bench.question();
+    Fixture fixture;
+    QVERIFY(fixture.interrupted());
+    fixture.desk().disconnectFrom();
+    QVERIFY(fixture.isOff());
+    fixture.window->close();
+    QDialog* dialog = fixture.question();
     QVERIFY(dialog != nullptr);
     QVERIFY(gui::labelsOf(dialog).contains(text("ID 1: the journal still holds")));
     gui::click(dialog, "questionYes");
-    QVERIFY(bench.closed());
+    QVERIFY(fixture.closed());
 }
 
-void TestLeavingWrites::nothingUnfinishedIsNotAskedAbout()
+void TestCloseOpenWrites::noQuestionWithoutOpenWrites()
 {
-    Bench bench;
-    QVERIFY(bench.ready(1, text("sim:sts3215@1")));
-    bench.window->close();
-    QVERIFY(bench.closed());
+    Fixture fixture;
+    QVERIFY(fixture.ready(1, text("sim:sts3215@1")));
+    fixture.window->close();
+    QVERIFY(fixture.closed());
 }
 
-QTEST_MAIN(TestLeavingWrites)
+QTEST_MAIN(TestCloseOpenWrites)
 #include "tst_leaving_writes.moc"

@@ -27,7 +27,7 @@ QString q(const char* text)
     return QString::fromUtf8(text);
 }
 
-SweepLimits shop()
+SweepLimits customLimits()
 {
     SweepLimits limits;
     limits.name = q("shop");
@@ -40,14 +40,14 @@ SweepLimits shop()
 }
 
 /// The dialog deletes itself when it closes.
-struct Bench {
-    explicit Bench(const SweepLimits& limits = shop())
+struct Fixture {
+    explicit Fixture(const SweepLimits& limits = customLimits())
         : dialog(new LimitsDialog(limits, q("STS3215"), q("STS")))
-        , chosen(dialog, &LimitsDialog::chosen)
+        , chosen(dialog, &LimitsDialog::limitsAccepted)
     {
         dialog->open();
     }
-    ~Bench() { delete dialog; }
+    ~Fixture() { delete dialog; }
     LimitsModel& model() const
     {
         return *qobject_cast<LimitsModel*>(dialog->findChild<QTableView*>()->model());
@@ -80,52 +80,52 @@ private Q_SLOTS:
     }
     void cleanup() { text::installTranslator(q("en")); }
 
-    void whatGoesInComesOut();
-    void editedNumbersAreUsed();
-    void whatIsWrongIsSaid_data();
-    void whatIsWrongIsSaid();
-    void aNameIsNeeded();
-    void aLineIsNeeded();
-    void aNewLineIsAFigureWithoutOne();
-    void aFigureBringsUnitAndDirection();
+    void valuesRoundTrip();
+    void editedValuesAreUsed();
+    void errorsAreReported_data();
+    void errorsAreReported();
+    void aNameIsRequired();
+    void aLimitIsRequired();
+    void aNewLineOffersUnusedMetrics();
+    void aMetricSetsUnitAndDirection();
     void builtInValuesComeBack();
-    void savedAndLoadedIsTheSame();
-    void aFileThatIsWrongChangesNothing();
-    void whereNothingCanBeKeptSaysSo();
-    void theKeyboardIsEnough();
-    void itFollowsTheLanguage();
+    void saveAndLoadRoundTrip();
+    void aBadFileChangesNothing();
+    void unwritableSettingsAreReported();
+    void worksWithTheKeyboard();
+    void followsTheLanguage();
 };
 
-void TestLimitsDialog::whatGoesInComesOut()
+void TestLimitsDialog::valuesRoundTrip()
 {
-    const Bench bench;
-    const QAbstractItemModelTester tester(&bench.model(),
+    const Fixture fixture;
+    const QAbstractItemModelTester tester(&fixture.model(),
                                           QAbstractItemModelTester::FailureReportingMode::QtTest);
-    QVERIFY(bench.dialog->trouble().isEmpty());
-    bench.button("limitsUse").click();
-    QCOMPARE(bench.chosen.size(), 1);
-    QCOMPARE(bench.chosen.front().front().value<SweepLimits>(), shop());
-    QTRY_VERIFY(bench.dialog.isNull());
+    QVERIFY(fixture.dialog->problem().isEmpty());
+    fixture.button("limitsUse").click();
+    QCOMPARE(fixture.chosen.size(), 1);
+    QCOMPARE(fixture.chosen.front().front().value<SweepLimits>(), customLimits());
+    QTRY_VERIFY(fixture.dialog.isNull());
 }
 
-void TestLimitsDialog::editedNumbersAreUsed()
+void TestLimitsDialog::editedValuesAreUsed()
 {
-    const Bench bench;
-    QVERIFY(bench.type(0, LimitColumn::Warn, q(" 2,5 "))); // as typed on a German keyboard
-    QVERIFY(bench.type(1, LimitColumn::Fail, q("")));
-    QVERIFY(bench.type(1, LimitColumn::Warn, q("6")));
-    bench.field("limitsModels").setText(q(" STS3250 ,, HLS "));
-    bench.field("limitsTolerance").clear();
-    const SweepLimits now = bench.dialog->limits();
+    const Fixture fixture;
+    QVERIFY(fixture.type(0, LimitColumn::Warn, q(" 2,5 "))); // as typed on a German keyboard
+    QVERIFY(fixture.type(1, LimitColumn::Fail, q("")));
+    QVERIFY(fixture.type(1, LimitColumn::Warn, q("6")));
+    fixture.field("limitsModels").setText(q(" STS3250 ,, HLS "));
+    fixture.field("limitsTolerance").clear();
+    const SweepLimits now = fixture.dialog->limits();
     QCOMPARE(now.lines[0].warn, std::optional(2.5));
     QCOMPARE(now.lines[1].fail, std::nullopt);
     QCOMPARE(now.lines[1].warn, std::optional(6.0));
     QCOMPARE(now.models, (QStringList{q("STS3250"), q("HLS")}));
     QCOMPARE(now.tolerance, std::nullopt);
-    QVERIFY2(bench.dialog->trouble().isEmpty(), qPrintable(bench.dialog->trouble()));
+    QVERIFY2(fixture.dialog->problem().isEmpty(), qPrintable(fixture.dialog->problem()));
 }
 
-void TestLimitsDialog::whatIsWrongIsSaid_data()
+void TestLimitsDialog::errorsAreReported_data()
 {
     QTest::addColumn<int>("row");
     QTest::addColumn<int>("column");
@@ -140,111 +140,111 @@ void TestLimitsDialog::whatIsWrongIsSaid_data()
                              << q("would fail before it warns");
     QTest::newRow("crossed below") << 2 << int(LimitColumn::Warn) << q("6")
                                    << q("Line 3, Lowest voltage: It would fail before it warns");
-    QTest::newRow("twice") << 1 << int(LimitColumn::Figure) << q("overshoot")
+    QTest::newRow("twice") << 1 << int(LimitColumn::Metric) << q("overshoot")
                            << q("has a limit in the same direction already");
 }
 
-void TestLimitsDialog::whatIsWrongIsSaid()
+void TestLimitsDialog::errorsAreReported()
 {
     QFETCH(int, row);
     QFETCH(int, column);
     QFETCH(QString, typed);
     QFETCH(QString, said);
-    const Bench bench;
-    QVERIFY(bench.said().isEmpty());
-    QVERIFY(bench.type(row, LimitColumn(column), typed));
-    QVERIFY2(bench.said().contains(said), qPrintable(bench.said()));
-    QVERIFY(!bench.button("limitsUse").isEnabled());
-    QVERIFY(!bench.button("limitsSave").isEnabled());
-    const QModelIndex wrong = bench.model().index(row, int(LimitColumn::Figure));
+    const Fixture fixture;
+    QVERIFY(fixture.said().isEmpty());
+    QVERIFY(fixture.type(row, LimitColumn(column), typed));
+    QVERIFY2(fixture.said().contains(said), qPrintable(fixture.said()));
+    QVERIFY(!fixture.button("limitsUse").isEnabled());
+    QVERIFY(!fixture.button("limitsSave").isEnabled());
+    const QModelIndex wrong = fixture.model().index(row, int(LimitColumn::Metric));
     QVERIFY(!wrong.data(Qt::ToolTipRole).toString().isEmpty());
-    bench.model().setLines(shop().lines);
-    QVERIFY(bench.said().isEmpty());
-    QVERIFY(bench.button("limitsUse").isEnabled());
+    fixture.model().setLines(customLimits().lines);
+    QVERIFY(fixture.said().isEmpty());
+    QVERIFY(fixture.button("limitsUse").isEnabled());
 }
 
-void TestLimitsDialog::aNameIsNeeded()
+void TestLimitsDialog::aNameIsRequired()
 {
-    const Bench bench;
-    bench.field("limitsName").setText(q("  "));
-    QVERIFY(bench.said().contains(q("name")));
-    QVERIFY(!bench.button("limitsUse").isEnabled());
-    bench.field("limitsName").setText(q("mine"));
-    QVERIFY(bench.button("limitsUse").isEnabled());
+    const Fixture fixture;
+    fixture.field("limitsName").setText(q("  "));
+    QVERIFY(fixture.said().contains(q("name")));
+    QVERIFY(!fixture.button("limitsUse").isEnabled());
+    fixture.field("limitsName").setText(q("mine"));
+    QVERIFY(fixture.button("limitsUse").isEnabled());
     for (const char* tolerance : {"0", "-4", "near"}) {
-        bench.field("limitsTolerance").setText(q(tolerance));
-        QVERIFY2(bench.said().contains(q("tolerance")), tolerance);
+        fixture.field("limitsTolerance").setText(q(tolerance));
+        QVERIFY2(fixture.said().contains(q("tolerance")), tolerance);
     }
 }
 
-void TestLimitsDialog::aLineIsNeeded()
+void TestLimitsDialog::aLimitIsRequired()
 {
-    const Bench bench;
+    const Fixture fixture;
     for (int left = 3; left > 0; --left) {
-        QVERIFY(bench.button("limitsRemove").isEnabled());
-        bench.button("limitsRemove").click();
-        QCOMPARE(bench.model().rowCount(), left - 1);
+        QVERIFY(fixture.button("limitsRemove").isEnabled());
+        fixture.button("limitsRemove").click();
+        QCOMPARE(fixture.model().rowCount(), left - 1);
     }
-    QVERIFY(bench.said().contains(q("every servo would pass")));
-    QVERIFY(!bench.button("limitsRemove").isEnabled());
+    QVERIFY(fixture.said().contains(q("every servo would pass")));
+    QVERIFY(!fixture.button("limitsRemove").isEnabled());
 }
 
-void TestLimitsDialog::aNewLineIsAFigureWithoutOne()
+void TestLimitsDialog::aNewLineOffersUnusedMetrics()
 {
-    const Bench bench;
-    const QAbstractItemModelTester tester(&bench.model(),
+    const Fixture fixture;
+    const QAbstractItemModelTester tester(&fixture.model(),
                                           QAbstractItemModelTester::FailureReportingMode::QtTest);
-    bench.button("limitsAdd").click();
-    QCOMPARE(bench.model().rowCount(), 4);
-    const auto line = bench.model().lines().back();
+    fixture.button("limitsAdd").click();
+    QCOMPARE(fixture.model().rowCount(), 4);
+    const auto line = fixture.model().lines().back();
     QCOMPARE(line.metric, record::sweepMetricKinds().front().key);
-    QVERIFY(bench.said().contains(q("Give a number"))); // it judges nothing yet
-    QVERIFY(bench.type(3, LimitColumn::Fail, q("1600")));
-    QVERIFY(bench.said().isEmpty());
+    QVERIFY(fixture.said().contains(q("Give a number"))); // it judges nothing yet
+    QVERIFY(fixture.type(3, LimitColumn::Fail, q("1600")));
+    QVERIFY(fixture.said().isEmpty());
 }
 
-void TestLimitsDialog::aFigureBringsUnitAndDirection()
+void TestLimitsDialog::aMetricSetsUnitAndDirection()
 {
-    const Bench bench;
-    QVERIFY(bench.type(1, LimitColumn::Figure, q("mean_speed")));
-    auto line = bench.model().lines()[1];
+    const Fixture fixture;
+    QVERIFY(fixture.type(1, LimitColumn::Metric, q("mean_speed")));
+    auto line = fixture.model().lines()[1];
     QCOMPARE(line.unit, q("step/s"));
     QVERIFY(line.atLeast);
-    QVERIFY(bench.type(1, LimitColumn::Direction, false));
-    line = bench.model().lines()[1];
+    QVERIFY(fixture.type(1, LimitColumn::Direction, false));
+    line = fixture.model().lines()[1];
     QVERIFY(!line.atLeast);
-    QVERIFY(!bench.type(1, LimitColumn::Figure, q("beauty")));
-    QVERIFY(!bench.type(1, LimitColumn::Unit, q("kg")));
+    QVERIFY(!fixture.type(1, LimitColumn::Metric, q("beauty")));
+    QVERIFY(!fixture.type(1, LimitColumn::Unit, q("kg")));
 }
 
 void TestLimitsDialog::builtInValuesComeBack()
 {
-    const Bench bench;
-    bench.button("limitsBuiltIn").click();
-    QCOMPARE(bench.dialog->limits(), record::builtInSweepLimits(q("STS3215"), q("STS")));
-    QVERIFY(bench.dialog->trouble().isEmpty());
+    const Fixture fixture;
+    fixture.button("limitsBuiltIn").click();
+    QCOMPARE(fixture.dialog->limits(), record::builtInSweepLimits(q("STS3215"), q("STS")));
+    QVERIFY(fixture.dialog->problem().isEmpty());
 }
 
-void TestLimitsDialog::savedAndLoadedIsTheSame()
+void TestLimitsDialog::saveAndLoadRoundTrip()
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(q("限值.json"));
-    const Bench bench;
-    QSignalSpy saved(bench.dialog, &LimitsDialog::saved);
-    bench.dialog->save(path);
+    const Fixture fixture;
+    QSignalSpy saved(fixture.dialog, &LimitsDialog::saved);
+    fixture.dialog->save(path);
     QTRY_COMPARE(saved.size(), 1);
-    QVERIFY(bench.said().contains(q("限值.json")));
+    QVERIFY(fixture.said().contains(q("限值.json")));
     const auto kept = record::loadSweepLimits(path);
     QVERIFY(kept);
-    QCOMPARE(*kept, shop());
-    const Bench other(record::builtInSweepLimits(QString(), QString()));
+    QCOMPARE(*kept, customLimits());
+    const Fixture other(record::builtInSweepLimits(QString(), QString()));
     QSignalSpy loaded(other.dialog, &LimitsDialog::loaded);
     other.dialog->load(path);
     QTRY_COMPARE(loaded.size(), 1);
-    QCOMPARE(other.dialog->limits(), shop());
+    QCOMPARE(other.dialog->limits(), customLimits());
 }
 
-void TestLimitsDialog::aFileThatIsWrongChangesNothing()
+void TestLimitsDialog::aBadFileChangesNothing()
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(q("bad.json"));
@@ -253,61 +253,61 @@ void TestLimitsDialog::aFileThatIsWrongChangesNothing()
     file.write("{\"format\": \"servodesk-limits\", \"version\": 1, \"name\": \"x\", \"lines\": "
                "[{\"metric\": \"beauty\", \"unit\": \"kg\", \"fail\": 1}]}");
     file.close();
-    const Bench bench;
+    const Fixture fixture;
     for (const QString& wrong : {path, folder.filePath(q("no-such-file.json"))}) {
-        bench.dialog->load(wrong);
-        QTRY_VERIFY(bench.said().contains(QFileInfo(wrong).fileName()));
-        QCOMPARE(bench.dialog->limits(), shop());
-        bench.model().setLines(shop().lines);
+        fixture.dialog->load(wrong);
+        QTRY_VERIFY(fixture.said().contains(QFileInfo(wrong).fileName()));
+        QCOMPARE(fixture.dialog->limits(), customLimits());
+        fixture.model().setLines(customLimits().lines);
     }
     // Closed while a file is read: nobody is there to be told.
-    bench.dialog->load(path);
-    bench.button("limitsCancel").click();
-    QTRY_VERIFY(bench.dialog.isNull());
-    QCOMPARE(bench.chosen.size(), 0);
+    fixture.dialog->load(path);
+    fixture.button("limitsCancel").click();
+    QTRY_VERIFY(fixture.dialog.isNull());
+    QCOMPARE(fixture.chosen.size(), 0);
 }
 
-void TestLimitsDialog::whereNothingCanBeKeptSaysSo()
+void TestLimitsDialog::unwritableSettingsAreReported()
 {
     const QTemporaryDir folder;
-    const Bench bench;
-    bench.dialog->save(folder.filePath(q("no/such/folder.json")));
-    QTRY_VERIFY(bench.said().contains(q("folder.json")));
+    const Fixture fixture;
+    fixture.dialog->save(folder.filePath(q("no/such/folder.json")));
+    QTRY_VERIFY(fixture.said().contains(q("folder.json")));
 }
 
-void TestLimitsDialog::theKeyboardIsEnough()
+void TestLimitsDialog::worksWithTheKeyboard()
 {
-    const Bench bench;
-    QVERIFY(QTest::qWaitForWindowActive(bench.dialog));
-    QTableView& table = bench.table();
+    const Fixture fixture;
+    QVERIFY(QTest::qWaitForWindowActive(fixture.dialog));
+    QTableView& table = fixture.table();
     table.setFocus();
-    table.setCurrentIndex(bench.model().index(0, int(LimitColumn::Warn)));
+    table.setCurrentIndex(fixture.model().index(0, int(LimitColumn::Warn)));
     QTest::keyClick(&table, Qt::Key_F2);
     auto* line = table.findChild<QLineEdit*>(q("limitEditor"));
     QVERIFY(line != nullptr);
     line->selectAll();
     QTest::keyClicks(line, q("1.5"));
     QTest::keyClick(line, Qt::Key_Return);
-    QTRY_COMPARE(bench.model().lines()[0].warn, std::optional(1.5));
-    QVERIFY(bench.dialog); // Return ended the cell, not the dialog
+    QTRY_COMPARE(fixture.model().lines()[0].warn, std::optional(1.5));
+    QVERIFY(fixture.dialog); // Return ended the cell, not the dialog
 
-    table.setCurrentIndex(bench.model().index(1, int(LimitColumn::Figure)));
+    table.setCurrentIndex(fixture.model().index(1, int(LimitColumn::Metric)));
     QTest::keyClick(&table, Qt::Key_F2);
     auto* box = table.findChild<QComboBox*>(q("limitEditor"));
     QVERIFY(box != nullptr);
     QTest::keyClick(box, Qt::Key_Down);
     QTest::keyClick(box, Qt::Key_Return);
-    QTRY_COMPARE(bench.model().lines()[1].metric, q("hysteresis"));
+    QTRY_COMPARE(fixture.model().lines()[1].metric, q("hysteresis"));
 }
 
-void TestLimitsDialog::itFollowsTheLanguage()
+void TestLimitsDialog::followsTheLanguage()
 {
-    const Bench bench;
+    const Fixture fixture;
     text::installTranslator(q("zh_CN"));
     QEvent change(QEvent::LanguageChange);
-    QCoreApplication::sendEvent(bench.dialog, &change);
-    QCOMPARE(bench.model().index(0, int(LimitColumn::Figure)).data().toString(), q("超调"));
-    QCOMPARE(bench.dialog->limits(), shop());
+    QCoreApplication::sendEvent(fixture.dialog, &change);
+    QCOMPARE(fixture.model().index(0, int(LimitColumn::Metric)).data().toString(), q("超调"));
+    QCOMPARE(fixture.dialog->limits(), customLimits());
 }
 
 QTEST_MAIN(TestLimitsDialog)

@@ -9,49 +9,50 @@ class TestLinkMeter : public QObject {
     Q_OBJECT
 
 private:
-    static bus::Statistics statistics(gui::WindowBench& bench)
+    static bus::Statistics statistics(gui::MainWindowFixture& fixture)
     {
-        return bench.desk().connection()->bus().statistics();
+        return fixture.desk().connection()->bus().statistics();
     }
 
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
-    void aChangeOfIdIsNoError()
+    void anIdChangeIsNoError()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
         ui::LinkMeter meter;
-        meter.look(statistics(bench), true, {});
+        meter.addStatistics(statistics(fixture), true, {});
         for (const int id : {7, 9, 1}) { // and back: the last one is an ID that has answered before
-            bench.desk().write(bench.selection().current(), {{{QStringLiteral("id"), id}}});
-            QVERIFY(bench.settled());
-            QCOMPARE(bench.entry().servo.id, id);
+            fixture.desk().write(fixture.selection().current(), {{{QStringLiteral("id"), id}}});
+            QVERIFY(fixture.waitUntilIdle());
+            QCOMPARE(fixture.entry().servo.id, id);
         }
-        meter.look(statistics(bench), false, std::chrono::seconds(1));
+        meter.addStatistics(statistics(fixture), false, std::chrono::seconds(1));
         QByteArray told;
-        for (const auto& [id, counters] : statistics(bench).byId)
+        for (const auto& [id, counters] : statistics(fixture).byId)
             told += QStringLiteral("ID %1: %2 lost, %3 damaged, %4 foreign; ")
                         .arg(id)
-                        .arg(counters.timeOuts)
-                        .arg(counters.badChecks)
+                        .arg(counters.timeouts)
+                        .arg(counters.badChecksums)
                         .arg(counters.foreign)
                         .toUtf8();
-        QVERIFY2(meter.figures().errors == 0, told.constData());
+        QVERIFY2(meter.values().errors == 0, told.constData());
     }
 
-    void aLostAnswerIsOne()
+    void aLostReplyIsAnError()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
         ui::LinkMeter meter;
-        meter.look(statistics(bench), true, {});
-        bench.desk().connection()->simulation()->with(
+        meter.addStatistics(statistics(fixture), true, {});
+        fixture.desk().connection()->simulation()->with(
             [](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
-        bench.desk().readTable(bench.selection().current());
-        QTRY_VERIFY_WITH_TIMEOUT((meter.look(statistics(bench), false, std::chrono::seconds(1)),
-                                  meter.figures().errors > 0),
-                                 20000);
+        fixture.desk().readTable(fixture.selection().current());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (meter.addStatistics(statistics(fixture), false, std::chrono::seconds(1)),
+             meter.values().errors > 0),
+            20000);
     }
 };
 

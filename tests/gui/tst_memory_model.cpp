@@ -27,23 +27,23 @@ private Q_SLOTS:
     void init();
 
     void emptyWithoutServo();
-    void showsWhatWasRead();
-    void failedReadingsShowNoNumber();
+    void showsReadValues();
+    void failedReadsShowNoValue();
     void oldValuesAreStale_data();
     void oldValuesAreStale();
-    void nothingIsFreshWithoutALink();
+    void valuesAreStaleWithoutALink();
     void writesEnd_data();
     void writesEnd();
-    void pendingWinsOverOlderOutcomes();
-    void aKeptValueThatChangesIsNotKeptAnyMore();
-    void marksWhatDiffersFromTheFirstReading();
+    void pendingReplacesOlderOutcomes();
+    void aChangedValueLosesItsSavedMark();
+    void marksChangesSinceTheFirstRead();
     void onlyChangedRowsAreAnnounced();
-    void editingAsksForAWriteAndChangesNothing();
+    void editingRequestsAWriteAndChangesNothing();
     void readOnlyCellsCannotBeEdited();
     void unknownFirmwareIsReadOnly();
-    void anUnclearFamilyShowsItsBytes();
+    void anUnclearFamilyShowsRawBytes();
     void physicalFirstShowsUnitsInDefaultAndRange();
-    void speaksChinese();
+    void isTranslatedToChinese();
     void everyCellHasATooltip();
 
     void findsByWord_data();
@@ -56,7 +56,7 @@ private Q_SLOTS:
 };
 
 namespace {
-ui::RowClock at(base::Duration now)
+ui::RowContext at(base::Duration now)
 {
     return {now, true};
 }
@@ -102,7 +102,7 @@ void TestMemoryModel::emptyWithoutServo()
     QCOMPARE(model.rowCount(), 0);
 }
 
-void TestMemoryModel::showsWhatWasRead()
+void TestMemoryModel::showsReadValues()
 {
     auto entry = entryOf(guitest::sts3215);
     put(entry, QStringLiteral("max_voltage"), 85);
@@ -130,7 +130,7 @@ void TestMemoryModel::showsWhatWasRead()
     QCOMPARE(cell(model, "max_voltage", MemoryColumn::Value).data(MemoryModel::RawRole), 85);
 }
 
-void TestMemoryModel::failedReadingsShowNoNumber()
+void TestMemoryModel::failedReadsShowNoValue()
 {
     auto entry = entryOf(guitest::sts3215);
     put(entry, QStringLiteral("present_voltage"), 74);
@@ -186,7 +186,7 @@ void TestMemoryModel::oldValuesAreStale()
     QCOMPARE(index.data(MemoryModel::StaleRole).toBool(), stale);
 }
 
-void TestMemoryModel::nothingIsFreshWithoutALink()
+void TestMemoryModel::valuesAreStaleWithoutALink()
 {
     auto entry = entryOf(guitest::sts3215);
     MemoryModel model;
@@ -208,8 +208,8 @@ void TestMemoryModel::writesEnd_data()
     QTest::newRow("mismatch") << WriteOutcome::Mismatch << "≠ mismatch · now" << RowState::Mismatch;
     QTest::newRow("refused") << WriteOutcome::Refused << "✗ refused · now" << RowState::Refused;
     QTest::newRow("not sent") << WriteOutcome::NotSent << "✗ not sent · now" << RowState::NotSent;
-    QTest::newRow("no answer") << WriteOutcome::NoAnswer << "✗ write: no answer · now"
-                               << RowState::NoAnswer;
+    QTest::newRow("no answer") << WriteOutcome::NoReply << "✗ write: no answer · now"
+                               << RowState::NoReply;
     QTest::newRow("unknown") << WriteOutcome::Unknown << "? unknown · now" << RowState::Unknown;
 }
 
@@ -219,8 +219,8 @@ void TestMemoryModel::writesEnd()
     QFETCH(QString, word);
     QFETCH(RowState, state);
     auto entry = entryOf(guitest::sts3215);
-    session::RowWrite& write = entry.writes[QStringLiteral("position_p")];
-    write.wanted = 32;
+    session::RegisterWriteState& write = entry.writes[QStringLiteral("position_p")];
+    write.requested = 32;
     write.outcome = outcome;
     MemoryModel model;
     model.setEntry(&entry, at(0s));
@@ -230,12 +230,12 @@ void TestMemoryModel::writesEnd()
     QVERIFY(index.data(Qt::ToolTipRole).toString().contains(QStringLiteral("32")));
 }
 
-void TestMemoryModel::pendingWinsOverOlderOutcomes()
+void TestMemoryModel::pendingReplacesOlderOutcomes()
 {
     auto entry = entryOf(guitest::sts3215);
-    session::RowWrite& write = entry.writes[QStringLiteral("position_p")];
+    session::RegisterWriteState& write = entry.writes[QStringLiteral("position_p")];
     write.pending = 2;
-    write.wanted = 41;
+    write.requested = 41;
     write.outcome = WriteOutcome::Kept;
     MemoryModel model;
     model.setEntry(&entry, at(0s));
@@ -246,11 +246,11 @@ void TestMemoryModel::pendingWinsOverOlderOutcomes()
     QCOMPARE(cell(model, "position_p", MemoryColumn::Value).data(Qt::EditRole).toInt(), 41);
 }
 
-void TestMemoryModel::aKeptValueThatChangesIsNotKeptAnyMore()
+void TestMemoryModel::aChangedValueLosesItsSavedMark()
 {
     auto entry = entryOf(guitest::sts3215);
-    session::RowWrite& write = entry.writes[QStringLiteral("position_p")];
-    write.wanted = 40;
+    session::RegisterWriteState& write = entry.writes[QStringLiteral("position_p")];
+    write.requested = 40;
     write.outcome = WriteOutcome::Temporary;
     write.at = 5s;
     put(entry, QStringLiteral("position_p"), 40, 5s);
@@ -263,8 +263,8 @@ void TestMemoryModel::aKeptValueThatChangesIsNotKeptAnyMore()
                 .startsWith(QStringLiteral("≠ changed since")));
 
     // A goal changes by itself, which is nothing to wonder about.
-    session::RowWrite& goal = entry.writes[QStringLiteral("goal_position")];
-    goal.wanted = 100;
+    session::RegisterWriteState& goal = entry.writes[QStringLiteral("goal_position")];
+    goal.requested = 100;
     goal.outcome = WriteOutcome::Temporary;
     goal.at = 5s;
     put(entry, QStringLiteral("goal_position"), 200, 9s);
@@ -272,7 +272,7 @@ void TestMemoryModel::aKeptValueThatChangesIsNotKeptAnyMore()
     QCOMPARE(shown(model, "goal_position", MemoryColumn::State), QStringLiteral("now"));
 }
 
-void TestMemoryModel::marksWhatDiffersFromTheFirstReading()
+void TestMemoryModel::marksChangesSinceTheFirstRead()
 {
     auto entry = entryOf(guitest::sts3215);
     put(entry, QStringLiteral("position_p"), 40);
@@ -307,12 +307,12 @@ void TestMemoryModel::onlyChangedRowsAreAnnounced()
     QCOMPARE(resets.count(), 1);
 }
 
-void TestMemoryModel::editingAsksForAWriteAndChangesNothing()
+void TestMemoryModel::editingRequestsAWriteAndChangesNothing()
 {
     const auto entry = entryOf(guitest::sts3215);
     MemoryModel model;
     model.setEntry(&entry, at(0s));
-    QSignalSpy wanted(&model, &MemoryModel::writeWanted);
+    QSignalSpy wanted(&model, &MemoryModel::writeRequested);
     const QModelIndex value = cell(model, "position_p", MemoryColumn::Value);
     QVERIFY(model.setData(value, 40, Qt::EditRole));
     QCOMPARE(wanted.count(), 1);
@@ -328,7 +328,7 @@ void TestMemoryModel::readOnlyCellsCannotBeEdited()
     const auto entry = entryOf(guitest::sts3215);
     MemoryModel model;
     model.setEntry(&entry, at(0s));
-    QSignalSpy wanted(&model, &MemoryModel::writeWanted);
+    QSignalSpy wanted(&model, &MemoryModel::writeRequested);
     QVERIFY(!model.setData(cell(model, "present_voltage", MemoryColumn::Value), 1, Qt::EditRole));
     QVERIFY(!model.setData(cell(model, "position_p", MemoryColumn::Name), 1, Qt::EditRole));
     QVERIFY(!(cell(model, "position_p", MemoryColumn::Physical).flags() & Qt::ItemIsEditable));
@@ -349,7 +349,7 @@ void TestMemoryModel::unknownFirmwareIsReadOnly()
     }
 }
 
-void TestMemoryModel::anUnclearFamilyShowsItsBytes()
+void TestMemoryModel::anUnclearFamilyShowsRawBytes()
 {
     MemoryModel model;
     const auto entry = entryOf({3, 25, 1, 9, 3});
@@ -375,7 +375,7 @@ void TestMemoryModel::physicalFirstShowsUnitsInDefaultAndRange()
     QCOMPARE(shown(model, "min_voltage", MemoryColumn::Value), QStringLiteral("40"));
 }
 
-void TestMemoryModel::speaksChinese()
+void TestMemoryModel::isTranslatedToChinese()
 {
     const auto entry = entryOf(guitest::sts3215);
     MemoryModel model;
@@ -467,7 +467,7 @@ void TestMemoryModel::onlyChanged()
     ui::MemoryFilter filter;
     filter.setSourceModel(&model);
     model.setEntry(&entry, at(0s));
-    filter.setChoice(ui::RowChoice::Changed);
+    filter.setRowFilter(ui::RowFilter::Changed);
     QCOMPARE(filter.rowCount(), 0);
     put(entry, QStringLiteral("position_p"), 40);
     model.setEntry(&entry, at(0s)); // the row comes in while the filter is on
@@ -484,7 +484,7 @@ void TestMemoryModel::unknownDefaultsAreNotDifferent()
     ui::MemoryFilter filter;
     filter.setSourceModel(&model);
     model.setEntry(&entry, at(0s));
-    filter.setChoice(ui::RowChoice::Different);
+    filter.setRowFilter(ui::RowFilter::Different);
     QCOMPARE(keys(filter), QStringList{QStringLiteral("position_p")});
     QVERIFY(
         !cell(model, "max_voltage", MemoryColumn::Value).data(MemoryModel::DiffersRole).isValid());
@@ -499,12 +499,12 @@ void TestMemoryModel::historyIsNewestFirst()
         one.intent.at = QDateTime::currentDateTimeUtc();
         one.intent.items.push_back({QString::fromLatin1(key), 0, from, to});
         if (end != nullptr)
-            one.end = base::IntentEnd{QString::fromLatin1(end), {}};
+            one.end = base::IntentResult{QString::fromLatin1(end), {}};
         entry.history.push_back(one);
     };
     remember("position_p", 32, 40, "done");
     remember("max_angle_limit", 4095, 3800, "failed");
-    ui::HistoryModel model;
+    ui::ServoHistoryModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
     model.setEntry(&entry);
     QCOMPARE(model.rowCount(), 2);

@@ -40,48 +40,48 @@ private Q_SLOTS:
     void initTestCase();
     void init();
 
-    void choosingReadsAndWritesNothing();
-    void keptSurvivesPowerOff();
+    void selectingReadsAndWritesNothing();
+    void savedSurvivesPowerOff();
     void temporaryDoesNot();
     void physicalValuesAreTyped();
     void listsAreChosen();
     void bitsAreTicked();
-    void twoQuickEditsAreBothHonoured();
+    void twoQuickEditsAreBothWritten();
     void refusedValuesSayWhy();
     void dangerousRowsAskOnce();
-    void aChangeOfModeIsNamedFirst();
+    void aModeChangeIsAnnouncedFirst();
     void limitsThatChangeNoModeAskNothing();
-    void rubbishWritesNothing();
-    void readOnlyRowsSaySo();
+    void invalidInputWritesNothing();
+    void readOnlyRowsAreMarked();
     void filtersWhileTyping();
-    void liveReadingFollowsTheRowsInSight();
-    void historyTellsWhatWasWritten();
-    void padlockTellsWhoOpenedIt();
+    void pollingFollowsTheVisibleRows();
+    void historyShowsWrites();
+    void padlockShowsWhoOpenedIt();
     void copiesRowsAsText();
     void exportsTheTable();
-    void aWriteToAServoThatIsGoneEnds();
+    void aWriteToAMissingServoEnds();
     void everyFamilyHasATable_data();
     void everyFamilyHasATable();
     void changesLanguageWhileOpen();
 };
 
 namespace {
-constexpr int patience = 20'000;
+constexpr int timeout = 20'000;
 const QString positionP = QStringLiteral("position_p");
 const QString unread = QStringLiteral("not read");
 
 /// Also what no key has, such as Chinese.
-void paste(QWidget* widget, const QString& text)
+void setClipboard(QWidget* widget, const QString& text)
 {
     QApplication::clipboard()->setText(text);
     QTest::keyClick(widget, Qt::Key_V, Qt::ControlModifier);
 }
 
 /// The page in a window of its own, with a bus that has been searched.
-struct Bench {
-    gui::SteadyClock steady; ///< nothing has just moved
+struct Fixture {
+    gui::AdvancingClock pressClock; ///< nothing has just moved
     QTemporaryDir folder;
-    support::OwnDataFolder place; ///< before the session
+    support::TemporaryDataFolder place; ///< before the session
     session::Session session;
     session::Desk desk{session};
     session::Settings settings;
@@ -89,7 +89,7 @@ struct Bench {
     ui::Commands commands{desk, selection};
     ui::MemoryPage page;
 
-    explicit Bench(const QString& port = QStringLiteral("sim:demo"))
+    explicit Fixture(const QString& port = QStringLiteral("sim:demo"))
         : settings(folder.filePath(QStringLiteral("settings.ini")))
         , page(desk, commands, selection, settings)
     {
@@ -101,20 +101,21 @@ struct Bench {
         request.name = port;
         desk.connectTo(request);
         open =
-            QTest::qWaitFor([this] { return desk.state() == session::LinkState::Open; }, patience);
+            QTest::qWaitFor([this] { return desk.state() == session::LinkState::Open; }, timeout);
         jobs::ScanSpec spec;
         spec.lastId = 8;
         desk.search(spec);
-        found = QTest::qWaitFor([this] { return !desk.searching() && !desk.servos().empty(); },
-                                patience);
+        found = QTest::qWaitFor([this] { return !desk.isSearching() && !desk.servos().empty(); },
+                                timeout);
     }
 
     /// Chooses a servo and waits for its table.
     bool choose(std::size_t index = 0)
     {
         selection.select(desk.servos().at(index));
-        return QTest::qWaitFor([this] { return entry().tableRead && !desk.busy(); }, patience) &&
-               QTest::qWaitFor([this] { return !state(lastKey()).contains(unread); }, patience);
+        return QTest::qWaitFor([this] { return entry().hasFullTable && !desk.isBusy(); },
+                               timeout) &&
+               QTest::qWaitFor([this] { return !state(lastKey()).contains(unread); }, timeout);
     }
 
     const session::ServoEntry& entry() const { return *desk.servo(selection.current()); }
@@ -160,21 +161,22 @@ struct Bench {
         if (editor() == nullptr)
             return;
         editor()->selectAll();
-        QWidget* taker = editor()->keyTakers().front();
-        paste(taker, text);
-        QTest::keyClick(taker, Qt::Key_Return);
+        QWidget* keyReceiver = editor()->is().front();
+        setClipboard(keyReceiver, text);
+        QTest::keyClick(keyReceiver, Qt::Key_Return);
     }
     QDialog* question() const { return page.findChild<QDialog*>(QStringLiteral("question")); }
     bool idle()
     {
-        return QTest::qWaitFor([this] { return !desk.busy() && !entry().writing(); }, patience);
+        return QTest::qWaitFor([this] { return !desk.isBusy() && !entry().writing(); }, timeout);
     }
     /// The servos are off for a moment, then everything is read again.
     bool powerCycle()
     {
         desk.powerCycle();
         desk.readTable(selection.current());
-        return QTest::qWaitFor([this] { return !desk.busy() && !entry().reading; }, patience);
+        return QTest::qWaitFor([this] { return !desk.isBusy() && !entry().isReadingTable; },
+                               timeout);
     }
     std::optional<std::int64_t> raw(const char* key) const
     {
@@ -216,360 +218,361 @@ void TestMemoryPage::init()
     text::installTranslator(QStringLiteral("en"));
 }
 
-void TestMemoryPage::choosingReadsAndWritesNothing()
+void TestMemoryPage::selectingReadsAndWritesNothing()
 {
-    Bench bench;
-    QVERIFY(bench.active && bench.open && bench.found);
-    QVERIFY(bench.child<QLabel>("memoryNothing")->isVisible());
-    QSignalSpy told(&bench.desk, &session::Desk::happened);
-    QVERIFY(bench.choose());
-    QVERIFY(bench.view().isVisible());
-    QVERIFY(bench.view().model()->rowCount() > 50);
-    for (const catalog::Register& reg : bench.entry().servo.profile->registers)
-        QVERIFY2(bench.shown(reg.key, MemoryColumn::Value) != QStringLiteral("—"),
+    Fixture fixture;
+    QVERIFY(fixture.active && fixture.open && fixture.found);
+    QVERIFY(fixture.child<QLabel>("memoryNothing")->isVisible());
+    QSignalSpy eventSpy(&fixture.desk, &session::Desk::eventOccurred);
+    QVERIFY(fixture.choose());
+    QVERIFY(fixture.view().isVisible());
+    QVERIFY(fixture.view().model()->rowCount() > 50);
+    for (const catalog::Register& reg : fixture.entry().servo.profile->registers)
+        QVERIFY2(fixture.shown(reg.key, MemoryColumn::Value) != QStringLiteral("—"),
                  qPrintable(reg.key));
-    QVERIFY(bench.entry().writes.empty());
-    for (const QList<QVariant>& one : told)
+    QVERIFY(fixture.entry().writes.empty());
+    for (const QList<QVariant>& one : eventSpy)
         QVERIFY(one.front().value<session::Event>().kind != session::Event::Kind::Written);
-    QCOMPARE(bench.page.findChild<ui::LockBadge*>()->lock(), ui::LockBadge::Lock::Closed);
-    QCOMPARE(bench.raw("torque_switch"), 0);
+    QCOMPARE(fixture.page.findChild<ui::LockBadge*>()->lock(), ui::LockBadge::Lock::Closed);
+    QCOMPARE(fixture.raw("torque_switch"), 0);
 }
 
-void TestMemoryPage::keptSurvivesPowerOff()
+void TestMemoryPage::savedSurvivesPowerOff()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    bench.type(positionP, QStringLiteral("40"));
-    QVERIFY(bench.entry().writing());
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state(positionP).startsWith(QStringLiteral("… pending")) ||
-                                 bench.state(positionP).startsWith(QStringLiteral("✓ kept")),
-                             patience);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state(positionP).startsWith(QStringLiteral("✓ kept")), patience);
-    QCOMPARE(bench.shown(positionP, MemoryColumn::Value), QStringLiteral("40"));
-    QVERIFY(bench.shown(positionP, MemoryColumn::Name).contains(QStringLiteral("•")));
-    QVERIFY(!bench.entry().snapshotPath.isEmpty());
-    QVERIFY(QFile::exists(bench.entry().snapshotPath));
-    QVERIFY(bench.powerCycle());
-    QCOMPARE(bench.raw("position_p"), 40);
-    QTRY_VERIFY(bench.state(positionP).startsWith(QStringLiteral("✓ kept")));
-    QCOMPARE(bench.raw("lock"), 1);
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.type(positionP, QStringLiteral("40"));
+    QVERIFY(fixture.entry().writing());
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.state(positionP).startsWith(QStringLiteral("… pending")) ||
+                                 fixture.state(positionP).startsWith(QStringLiteral("✓ kept")),
+                             timeout);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.state(positionP).startsWith(QStringLiteral("✓ kept")),
+                             timeout);
+    QCOMPARE(fixture.shown(positionP, MemoryColumn::Value), QStringLiteral("40"));
+    QVERIFY(fixture.shown(positionP, MemoryColumn::Name).contains(QStringLiteral("•")));
+    QVERIFY(!fixture.entry().snapshotPath.isEmpty());
+    QVERIFY(QFile::exists(fixture.entry().snapshotPath));
+    QVERIFY(fixture.powerCycle());
+    QCOMPARE(fixture.raw("position_p"), 40);
+    QTRY_VERIFY(fixture.state(positionP).startsWith(QStringLiteral("✓ kept")));
+    QCOMPARE(fixture.raw("lock"), 1);
 }
 
 void TestMemoryPage::temporaryDoesNot()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    const auto before = bench.raw("position_p");
-    bench.goTo(positionP);
-    ui::RegisterEditor* editor = bench.panel().editor();
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    const auto before = fixture.raw("position_p");
+    fixture.goTo(positionP);
+    ui::RegisterEditor* editor = fixture.panel().editor();
     QVERIFY(editor);
     editor->selectAll();
-    QTest::keyClicks(editor->keyTakers().front(), QStringLiteral("41"));
-    auto* button = bench.child<QPushButton>("writeTemporarily");
-    bench.panel().ensureWidgetVisible(button);
+    QTest::keyClicks(editor->is().front(), QStringLiteral("41"));
+    auto* button = fixture.child<QPushButton>("writeTemporarily");
+    fixture.panel().ensureWidgetVisible(button);
     QTest::mouseClick(button, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state(positionP).startsWith(QStringLiteral("◷ temporary")),
-                             patience);
-    QCOMPARE(bench.raw("position_p"), 41);
-    QVERIFY(bench.powerCycle());
-    QCOMPARE(bench.raw("position_p"), before);
-    QTRY_VERIFY(bench.state(positionP).startsWith(QStringLiteral("≠ changed since")));
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.state(positionP).startsWith(QStringLiteral("◷ temporary")),
+                             timeout);
+    QCOMPARE(fixture.raw("position_p"), 41);
+    QVERIFY(fixture.powerCycle());
+    QCOMPARE(fixture.raw("position_p"), before);
+    QTRY_VERIFY(fixture.state(positionP).startsWith(QStringLiteral("≠ changed since")));
     // Where nothing lasts, there is nothing to choose.
-    bench.goTo(QStringLiteral("goal_position"));
+    fixture.goTo(QStringLiteral("goal_position"));
     QVERIFY(!button->isVisible());
 }
 
 void TestMemoryPage::physicalValuesAreTyped()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    bench.type(QStringLiteral("max_voltage"), QStringLiteral("8.5"), MemoryColumn::Physical);
-    QVERIFY(bench.idle());
-    QCOMPARE(bench.raw("max_voltage"), 85);
-    QTRY_COMPARE(bench.shown(QStringLiteral("max_voltage"), MemoryColumn::Physical),
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.type(QStringLiteral("max_voltage"), QStringLiteral("8.5"), MemoryColumn::Physical);
+    QVERIFY(fixture.idle());
+    QCOMPARE(fixture.raw("max_voltage"), 85);
+    QTRY_COMPARE(fixture.shown(QStringLiteral("max_voltage"), MemoryColumn::Physical),
                  QStringLiteral("8.5 V"));
     // The toggle brings the unit to the front, for reading and for typing.
-    QTest::mouseClick(bench.child<QToolButton>("physicalFirst"), Qt::LeftButton);
-    bench.type(QStringLiteral("max_voltage"), QStringLiteral("8.4"), MemoryColumn::Name);
-    QVERIFY(bench.idle());
-    QCOMPARE(bench.raw("max_voltage"), 84);
+    QTest::mouseClick(fixture.child<QToolButton>("physicalFirst"), Qt::LeftButton);
+    fixture.type(QStringLiteral("max_voltage"), QStringLiteral("8.4"), MemoryColumn::Name);
+    QVERIFY(fixture.idle());
+    QCOMPARE(fixture.raw("max_voltage"), 84);
 }
 
 void TestMemoryPage::listsAreChosen()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
+    Fixture fixture;
+    QVERIFY(fixture.choose());
     const QString torque = QStringLiteral("torque_switch");
-    bench.goTo(torque);
-    QTest::keyClick(&bench.view(), Qt::Key_Return);
-    QVERIFY(bench.editor());
-    auto* list = bench.editor()->findChild<QComboBox*>(QStringLiteral("valueList"));
+    fixture.goTo(torque);
+    QTest::keyClick(&fixture.view(), Qt::Key_Return);
+    QVERIFY(fixture.editor());
+    auto* list = fixture.editor()->findChild<QComboBox*>(QStringLiteral("valueList"));
     QTest::keyClick(list, Qt::Key_Down);
     QVERIFY(list->currentText().startsWith(QStringLiteral("1 — ")));
-    QVERIFY(!bench.entry().writing());
+    QVERIFY(!fixture.entry().writing());
     QTest::keyClick(list, Qt::Key_Return);
-    QVERIFY(bench.idle());
-    QCOMPARE(bench.raw("torque_switch"), 1);
+    QVERIFY(fixture.idle());
+    QCOMPARE(fixture.raw("torque_switch"), 1);
 }
 
 void TestMemoryPage::bitsAreTicked()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
+    Fixture fixture;
+    QVERIFY(fixture.choose());
     const QString key = QStringLiteral("led_alarm_condition");
-    const auto before = bench.raw("led_alarm_condition");
+    const auto before = fixture.raw("led_alarm_condition");
     QVERIFY(before);
-    bench.goTo(key);
-    QTest::keyClick(&bench.view(), Qt::Key_Return);
-    QVERIFY(bench.editor());
-    auto* box = bench.editor()->findChild<QCheckBox*>(QStringLiteral("bit4"));
+    fixture.goTo(key);
+    QTest::keyClick(&fixture.view(), Qt::Key_Return);
+    QVERIFY(fixture.editor());
+    auto* box = fixture.editor()->findChild<QCheckBox*>(QStringLiteral("bit4"));
     QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
-    QCOMPARE(bench.editor()->typed().toLongLong(), *before ^ 16);
+    QCOMPARE(fixture.editor()->inputText().toLongLong(), *before ^ 16);
     QTest::keyClick(box, Qt::Key_Return);
-    QVERIFY(bench.idle());
-    QCOMPARE(bench.raw("led_alarm_condition"), *before ^ 16);
+    QVERIFY(fixture.idle());
+    QCOMPARE(fixture.raw("led_alarm_condition"), *before ^ 16);
 }
 
-void TestMemoryPage::twoQuickEditsAreBothHonoured()
+void TestMemoryPage::twoQuickEditsAreBothWritten()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    bench.type(positionP, QStringLiteral("50"));
-    bench.type(positionP, QStringLiteral("51"));
-    const auto write = bench.entry().writes.find(positionP);
-    QVERIFY(write != bench.entry().writes.end());
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.type(positionP, QStringLiteral("50"));
+    fixture.type(positionP, QStringLiteral("51"));
+    const auto write = fixture.entry().writes.find(positionP);
+    QVERIFY(write != fixture.entry().writes.end());
     QCOMPARE(write->second.pending, 2);
-    QVERIFY(bench.idle());
-    QCOMPARE(bench.raw("position_p"), 51);
-    bench.desk.loadHistory(bench.selection.current());
-    QTRY_COMPARE(bench.entry().history.size(), std::size_t(2));
-    const auto& history = bench.entry().history;
+    QVERIFY(fixture.idle());
+    QCOMPARE(fixture.raw("position_p"), 51);
+    fixture.desk.loadHistory(fixture.selection.current());
+    QTRY_COMPARE(fixture.entry().history.size(), std::size_t(2));
+    const auto& history = fixture.entry().history;
     QCOMPARE(history[history.size() - 2].intent.items.front().newRaw, 50);
     QCOMPARE(history[history.size() - 1].intent.items.front().newRaw, 51);
 }
 
 void TestMemoryPage::refusedValuesSayWhy()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
+    Fixture fixture;
+    QVERIFY(fixture.choose());
     // Inside the range of the register, but the minimum must stay below the maximum.
     const QString key = QStringLiteral("min_angle_limit");
-    const auto before = bench.raw("min_angle_limit");
-    bench.type(QStringLiteral("max_angle_limit"), QStringLiteral("3000"));
-    QVERIFY(bench.idle());
-    bench.type(key, QStringLiteral("3500"));
-    QVERIFY(bench.idle());
-    QTRY_VERIFY2(bench.state(key).startsWith(QStringLiteral("✗ refused")),
-                 qPrintable(bench.state(key)));
-    const QString tip = bench.at(key, MemoryColumn::State).data(Qt::ToolTipRole).toString();
+    const auto before = fixture.raw("min_angle_limit");
+    fixture.type(QStringLiteral("max_angle_limit"), QStringLiteral("3000"));
+    QVERIFY(fixture.idle());
+    fixture.type(key, QStringLiteral("3500"));
+    QVERIFY(fixture.idle());
+    QTRY_VERIFY2(fixture.state(key).startsWith(QStringLiteral("✗ refused")),
+                 qPrintable(fixture.state(key)));
+    const QString tip = fixture.at(key, MemoryColumn::State).data(Qt::ToolTipRole).toString();
     QVERIFY2(tip.contains(QStringLiteral("3500")) && tip.contains(QStringLiteral("not touched")),
              qPrintable(tip));
-    QCOMPARE(bench.raw("min_angle_limit"), before);
+    QCOMPARE(fixture.raw("min_angle_limit"), before);
 }
 
 void TestMemoryPage::dangerousRowsAskOnce()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
+    Fixture fixture;
+    QVERIFY(fixture.choose());
     const QString key = QStringLiteral("unload_condition");
-    const auto before = bench.raw("unload_condition");
-    bench.type(key, QStringLiteral("32"));
-    QVERIFY(bench.question());
-    QVERIFY(!bench.entry().writing());
-    QVERIFY(allText(bench.question()).contains(QStringLiteral("protection")));
-    answer(bench.question(), "questionNo");
-    QTRY_VERIFY(!bench.question());
-    QVERIFY(!bench.entry().writing());
-    QCOMPARE(bench.raw("unload_condition"), before);
+    const auto before = fixture.raw("unload_condition");
+    fixture.type(key, QStringLiteral("32"));
+    QVERIFY(fixture.question());
+    QVERIFY(!fixture.entry().writing());
+    QVERIFY(allText(fixture.question()).contains(QStringLiteral("protection")));
+    answer(fixture.question(), "questionNo");
+    QTRY_VERIFY(!fixture.question());
+    QVERIFY(!fixture.entry().writing());
+    QCOMPARE(fixture.raw("unload_condition"), before);
 
-    bench.type(key, QStringLiteral("32"));
-    QVERIFY(bench.question());
-    answer(bench.question(), "questionYes");
-    QVERIFY(bench.idle());
-    QTRY_VERIFY(!bench.question());
-    QCOMPARE(bench.raw("unload_condition"), 32);
-    QTRY_VERIFY(bench.state(key).startsWith(QStringLiteral("✓ kept")));
+    fixture.type(key, QStringLiteral("32"));
+    QVERIFY(fixture.question());
+    answer(fixture.question(), "questionYes");
+    QVERIFY(fixture.idle());
+    QTRY_VERIFY(!fixture.question());
+    QCOMPARE(fixture.raw("unload_condition"), 32);
+    QTRY_VERIFY(fixture.state(key).startsWith(QStringLiteral("✓ kept")));
 }
 
-void TestMemoryPage::aChangeOfModeIsNamedFirst()
+void TestMemoryPage::aModeChangeIsAnnouncedFirst()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
+    Fixture fixture;
+    QVERIFY(fixture.choose());
     const QString key = QStringLiteral("operating_mode");
-    bench.goTo(key);
-    QTest::keyClick(&bench.view(), Qt::Key_Return);
-    QVERIFY(bench.editor());
-    auto* list = bench.editor()->findChild<QComboBox*>(QStringLiteral("valueList"));
+    fixture.goTo(key);
+    QTest::keyClick(&fixture.view(), Qt::Key_Return);
+    QVERIFY(fixture.editor());
+    auto* list = fixture.editor()->findChild<QComboBox*>(QStringLiteral("valueList"));
     QTest::keyClick(list, Qt::Key_Down);
     QTest::keyClick(list, Qt::Key_Return);
-    QVERIFY(bench.question());
-    const QString words = allText(bench.question());
+    QVERIFY(fixture.question());
+    const QString words = allText(fixture.question());
     QVERIFY2(words.contains(QStringLiteral("constant speed")), qPrintable(words));
     QVERIFY2(words.contains(QStringLiteral("torque off")), qPrintable(words));
     QVERIFY2(words.contains(QStringLiteral("is set to 0")), qPrintable(words));
     QVERIFY2(words.contains(QStringLiteral("Torque stays off")), qPrintable(words));
-    QVERIFY(!bench.entry().writing());
-    answer(bench.question(), "questionYes");
-    QVERIFY(bench.idle());
-    QCOMPARE(bench.raw("operating_mode"), 1);
-    QCOMPARE(bench.raw("torque_switch"), 0);
-    QCOMPARE(bench.raw("goal_speed"), 0);
+    QVERIFY(!fixture.entry().writing());
+    answer(fixture.question(), "questionYes");
+    QVERIFY(fixture.idle());
+    QCOMPARE(fixture.raw("operating_mode"), 1);
+    QCOMPARE(fixture.raw("torque_switch"), 0);
+    QCOMPARE(fixture.raw("goal_speed"), 0);
 }
 
 void TestMemoryPage::limitsThatChangeNoModeAskNothing()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    bench.type(QStringLiteral("min_angle_limit"), QStringLiteral("100"));
-    QVERIFY(!bench.question());
-    QVERIFY(bench.idle());
-    QCOMPARE(bench.raw("min_angle_limit"), 100);
-    bench.type(QStringLiteral("max_angle_limit"), QStringLiteral("3900"));
-    QVERIFY(!bench.question());
-    QVERIFY(bench.idle());
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.type(QStringLiteral("min_angle_limit"), QStringLiteral("100"));
+    QVERIFY(!fixture.question());
+    QVERIFY(fixture.idle());
+    QCOMPARE(fixture.raw("min_angle_limit"), 100);
+    fixture.type(QStringLiteral("max_angle_limit"), QStringLiteral("3900"));
+    QVERIFY(!fixture.question());
+    QVERIFY(fixture.idle());
     // Now the way to multi-turn: the minimum alone is no change yet, the maximum is.
-    bench.type(QStringLiteral("min_angle_limit"), QStringLiteral("0"));
-    QVERIFY(!bench.question());
-    bench.type(QStringLiteral("max_angle_limit"), QStringLiteral("0"));
-    QVERIFY(bench.question()); // the first write may still be on its way
-    QVERIFY(allText(bench.question()).contains(QStringLiteral("multi-turn")));
-    answer(bench.question(), "questionNo");
-    QTRY_VERIFY(!bench.question());
-    QVERIFY(bench.idle());
-    QCOMPARE(bench.raw("max_angle_limit"), 3900);
+    fixture.type(QStringLiteral("min_angle_limit"), QStringLiteral("0"));
+    QVERIFY(!fixture.question());
+    fixture.type(QStringLiteral("max_angle_limit"), QStringLiteral("0"));
+    QVERIFY(fixture.question()); // the first write may still be on its way
+    QVERIFY(allText(fixture.question()).contains(QStringLiteral("multi-turn")));
+    answer(fixture.question(), "questionNo");
+    QTRY_VERIFY(!fixture.question());
+    QVERIFY(fixture.idle());
+    QCOMPARE(fixture.raw("max_angle_limit"), 3900);
 }
 
-void TestMemoryPage::rubbishWritesNothing()
+void TestMemoryPage::invalidInputWritesNothing()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    const auto before = bench.raw("position_p");
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    const auto before = fixture.raw("position_p");
     for (const QString& rubbish :
          {QStringLiteral("abc"), QStringLiteral("300"), QStringLiteral("-1"), QStringLiteral("1e3"),
           QStringLiteral("12 apples"), QStringLiteral("０"), QStringLiteral(" ")}) {
-        bench.type(positionP, rubbish);
-        QVERIFY2(bench.editor(), qPrintable(rubbish));
-        QVERIFY(bench.child<QLabel>("editorMessage"));
-        QTest::keyClick(bench.editor()->keyTakers().front(), Qt::Key_Escape);
-        QVERIFY(!bench.editor());
+        fixture.type(positionP, rubbish);
+        QVERIFY2(fixture.editor(), qPrintable(rubbish));
+        QVERIFY(fixture.child<QLabel>("editorMessage"));
+        QTest::keyClick(fixture.editor()->is().front(), Qt::Key_Escape);
+        QVERIFY(!fixture.editor());
     }
-    QVERIFY(bench.entry().writes.empty());
-    QCOMPARE(bench.raw("position_p"), before);
+    QVERIFY(fixture.entry().writes.empty());
+    QCOMPARE(fixture.raw("position_p"), before);
     // The same in the panel.
-    bench.goTo(positionP);
-    ui::RegisterEditor* editor = bench.panel().editor();
+    fixture.goTo(positionP);
+    ui::RegisterEditor* editor = fixture.panel().editor();
     editor->selectAll();
-    QTest::keyClicks(editor->keyTakers().front(), QStringLiteral("999"));
-    QVERIFY(bench.child<QLabel>("registerComplaint")->isVisibleTo(&bench.panel()));
-    QTest::mouseClick(bench.child<QPushButton>("writeValue"), Qt::LeftButton);
-    QVERIFY(bench.entry().writes.empty());
+    QTest::keyClicks(editor->is().front(), QStringLiteral("999"));
+    QVERIFY(fixture.child<QLabel>("registerComplaint")->isVisibleTo(&fixture.panel()));
+    QTest::mouseClick(fixture.child<QPushButton>("writeValue"), Qt::LeftButton);
+    QVERIFY(fixture.entry().writes.empty());
 }
 
-void TestMemoryPage::readOnlyRowsSaySo()
+void TestMemoryPage::readOnlyRowsAreMarked()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    bench.type(QStringLiteral("present_voltage"), QStringLiteral("1"));
-    QVERIFY(!bench.editor());
-    auto* banner = bench.child<QWidget>("memoryBanner");
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.type(QStringLiteral("present_voltage"), QStringLiteral("1"));
+    QVERIFY(!fixture.editor());
+    auto* banner = fixture.child<QWidget>("memoryBanner");
     QVERIFY(banner->isVisible());
     QVERIFY(allText(banner).contains(QStringLiteral("only be read")));
     QVERIFY(allText(banner).contains(QStringLiteral("Present voltage"))); // not its key
-    QVERIFY(!bench.panel().editor());
+    QVERIFY(!fixture.panel().editor());
 }
 
 void TestMemoryPage::filtersWhileTyping()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    const int all = bench.view().model()->rowCount();
-    bench.commands.action(Command::FindRegister)->trigger();
-    auto* find = bench.child<QLineEdit>("registerFind");
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    const int all = fixture.view().model()->rowCount();
+    fixture.commands.action(Command::FindRegister)->trigger();
+    auto* find = fixture.child<QLineEdit>("registerFind");
     QVERIFY(find->hasFocus());
-    paste(find, QStringLiteral("卸载"));
-    QVERIFY(bench.view().model()->rowCount() < all);
-    QVERIFY(bench.at(QStringLiteral("unload_condition"), MemoryColumn::Name).isValid());
+    setClipboard(find, QStringLiteral("卸载"));
+    QVERIFY(fixture.view().model()->rowCount() < all);
+    QVERIFY(fixture.at(QStringLiteral("unload_condition"), MemoryColumn::Name).isValid());
     QTest::keyClicks(find, QStringLiteral("nowhere"));
-    QVERIFY(bench.child<QLabel>("memoryNothing")->isVisible());
+    QVERIFY(fixture.child<QLabel>("memoryNothing")->isVisible());
     find->clear();
-    QCOMPARE(bench.view().model()->rowCount(), all);
-    QTest::mouseClick(bench.child<QToolButton>("rowsChanged"), Qt::LeftButton);
-    QVERIFY(bench.view().model()->rowCount() < all / 2);
-    QTest::mouseClick(bench.child<QToolButton>("rowsAll"), Qt::LeftButton);
-    bench.child<QComboBox>("groupFilter")->setCurrentIndex(3);
-    for (int row = 0; row < bench.view().model()->rowCount(); ++row)
-        QCOMPARE(bench.view().model()->index(row, 0).data(MemoryModel::AreaRole).toInt(),
+    QCOMPARE(fixture.view().model()->rowCount(), all);
+    QTest::mouseClick(fixture.child<QToolButton>("rowsChanged"), Qt::LeftButton);
+    QVERIFY(fixture.view().model()->rowCount() < all / 2);
+    QTest::mouseClick(fixture.child<QToolButton>("rowsAll"), Qt::LeftButton);
+    fixture.child<QComboBox>("groupFilter")->setCurrentIndex(3);
+    for (int row = 0; row < fixture.view().model()->rowCount(); ++row)
+        QCOMPARE(fixture.view().model()->index(row, 0).data(MemoryModel::AreaRole).toInt(),
                  static_cast<int>(catalog::Area::Feedback));
-    QVERIFY(bench.view().model()->rowCount() > 5);
+    QVERIFY(fixture.view().model()->rowCount() > 5);
 }
 
-void TestMemoryPage::liveReadingFollowsTheRowsInSight()
+void TestMemoryPage::pollingFollowsTheVisibleRows()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    auto* rate = bench.child<QComboBox>("liveRate");
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    auto* rate = fixture.child<QComboBox>("liveRate");
     rate->setCurrentIndex(rate->findData(0));
-    bench.goTo(QStringLiteral("firmware_major"));
-    bench.child<QComboBox>("groupFilter")->setCurrentIndex(3); // feedback
+    fixture.goTo(QStringLiteral("firmware_major"));
+    fixture.child<QComboBox>("groupFilter")->setCurrentIndex(3); // feedback
     const catalog::Register* voltage =
-        bench.entry().servo.profile->find(QStringLiteral("present_voltage"));
+        fixture.entry().servo.profile->find(QStringLiteral("present_voltage"));
     const catalog::Register* mode =
-        bench.entry().servo.profile->find(QStringLiteral("operating_mode"));
+        fixture.entry().servo.profile->find(QStringLiteral("operating_mode"));
     const auto readAt = [&](const catalog::Register* reg) {
-        return *bench.entry().servo.image.readAt(reg->offset);
+        return *fixture.entry().servo.image.readAt(reg->offset);
     };
     const auto voltageBefore = readAt(voltage);
     const auto modeBefore = readAt(mode);
     rate->setCurrentIndex(rate->findData(20));
-    QTRY_VERIFY_WITH_TIMEOUT(readAt(voltage) > voltageBefore, patience);
-    QCOMPARE(readAt(mode), modeBefore);                        // not in sight, so not asked
-    bench.child<QComboBox>("groupFilter")->setCurrentIndex(1); // EPROM
-    bench.goTo(QStringLiteral("operating_mode"));
-    QTRY_VERIFY_WITH_TIMEOUT(readAt(mode) > modeBefore, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(readAt(voltage) > voltageBefore, timeout);
+    QCOMPARE(readAt(mode), modeBefore);                          // not in sight, so not asked
+    fixture.child<QComboBox>("groupFilter")->setCurrentIndex(1); // EPROM
+    fixture.goTo(QStringLiteral("operating_mode"));
+    QTRY_VERIFY_WITH_TIMEOUT(readAt(mode) > modeBefore, timeout);
     // The choice is remembered.
-    QCOMPARE(bench.settings.choice(QStringLiteral("memory/live_hz"), 0).toInt(), 20);
+    QCOMPARE(fixture.settings.pageValue(QStringLiteral("memory/live_hz"), 0).toInt(), 20);
 }
 
-void TestMemoryPage::historyTellsWhatWasWritten()
+void TestMemoryPage::historyShowsWrites()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    bench.type(QStringLiteral("position_d"), QStringLiteral("33"));
-    QVERIFY(bench.idle());
-    auto* list = bench.child<QListView>("historyList");
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.type(QStringLiteral("position_d"), QStringLiteral("33"));
+    QVERIFY(fixture.idle());
+    auto* list = fixture.child<QListView>("historyList");
     QTRY_VERIFY_WITH_TIMEOUT(
         list->model()->rowCount() > 0 &&
             list->model()->index(0, 0).data().toString().contains(QStringLiteral("→ 33 ✓")),
-        patience);
+        timeout);
     QVERIFY(list->isVisible());
 }
 
-void TestMemoryPage::padlockTellsWhoOpenedIt()
+void TestMemoryPage::padlockShowsWhoOpenedIt()
 {
-    Bench bench(QStringLiteral("sim:trouble"));
-    QVERIFY(bench.found);
+    Fixture fixture(QStringLiteral("sim:trouble"));
+    QVERIFY(fixture.found);
     std::size_t open = 0;
-    while (open < bench.desk.servos().size() &&
-           bench.desk.servo(bench.desk.servos()[open])->servo.id != 4)
+    while (open < fixture.desk.servos().size() &&
+           fixture.desk.servo(fixture.desk.servos()[open])->servo.id != 4)
         ++open;
-    QVERIFY(open < bench.desk.servos().size());
-    QVERIFY(bench.choose(open));
-    auto* badge = bench.page.findChild<ui::LockBadge*>();
+    QVERIFY(open < fixture.desk.servos().size());
+    QVERIFY(fixture.choose(open));
+    auto* badge = fixture.page.findChild<ui::LockBadge*>();
     QTRY_COMPARE(badge->lock(), ui::LockBadge::Lock::OpenByOthers);
     QVERIFY(allText(badge).contains(QStringLiteral("not by ServoDesk")));
-    auto* close = bench.child<QToolButton>("closeLock");
+    auto* close = fixture.child<QToolButton>("closeLock");
     QTRY_VERIFY(close->isVisible() && close->isEnabled());
     QTest::mouseClick(close, Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(badge->lock(), ui::LockBadge::Lock::Closed, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(badge->lock(), ui::LockBadge::Lock::Closed, timeout);
     QVERIFY(!close->isVisible());
 }
 
 void TestMemoryPage::copiesRowsAsText()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    bench.goTo(positionP);
-    bench.commands.action(Command::CopyRows)->trigger();
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.goTo(positionP);
+    fixture.commands.action(Command::CopyRows)->trigger();
     const QStringList lines = QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
     QCOMPARE(lines.size(), 2);
     QVERIFY(lines.at(1).startsWith(QStringLiteral("21\tposition_p\t")));
@@ -577,16 +580,16 @@ void TestMemoryPage::copiesRowsAsText()
 
 void TestMemoryPage::exportsTheTable()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
+    Fixture fixture;
+    QVERIFY(fixture.choose());
     QTemporaryDir folder;
     const auto save = [&](const QString& path) {
-        bench.commands.action(Command::ExportTable)->trigger();
-        auto* dialog = bench.page.findChild<QFileDialog*>(QStringLiteral("exportDialog"));
+        fixture.commands.action(Command::ExportTable)->trigger();
+        auto* dialog = fixture.page.findChild<QFileDialog*>(QStringLiteral("exportDialog"));
         QVERIFY(dialog);
         Q_EMIT dialog->fileSelected(path);
         dialog->reject();
-        QTRY_VERIFY(!bench.page.findChild<QFileDialog*>(QStringLiteral("exportDialog")));
+        QTRY_VERIFY(!fixture.page.findChild<QFileDialog*>(QStringLiteral("exportDialog")));
     };
     const QString path = folder.filePath(QStringLiteral("table.csv"));
     save(path);
@@ -594,25 +597,25 @@ void TestMemoryPage::exportsTheTable()
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray csv = file.readAll();
     QVERIFY(csv.contains(",position_p,"));
-    QCOMPARE(csv.count('\n'), bench.view().model()->rowCount() + 1);
-    auto* banner = bench.child<QWidget>("memoryBanner");
+    QCOMPARE(csv.count('\n'), fixture.view().model()->rowCount() + 1);
+    auto* banner = fixture.child<QWidget>("memoryBanner");
     QVERIFY(allText(banner).contains(path));
     save(folder.filePath(QStringLiteral("no/such/folder.csv")));
     QVERIFY(banner->isVisible());
     QVERIFY(allText(banner).contains(QStringLiteral("cannot be written")));
 }
 
-void TestMemoryPage::aWriteToAServoThatIsGoneEnds()
+void TestMemoryPage::aWriteToAMissingServoEnds()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    bench.desk.disconnectFrom();
-    QTRY_COMPARE_WITH_TIMEOUT(bench.desk.state(), session::LinkState::Off, patience);
-    bench.type(positionP, QStringLiteral("44"));
-    QTRY_VERIFY_WITH_TIMEOUT(bench.state(positionP).startsWith(QStringLiteral("✗ ")), patience);
-    QVERIFY(!bench.entry().writing());
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.desk.disconnectFrom();
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.desk.state(), session::LinkState::Off, timeout);
+    fixture.type(positionP, QStringLiteral("44"));
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.state(positionP).startsWith(QStringLiteral("✗ ")), timeout);
+    QVERIFY(!fixture.entry().writing());
     // What is on the screen is marked as old.
-    QVERIFY(bench.at(QStringLiteral("position_d"), MemoryColumn::Value)
+    QVERIFY(fixture.at(QStringLiteral("position_d"), MemoryColumn::Value)
                 .data(MemoryModel::StaleRole)
                 .toBool());
 }
@@ -643,32 +646,33 @@ void TestMemoryPage::everyFamilyHasATable()
     QFETCH(QString, key);
     QFETCH(QString, value);
     QFETCH(bool, asks);
-    Bench bench(port);
-    QVERIFY(bench.open && bench.found);
-    QVERIFY(bench.choose());
-    bench.type(key, value);
-    QCOMPARE(bench.question() != nullptr, asks);
+    Fixture fixture(port);
+    QVERIFY(fixture.open && fixture.found);
+    QVERIFY(fixture.choose());
+    fixture.type(key, value);
+    QCOMPARE(fixture.question() != nullptr, asks);
     if (asks)
-        answer(bench.question(), "questionYes");
-    QVERIFY(bench.idle());
-    QTRY_VERIFY2(bench.state(key).startsWith(QStringLiteral("✓ kept")),
-                 qPrintable(bench.state(key) +
-                            bench.at(key, MemoryColumn::State).data(Qt::ToolTipRole).toString()));
-    QVERIFY(bench.powerCycle());
-    QCOMPARE(bench.entry().servo.raw(key), value.toLongLong());
+        answer(fixture.question(), "questionYes");
+    QVERIFY(fixture.idle());
+    QTRY_VERIFY2(fixture.state(key).startsWith(QStringLiteral("✓ kept")),
+                 qPrintable(fixture.state(key) +
+                            fixture.at(key, MemoryColumn::State).data(Qt::ToolTipRole).toString()));
+    QVERIFY(fixture.powerCycle());
+    QCOMPARE(fixture.entry().servo.raw(key), value.toLongLong());
 }
 
 void TestMemoryPage::changesLanguageWhileOpen()
 {
-    Bench bench;
-    QVERIFY(bench.choose());
-    bench.goTo(QStringLiteral("unload_condition"));
+    Fixture fixture;
+    QVERIFY(fixture.choose());
+    fixture.goTo(QStringLiteral("unload_condition"));
     text::installTranslator(QStringLiteral("zh_CN"));
-    QTRY_COMPARE(bench.shown(QStringLiteral("unload_condition"), MemoryColumn::Name),
+    QTRY_COMPARE(fixture.shown(QStringLiteral("unload_condition"), MemoryColumn::Name),
                  QStringLiteral("卸载条件"));
-    QTRY_VERIFY(bench.child<QLabel>("registerTitle")->text().contains(QStringLiteral("卸载条件")));
+    QTRY_VERIFY(
+        fixture.child<QLabel>("registerTitle")->text().contains(QStringLiteral("卸载条件")));
     text::installTranslator(QStringLiteral("en"));
-    QTRY_VERIFY(bench.child<QLabel>("registerTitle")->text().contains(QStringLiteral("Unload")));
+    QTRY_VERIFY(fixture.child<QLabel>("registerTitle")->text().contains(QStringLiteral("Unload")));
 }
 
 QTEST_MAIN(TestMemoryPage)

@@ -23,14 +23,14 @@
 #include <QTreeWidget>
 
 namespace {
-struct OperateBench : gui::WindowBench {
-    explicit OperateBench(const QString& language = QStringLiteral("en"))
-        : WindowBench(language)
+struct OperatePageFixture : gui::MainWindowFixture {
+    explicit OperatePageFixture(const QString& language = QStringLiteral("en"))
+        : MainWindowFixture(language)
     {
         page = QStringLiteral("operate");
     }
     template <typename Function>
-    void withWire(Function&& function)
+    void withBus(Function&& function)
     {
         desk().connection()->simulation()->with(std::forward<Function>(function));
     }
@@ -76,33 +76,33 @@ class TestOperatePage : public QObject {
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
-    void lookingMovesNothing_data()
+    void openingThePageMovesNothing_data()
     {
         QTest::addColumn<QString>("port");
         QTest::newRow("STS, SMS, SCS") << "sim:demo";
         QTest::newRow("LX") << "sim:lx";
         QTest::newRow("Modbus") << "sim:modbus";
     }
-    void lookingMovesNothing()
+    void openingThePageMovesNothing()
     {
         QFETCH(QString, port);
-        OperateBench bench;
-        QVERIFY(bench.connectTo(port));
+        OperatePageFixture fixture;
+        QVERIFY(fixture.connectTo(port));
         const auto goals = [&] {
             std::vector<std::int64_t> all;
-            for (const session::ServoRef ref : bench.desk().servos()) {
-                const device::Servo& servo = bench.desk().servo(ref)->servo;
+            for (const session::ServoRef ref : fixture.desk().servos()) {
+                const device::Servo& servo = fixture.desk().servo(ref)->servo;
                 const QString key = servo.profile->byRole(catalog::Role::GoalPosition)->key;
-                bench.withWire(
+                fixture.withBus(
                     [&](sim::VirtualBus& bus) { all.push_back(bus.servo(servo.id)->raw(key)); });
             }
             return all;
         };
         const auto before = goals();
-        for (const session::ServoRef ref : bench.desk().servos()) {
-            bench.selection().select(ref);
-            QTRY_VERIFY(bench.desk().rate(ref).hz > 0);
-            const auto& entry = *bench.desk().servo(ref);
+        for (const session::ServoRef ref : fixture.desk().servos()) {
+            fixture.selection().select(ref);
+            QTRY_VERIFY(fixture.desk().pollRate(ref).hz > 0);
+            const auto& entry = *fixture.desk().servo(ref);
             QTRY_VERIFY(entry.servo.raw(catalog::Role::TorqueSwitch).has_value());
             QCOMPARE(entry.servo.raw(catalog::Role::TorqueSwitch), std::int64_t(0));
             QVERIFY(entry.writes.empty());
@@ -110,137 +110,138 @@ private Q_SLOTS:
         QCOMPARE(goals(), before);
     }
 
-    void whatIsReadIsShown()
+    void readValuesAreShown()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        QTRY_COMPARE(bench.gauge(0)->valueText(), QStringLiteral("7.4"));
-        QTRY_VERIFY(bench.find<ui::PositionDial>("positionDial")->view().position.has_value());
-        QCOMPARE(bench.find<ui::Pill>("statusLink")->accessibleName(),
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QTRY_COMPARE(fixture.gauge(0)->valueText(), QStringLiteral("7.4"));
+        QTRY_VERIFY(fixture.find<ui::PositionDial>("positionDial")->view().position.has_value());
+        QCOMPARE(fixture.find<ui::Pill>("statusLink")->accessibleName(),
                  QStringLiteral("Communication fine"));
-        QTRY_VERIFY(bench.find<QLabel>("statusAge")->text().contains(QLatin1String("Hz")));
-        QTRY_VERIFY(bench.curve(QStringLiteral("*/@position")) != nullptr);
-        QTRY_VERIFY(bench.drawn(QStringLiteral("*/@position")));
+        QTRY_VERIFY(fixture.find<QLabel>("statusAge")->text().contains(QLatin1String("Hz")));
+        QTRY_VERIFY(fixture.curve(QStringLiteral("*/@position")) != nullptr);
+        QTRY_VERIFY(fixture.drawn(QStringLiteral("*/@position")));
         // Goal and position of a servo at rest.
-        QCOMPARE(bench.curve(QStringLiteral("*/@goal"))->unit, QStringLiteral("°"));
+        QCOMPARE(fixture.curve(QStringLiteral("*/@goal"))->unit, QStringLiteral("°"));
     }
 
-    void theWordsOfTheTradeInChinese()
+    void chineseUsesTechnicalTerms()
     {
-        OperateBench bench(QStringLiteral("zh_CN"));
-        QVERIFY(bench.ready(1));
-        auto* link = bench.find<ui::Pill>("statusLink");
+        OperatePageFixture fixture(QStringLiteral("zh_CN"));
+        QVERIFY(fixture.ready(1));
+        auto* link = fixture.find<ui::Pill>("statusLink");
         QTRY_COMPARE(link->accessibleName(), QStringLiteral("通信正常"));
-        bench.withWire(
-            [](sim::VirtualBus& bus) { bus.servo(1)->surroundings().supplyVolts = 3.0; });
-        QTRY_VERIFY(bench.alarmWords().join(QLatin1Char(' ')).contains(QStringLiteral("过压欠压")));
-        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
+        fixture.withBus(
+            [](sim::VirtualBus& bus) { bus.servo(1)->environment().supplyVolts = 3.0; });
+        QTRY_VERIFY(
+            fixture.alarmWords().join(QLatin1Char(' ')).contains(QStringLiteral("过压欠压")));
+        fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
         QTRY_COMPARE(link->accessibleName(), QStringLiteral("通信超时"));
     }
 
     void anAlarmStaysUntilItIsAcknowledged()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        QTRY_VERIFY(bench.desk().rate(bench.selection().current()).hz > 0);
-        QVERIFY(bench.alarmWords().isEmpty());
-        bench.withWire(
-            [](sim::VirtualBus& bus) { bus.servo(1)->surroundings().supplyVolts = 3.0; });
-        QTRY_COMPARE(bench.alarmWords(), QStringList{QStringLiteral("✗ Voltage out of range")});
-        bench.withWire(
-            [](sim::VirtualBus& bus) { bus.servo(1)->surroundings().supplyVolts = 7.4; });
-        QTRY_VERIFY(bench.alarmWords().join(QString()).contains(QLatin1String("over")));
-        bench.click("acknowledge");
-        QTRY_VERIFY(bench.alarmWords().isEmpty());
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QTRY_VERIFY(fixture.desk().pollRate(fixture.selection().current()).hz > 0);
+        QVERIFY(fixture.alarmWords().isEmpty());
+        fixture.withBus(
+            [](sim::VirtualBus& bus) { bus.servo(1)->environment().supplyVolts = 3.0; });
+        QTRY_COMPARE(fixture.alarmWords(), QStringList{QStringLiteral("✗ Voltage out of range")});
+        fixture.withBus(
+            [](sim::VirtualBus& bus) { bus.servo(1)->environment().supplyVolts = 7.4; });
+        QTRY_VERIFY(fixture.alarmWords().join(QString()).contains(QLatin1String("over")));
+        fixture.click("acknowledge");
+        QTRY_VERIFY(fixture.alarmWords().isEmpty());
     }
 
     /// Garbage is not called silence, and no alarm is claimed of a servo that cannot be read.
-    void whatIsNotReadIsNotClaimed()
+    void unreadValuesAreNotShown()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        auto* link = bench.find<ui::Pill>("statusLink");
-        auto* alarm = bench.find<ui::Pill>("statusNoAlarm");
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        auto* link = fixture.find<ui::Pill>("statusLink");
+        auto* alarm = fixture.find<ui::Pill>("statusNoAlarm");
         QTRY_COMPARE(alarm->accessibleName(), QStringLiteral("no alarm"));
-        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.corrupt = 1; });
+        fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.corrupt = 1; });
         QTRY_COMPARE(link->accessibleName(), QStringLiteral("Unreadable answers"));
         QTRY_COMPARE(alarm->accessibleName(), QStringLiteral("alarms: –"));
-        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.corrupt = 0; });
+        fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.corrupt = 0; });
         QTRY_COMPARE(alarm->accessibleName(), QStringLiteral("no alarm"));
     }
 
-    void whatAFamilyCannotMeasureIsSaid()
+    void unsupportedMeasurementsAreMarked()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1, QStringLiteral("sim:scs15@1")));
-        QTRY_VERIFY(bench.gauge(3)->accessibleDescription().contains(QLatin1String("SCS15")));
-        QVERIFY(bench.curve(QStringLiteral("*/@current")) == nullptr);
-        QVERIFY(bench.curve(QStringLiteral("*/@load")) != nullptr);
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:scs15@1")));
+        QTRY_VERIFY(fixture.gauge(3)->accessibleDescription().contains(QLatin1String("SCS15")));
+        QVERIFY(fixture.curve(QStringLiteral("*/@current")) == nullptr);
+        QVERIFY(fixture.curve(QStringLiteral("*/@load")) != nullptr);
     }
 
-    void theStripSelects()
+    void theStatusStripSelects()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        const auto cards = bench.window->findChildren<ui::ServoCard*>();
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        const auto cards = fixture.window->findChildren<ui::ServoCard*>();
         QCOMPARE(cards.size(), 6);
         QTest::mouseClick(cards[2], Qt::LeftButton);
-        QCOMPARE(bench.selection().current(), bench.desk().servos()[2]);
+        QCOMPARE(fixture.selection().current(), fixture.desk().servos()[2]);
         QTest::keyClick(cards[1], Qt::Key_Space);
-        QCOMPARE(bench.selection().current(), bench.desk().servos()[1]);
+        QCOMPARE(fixture.selection().current(), fixture.desk().servos()[1]);
         QTest::mouseClick(cards[3], Qt::LeftButton, Qt::ControlModifier);
-        QCOMPARE(bench.selection().chosen().size(), std::size_t(2));
-        QCOMPARE(bench.selection().current(), bench.desk().servos()[1]);
+        QCOMPARE(fixture.selection().selected().size(), std::size_t(2));
+        QCOMPARE(fixture.selection().current(), fixture.desk().servos()[1]);
     }
 
     /// The curves go on while another page is shown.
-    void measuringGoesOnOnEveryPage()
+    void pollingContinuesOnEveryPage()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        QTRY_VERIFY(bench.drawn(QStringLiteral("*/@position")));
-        bench.action(ui::Command::PageMemory)->trigger();
-        const auto count = bench.bench.scope.store().count();
-        QTRY_VERIFY(bench.bench.scope.store().count() > count + 50);
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QTRY_VERIFY(fixture.drawn(QStringLiteral("*/@position")));
+        fixture.action(ui::Command::PageMemory)->trigger();
+        const auto count = fixture.context.liveData.store().count();
+        QTRY_VERIFY(fixture.context.liveData.store().count() > count + 50);
     }
 
-    void pauseStandsStillAndGoesOn()
+    void pauseFreezesAndResumes()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        auto* chart = bench.find<ui::TrendChart>("trendChart");
-        QTRY_VERIFY(bench.bench.scope.store().count() > 50);
-        bench.action(ui::Command::PauseTrend)->trigger();
-        QVERIFY(!chart->following());
-        QVERIFY(bench.find<QToolButton>("trendPause")->isChecked());
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        auto* chart = fixture.find<ui::TrendChart>("trendChart");
+        QTRY_VERIFY(fixture.context.liveData.store().count() > 50);
+        fixture.action(ui::Command::PauseTrend)->trigger();
+        QVERIFY(!chart->isFollowing());
+        QVERIFY(fixture.find<QToolButton>("trendPause")->isChecked());
         const auto shown = chart->shown();
-        const auto count = bench.bench.scope.store().count();
-        QTRY_VERIFY(bench.bench.scope.store().count() > count + 50);
+        const auto count = fixture.context.liveData.store().count();
+        QTRY_VERIFY(fixture.context.liveData.store().count() > count + 50);
         QCOMPARE(chart->shown(), shown);
-        bench.action(ui::Command::PauseTrend)->trigger();
+        fixture.action(ui::Command::PauseTrend)->trigger();
         QTRY_VERIFY(chart->shown().to > shown.to);
     }
 
-    void cursorsComeWithTheirTable()
+    void cursorsShowTheirTable()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        QTRY_VERIFY(bench.bench.scope.store().count() > 50);
-        QVERIFY(!bench.find<QWidget>("cursorPanel")->isVisible());
-        bench.click("trendCursors");
-        QVERIFY(bench.find<QWidget>("cursorPanel")->isVisible());
-        QVERIFY(bench.find<QTableWidget>("cursorTable")->rowCount() >= 3);
-        QVERIFY(bench.find<QTableWidget>("cursorTable")->height() > 40);
-        bench.click("trendCursors");
-        QVERIFY(!bench.find<QWidget>("cursorPanel")->isVisible());
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QTRY_VERIFY(fixture.context.liveData.store().count() > 50);
+        QVERIFY(!fixture.find<QWidget>("cursorPanel")->isVisible());
+        fixture.click("trendCursors");
+        QVERIFY(fixture.find<QWidget>("cursorPanel")->isVisible());
+        QVERIFY(fixture.find<QTableWidget>("cursorTable")->rowCount() >= 3);
+        QVERIFY(fixture.find<QTableWidget>("cursorTable")->height() > 40);
+        fixture.click("trendCursors");
+        QVERIFY(!fixture.find<QWidget>("cursorPanel")->isVisible());
     }
 
     void aTickedRegisterIsReadAndShown()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        bench.click("trendChannels");
-        auto* tree = bench.find<QTreeWidget>("channelTree");
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        fixture.click("trendChannels");
+        auto* tree = fixture.find<QTreeWidget>("channelTree");
         QTRY_VERIFY(tree != nullptr);
         QTreeWidgetItem* row = nullptr;
         for (QTreeWidgetItemIterator it(tree); *it != nullptr; ++it) {
@@ -250,213 +251,216 @@ private Q_SLOTS:
         QVERIFY(row != nullptr);
         row->setCheckState(0, Qt::Checked);
         const QString key = QStringLiteral("2/position_p");
-        QTRY_VERIFY(bench.drawn(key));
-        const auto latest = bench.bench.scope.store().latest(bench.curve(key)->id);
+        QTRY_VERIFY(fixture.drawn(key));
+        const auto latest = fixture.context.liveData.store().latest(fixture.curve(key)->id);
         QCOMPARE(latest->value, 32.0);
         // Remembered for the next start.
-        QVERIFY(bench.settings.choice(QStringLiteral("trend/curves"), QStringList())
+        QVERIFY(fixture.settings.pageValue(QStringLiteral("trend/curves"), QStringList())
                     .toStringList()
                     .join(QLatin1Char(' '))
                     .contains(key));
     }
 
-    void aRecordingIsMadeAndShownAgain()
+    void aRecordingIsMadeAndReopened()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        QTRY_VERIFY(bench.drawn(QStringLiteral("*/@position")));
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QTRY_VERIFY(fixture.drawn(QStringLiteral("*/@position")));
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("run.csv"));
-        bench.action(ui::Command::Record)->trigger();
-        auto* edit = bench.find<QLineEdit>("recordPath");
+        fixture.action(ui::Command::Record)->trigger();
+        auto* edit = fixture.find<QLineEdit>("recordPath");
         QVERIFY(edit != nullptr);
         edit->setText(folder.filePath(QStringLiteral("nowhere/run.csv")));
-        bench.click("recordStart");
-        QTRY_VERIFY(!bench.find<QLabel>("recordTrouble")->text().isEmpty());
-        QVERIFY(!bench.bench.scope.recording());
+        fixture.click("recordStart");
+        QTRY_VERIFY(!fixture.find<QLabel>("recordTrouble")->text().isEmpty());
+        QVERIFY(!fixture.context.liveData.isRecording());
         edit->setText(path);
-        bench.click("recordStart");
-        QTRY_VERIFY(bench.find<QLabel>("trendRecordState")->isVisible());
-        QTRY_VERIFY(bench.bench.scope.recordingStatus().rows > 100);
-        bench.action(ui::Command::Record)->trigger();
-        QTRY_VERIFY(!bench.bench.scope.recording());
-        const auto rows = bench.bench.scope.recordingStatus().rows;
+        fixture.click("recordStart");
+        QTRY_VERIFY(fixture.find<QLabel>("trendRecordState")->isVisible());
+        QTRY_VERIFY(fixture.context.liveData.recordingStatus().rows > 100);
+        fixture.action(ui::Command::Record)->trigger();
+        QTRY_VERIFY(!fixture.context.liveData.isRecording());
+        const auto rows = fixture.context.liveData.recordingStatus().rows;
 
-        auto* panel = bench.find<ui::TrendPanel>("trendPanel");
+        auto* panel = fixture.find<ui::TrendPanel>("trendPanel");
         panel->load(path);
-        QTRY_VERIFY(panel->replaying());
-        const auto* chart = bench.find<ui::TrendChart>("trendChart");
+        QTRY_VERIFY(panel->isReplaying());
+        const auto* chart = fixture.find<ui::TrendChart>("trendChart");
         QCOMPARE(chart->shown().from.count() <= 0, true);
-        QVERIFY(bench.find<QSlider>("replaySlider")->isVisible());
+        QVERIFY(fixture.find<QSlider>("replaySlider")->isVisible());
         QVERIFY(rows > 0);
         const auto before = chart->shown();
-        bench.find<QSlider>("replaySlider")->setValue(5000);
+        fixture.find<QSlider>("replaySlider")->setValue(5000);
         QVERIFY(chart->shown().to != before.to);
-        bench.click("replayPlay");
+        fixture.click("replayPlay");
         const auto begun = chart->shown();
         QTRY_VERIFY(chart->shown().to > begun.to);
-        bench.click("trendLive");
-        QVERIFY(!panel->replaying());
-        QVERIFY(chart->following());
+        fixture.click("trendLive");
+        QVERIFY(!panel->isReplaying());
+        QVERIFY(chart->isFollowing());
     }
 
     /// What is recorded is read on, whatever page is shown and whatever servo is selected.
-    void aRecordingGoesOnOnOtherPages()
+    void aRecordingContinuesOnOtherPages()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        QTRY_VERIFY(bench.drawn(QStringLiteral("*/@position")));
-        const session::ServoRef first = bench.desk().servos().front();
-        QTRY_VERIFY(bench.bench.scope.find(first, QStringLiteral("present_voltage")) != nullptr);
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QTRY_VERIFY(fixture.drawn(QStringLiteral("*/@position")));
+        const session::ServoRef first = fixture.desk().servos().front();
+        QTRY_VERIFY(fixture.context.liveData.find(first, QStringLiteral("present_voltage")) !=
+                    nullptr);
         const QTemporaryDir folder;
-        QVERIFY(bench.bench.scope.record({.path = folder.filePath(QStringLiteral("run.csv"))}));
-        QTRY_VERIFY(bench.bench.scope.recordingStatus().rows > 20);
+        QVERIFY(fixture.context.liveData.startRecording(
+            {.path = folder.filePath(QStringLiteral("run.csv"))}));
+        QTRY_VERIFY(fixture.context.liveData.recordingStatus().rows > 20);
         // The channel itself moves when others come.
-        const int voltage = bench.bench.scope.find(first, QStringLiteral("present_voltage"))->id;
-        bench.action(ui::Command::PageMemory)->trigger();
-        bench.selection().select(bench.desk().servos()[1]);
-        const auto& store = bench.bench.scope.store();
-        const base::Duration then = bench.desk().now();
+        const int voltage =
+            fixture.context.liveData.find(first, QStringLiteral("present_voltage"))->id;
+        fixture.action(ui::Command::PageMemory)->trigger();
+        fixture.selection().select(fixture.desk().servos()[1]);
+        const auto& store = fixture.context.liveData.store();
+        const base::Duration then = fixture.desk().now();
         QTRY_VERIFY(store.latest(voltage)->at > then + std::chrono::milliseconds(300));
-        bench.bench.scope.stopRecording();
-        QTRY_VERIFY(!bench.bench.scope.recording());
+        fixture.context.liveData.stopRecording();
+        QTRY_VERIFY(!fixture.context.liveData.isRecording());
     }
 
     void oneRecordingAfterTheOther()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
         const QTemporaryDir folder;
-        auto* panel = bench.find<ui::TrendPanel>("trendPanel");
-        auto* chart = bench.find<ui::TrendChart>("trendChart");
-        QTRY_VERIFY(bench.drawn(QStringLiteral("*/@position")));
+        auto* panel = fixture.find<ui::TrendPanel>("trendPanel");
+        auto* chart = fixture.find<ui::TrendChart>("trendChart");
+        QTRY_VERIFY(fixture.drawn(QStringLiteral("*/@position")));
         for (const char* name : {"a.csv", "b.jsonl"}) {
             const QString path = folder.filePath(QString::fromLatin1(name));
-            QVERIFY(bench.bench.scope.record({.path = path}).has_value());
-            QTRY_VERIFY(bench.bench.scope.recordingStatus().rows > 50);
-            bench.bench.scope.stopRecording();
-            QTRY_VERIFY(!bench.bench.scope.recording());
+            QVERIFY(fixture.context.liveData.startRecording({.path = path}).has_value());
+            QTRY_VERIFY(fixture.context.liveData.recordingStatus().rows > 50);
+            fixture.context.liveData.stopRecording();
+            QTRY_VERIFY(!fixture.context.liveData.isRecording());
             panel->load(path);
-            auto* slider = bench.find<QSlider>("replaySlider");
-            QTRY_VERIFY(panel->replaying() && slider->toolTip() == QString::fromLatin1(name));
+            auto* slider = fixture.find<QSlider>("replaySlider");
+            QTRY_VERIFY(panel->isReplaying() && slider->toolTip() == QString::fromLatin1(name));
             chart->flush();
             // "Now" has no meaning in a recording.
             chart->setFollowing(true);
-            QVERIFY(!chart->following());
+            QVERIFY(!chart->isFollowing());
         }
-        bench.click("trendLive");
-        QVERIFY(chart->following());
+        fixture.click("trendLive");
+        QVERIFY(chart->isFollowing());
         QCOMPARE(chart->width(), base::Duration(std::chrono::seconds(10)));
     }
 
-    void anExistingFileIsAskedFor()
+    void overwritingIsConfirmed()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        QTRY_VERIFY(bench.drawn(QStringLiteral("*/@position")));
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QTRY_VERIFY(fixture.drawn(QStringLiteral("*/@position")));
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("yesterday.csv"));
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("precious");
         file.close();
-        bench.action(ui::Command::Record)->trigger();
-        bench.find<QLineEdit>("recordPath")->setText(path);
-        bench.click("recordStart");
-        QVERIFY(!bench.bench.scope.recording());
+        fixture.action(ui::Command::Record)->trigger();
+        fixture.find<QLineEdit>("recordPath")->setText(path);
+        fixture.click("recordStart");
+        QVERIFY(!fixture.context.liveData.isRecording());
         QCOMPARE(QFileInfo(path).size(), qint64(8));
-        bench.click("recordStart");
-        QTRY_VERIFY(bench.bench.scope.recordingStatus().rows > 0);
-        bench.bench.scope.stopRecording();
-        QTRY_VERIFY(!bench.bench.scope.recording());
+        fixture.click("recordStart");
+        QTRY_VERIFY(fixture.context.liveData.recordingStatus().rows > 0);
+        fixture.context.liveData.stopRecording();
+        QTRY_VERIFY(!fixture.context.liveData.isRecording());
     }
 
-    void whatIsOldLooksOld()
+    void staleValuesLookStale()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        auto* dial = bench.find<ui::PositionDial>("positionDial");
-        QTRY_VERIFY(dial->view().position && !dial->view().old);
-        bench.desk().disconnectFrom();
-        QTRY_VERIFY(dial->view().old);
-        QTRY_VERIFY(bench.find<ui::Pill>("statusMoving")
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        auto* dial = fixture.find<ui::PositionDial>("positionDial");
+        QTRY_VERIFY(dial->view().position && !dial->view().isStale);
+        fixture.desk().disconnectFrom();
+        QTRY_VERIFY(dial->view().isStale);
+        QTRY_VERIFY(fixture.find<ui::Pill>("statusMoving")
                         ->accessibleName()
                         .contains(QLatin1String("not known")));
-        for (const ui::ServoCard* card : bench.window->findChildren<ui::ServoCard*>())
-            QTRY_VERIFY(card->view().old);
+        for (const ui::ServoCard* card : fixture.window->findChildren<ui::ServoCard*>())
+            QTRY_VERIFY(card->view().isStale);
     }
 
     /// The port follows a servo to another baud rate: the others are not read any more, and their
     /// cards must not stay green.
-    void aServoThatIsNotReadAnyMoreIsNeutralWithItsAge()
+    void anUnpolledServoIsNeutralWithItsAge()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(2, QStringLiteral("sim:sts3215@1,sts3215@2")));
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(2, QStringLiteral("sim:sts3215@1,sts3215@2")));
         const auto card = [&](int id) {
-            for (const ui::ServoCard* one : bench.window->findChildren<ui::ServoCard*>()) {
+            for (const ui::ServoCard* one : fixture.window->findChildren<ui::ServoCard*>()) {
                 if (one->view().title.startsWith(QString::number(id)))
                     return one->view();
             }
-            return ui::CardView{};
+            return ui::CardState{};
         };
-        auto* link = bench.find<ui::Pill>("statusLink");
-        auto* dial = bench.find<ui::PositionDial>("positionDial");
+        auto* link = fixture.find<ui::Pill>("statusLink");
+        auto* dial = fixture.find<ui::PositionDial>("positionDial");
         QTRY_COMPARE(card(1).tone, ui::Tone::Good);
         QCOMPARE(card(1).state, QStringLiteral("fine"));
-        QTRY_VERIFY(!dial->view().old);
+        QTRY_VERIFY(!dial->view().isStale);
         const QString fine = link->accessibleName();
-        bench.desk().write(bench.selection().current(),
-                           {{{QStringLiteral("baud_rate"), 1}}, false, true}); // 500 000
-        QVERIFY(bench.settled());
+        fixture.desk().write(fixture.selection().current(),
+                             {{{QStringLiteral("baud_rate"), 1}}, false, true}); // 500 000
+        QVERIFY(fixture.waitUntilIdle());
         QTRY_COMPARE_WITH_TIMEOUT(card(1).tone, ui::Tone::Quiet, 30'000);
-        QVERIFY(card(1).old);
+        QVERIFY(card(1).isStale);
         QTRY_VERIFY2_WITH_TIMEOUT(card(1).state.contains(QStringLiteral("s ago")),
                                   qPrintable(card(1).state), 30'000);
         QTRY_COMPARE(card(2).tone, ui::Tone::Good);
-        for (const session::ServoRef ref : bench.desk().servos()) {
-            if (bench.desk().servo(ref)->servo.id == 1)
-                bench.selection().select(ref);
+        for (const session::ServoRef ref : fixture.desk().servos()) {
+            if (fixture.desk().servo(ref)->servo.id == 1)
+                fixture.selection().select(ref);
         }
-        QTRY_VERIFY(dial->view().old);
+        QTRY_VERIFY(dial->view().isStale);
         QTRY_VERIFY2(link->accessibleName() != fine, qPrintable(fine));
     }
 
-    void aFileThatIsNoRecordingIsNamed()
+    void aFileThatIsNoRecordingIsReported()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("letter.csv"));
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("Dear sir,\n");
         file.close();
-        auto* panel = bench.find<ui::TrendPanel>("trendPanel");
+        auto* panel = fixture.find<ui::TrendPanel>("trendPanel");
         panel->load(path);
-        auto* banner = bench.find<QWidget>("trendBanner");
+        auto* banner = fixture.find<QWidget>("trendBanner");
         QTRY_VERIFY(banner->isVisible());
-        QVERIFY(!panel->replaying());
+        QVERIFY(!panel->isReplaying());
     }
 
     void theTriggerFreezesTheChart()
     {
-        OperateBench bench;
-        QVERIFY(bench.ready(1));
-        auto* chart = bench.find<ui::TrendChart>("trendChart");
-        QTRY_VERIFY(bench.bench.scope.store().count() > 50);
-        bench.click("trendTrigger");
-        auto* kind = bench.find<QComboBox>("triggerKind");
+        OperatePageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        auto* chart = fixture.find<ui::TrendChart>("trendChart");
+        QTRY_VERIFY(fixture.context.liveData.store().count() > 50);
+        fixture.click("trendTrigger");
+        auto* kind = fixture.find<QComboBox>("triggerKind");
         QVERIFY(kind != nullptr);
         kind->setCurrentIndex(7); // something is written
-        bench.find<QDoubleSpinBox>("triggerPre")->setValue(0.2);
-        bench.find<QDoubleSpinBox>("triggerPost")->setValue(0.1);
-        bench.click("triggerArm");
-        QCOMPARE(bench.bench.scope.trigger().state(), record::Trigger::State::Armed);
-        bench.desk().write(bench.selection().current(),
-                           {{{QStringLiteral("position_p"), 40}}, true, false});
-        QTRY_COMPARE(bench.bench.scope.trigger().state(), record::Trigger::State::Complete);
-        QVERIFY(!chart->following());
-        QCOMPARE(chart->shown(), *bench.bench.scope.trigger().window());
+        fixture.find<QDoubleSpinBox>("triggerPre")->setValue(0.2);
+        fixture.find<QDoubleSpinBox>("triggerPost")->setValue(0.1);
+        fixture.click("triggerArm");
+        QCOMPARE(fixture.context.liveData.trigger().state(), record::Trigger::State::Armed);
+        fixture.desk().write(fixture.selection().current(),
+                             {{{QStringLiteral("position_p"), 40}}, true, false});
+        QTRY_COMPARE(fixture.context.liveData.trigger().state(), record::Trigger::State::Complete);
+        QVERIFY(!chart->isFollowing());
+        QCOMPARE(chart->shown(), *fixture.context.liveData.trigger().window());
     }
 };
 

@@ -21,7 +21,7 @@ class TestOptions : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void everythingIsTaken()
+    void allOptionsAreAccepted()
     {
         const auto parsed =
             parse("--port tcp://bench:4000 --baud 115200 --protocol lx --lang zh_CN "
@@ -41,7 +41,7 @@ private Q_SLOTS:
         QCOMPARE(options.size, QSize(1920, 1080));
     }
 
-    void autoIsNoRateAndNoProtocol()
+    void autoMeansAnyRateAndProtocol()
     {
         const auto parsed = parse("--port sim:demo --baud auto --protocol auto");
         QVERIFY(parsed.error.isEmpty());
@@ -49,7 +49,7 @@ private Q_SLOTS:
         QVERIFY(!parsed.options.port->protocol);
     }
 
-    void nonsenseIsNamed_data()
+    void invalidOptionsAreReported_data()
     {
         QTest::addColumn<QString>("line");
         QTest::addColumn<QString>("named");
@@ -70,7 +70,7 @@ private Q_SLOTS:
         QTest::newRow("word") << "sim:demo"
                               << "sim:demo";
     }
-    void nonsenseIsNamed()
+    void invalidOptionsAreReported()
     {
         QFETCH(QString, line);
         QFETCH(QString, named);
@@ -78,7 +78,7 @@ private Q_SLOTS:
         QVERIFY2(parsed.error.contains(named), qPrintable(parsed.error));
     }
 
-    void helpNamesEveryOption()
+    void helpListsEveryOption()
     {
         const QString help = parse("--help").print;
         for (const char* option : {"port", "baud", "protocol", "lang", "theme", "page", "select",

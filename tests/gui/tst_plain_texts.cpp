@@ -20,13 +20,13 @@ QLabel* tip()
 }
 } // namespace
 
-class TestPlainTexts : public QObject {
+class TestPlainTextFilter : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void initTestCase() { ui::initProgram(); }
 
-    void aLabelShowsLetters()
+    void aLabelShowsPlainText()
     {
         QLabel label(markup);
         label.show();
@@ -36,7 +36,7 @@ private Q_SLOTS:
         QVERIFY(label.sizeHint().width() >= label.fontMetrics().horizontalAdvance(markup));
     }
 
-    void whatIsMeantAsRichTextStaysSo()
+    void richTextStaysRichText()
     {
         QLabel label(QStringLiteral("<b>Gains</b>"));
         label.setTextFormat(Qt::RichText);
@@ -44,7 +44,7 @@ private Q_SLOTS:
         QCOMPARE(label.textFormat(), Qt::RichText);
     }
 
-    void aTooltipShowsLetters()
+    void aTooltipShowsPlainText()
     {
         QWidget widget;
         widget.show();
@@ -55,5 +55,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestPlainTexts)
+QTEST_MAIN(TestPlainTextFilter)
 #include "tst_plain_texts.moc"

@@ -14,9 +14,9 @@ namespace {
 const QString usb0 = QStringLiteral("/dev/ttyUSB0");
 const QString usb1 = QStringLiteral("/dev/ttyUSB1");
 
-struct Bench {
-    gui::Plugs plugs;
-    session::PortWatch ports{nullptr, plugs.lister()};
+struct Fixture {
+    gui::FakePortList portList;
+    session::PortWatcher ports{nullptr, portList.lister()};
     PortPicker picker{ports};
     QAbstractItemModelTester tester{picker.model(),
                                     QAbstractItemModelTester::FailureReportingMode::QtTest};
@@ -39,135 +39,136 @@ private Q_SLOTS:
 
     void adaptersAreDescribed();
     void simulatedBusesAreOffered();
-    void pluggingNeverLosesTheChoice();
-    void aChosenAdapterThatIsGoneStays();
-    void theSameAdapterElsewhereIsFollowed();
-    void oneWithoutSerialNumberIsNotFollowed();
+    void pluggingKeepsTheSelection();
+    void aMissingSelectedAdapterStays();
+    void theSameAdapterAtAnotherPathIsFollowed();
+    void anAdapterWithoutSerialNumberIsNotFollowed();
     void anOpenListStaysOpen();
-    void suggestionsGiveWay();
+    void suggestionsYieldToTheUser();
     void typedNamesAreEntries_data();
     void typedNamesAreEntries();
     void theLastEntryAsksForAName();
-    void theWheelChoosesNothing();
+    void theWheelSelectsNothing();
 };
 
 void TestPortPicker::adaptersAreDescribed()
 {
-    Bench bench;
-    bench.plugs.plug(gui::adapter(usb0, QStringLiteral("5A2F31")));
-    QTRY_VERIFY(bench.rowOf(usb0) >= 0);
-    const QString text = bench.picker.itemText(bench.rowOf(usb0));
+    Fixture fixture;
+    fixture.portList.plug(gui::adapter(usb0, QStringLiteral("5A2F31")));
+    QTRY_VERIFY(fixture.rowOf(usb0) >= 0);
+    const QString text = fixture.picker.itemText(fixture.rowOf(usb0));
     QCOMPARE(text, QStringLiteral("ttyUSB0 — USB Serial · QinHeng · 5A2F31"));
-    const QString tip = bench.picker.itemData(bench.rowOf(usb0), Qt::ToolTipRole).toString();
+    const QString tip = fixture.picker.itemData(fixture.rowOf(usb0), Qt::ToolTipRole).toString();
     for (const char* part : {"/dev/ttyUSB0", "QinHeng", "5A2F31", "1a86:7523"})
         QVERIFY2(tip.contains(QLatin1String(part)), qPrintable(tip));
 }
 
 void TestPortPicker::simulatedBusesAreOffered()
 {
-    Bench bench;
+    Fixture fixture;
     for (const QString& name : session::simulatedPorts())
-        QVERIFY2(bench.rowOf(name) >= 0, qPrintable(name));
-    QCOMPARE(bench.picker.port(), QString());
-    QCOMPARE(bench.picker.currentIndex(), -1);
+        QVERIFY2(fixture.rowOf(name) >= 0, qPrintable(name));
+    QCOMPARE(fixture.picker.port(), QString());
+    QCOMPARE(fixture.picker.currentIndex(), -1);
 }
 
-void TestPortPicker::pluggingNeverLosesTheChoice()
+void TestPortPicker::pluggingKeepsTheSelection()
 {
-    Bench bench;
-    bench.plugs.plug(gui::adapter(usb1, QStringLiteral("B")));
-    QTRY_VERIFY(bench.rowOf(usb1) >= 0);
-    QSignalSpy chosen(&bench.picker, &PortPicker::chosen);
+    Fixture fixture;
+    fixture.portList.plug(gui::adapter(usb1, QStringLiteral("B")));
+    QTRY_VERIFY(fixture.rowOf(usb1) >= 0);
+    QSignalSpy chosen(&fixture.picker, &PortPicker::portSelected);
     for (const QString& port : {usb1, QStringLiteral("sim:trouble")}) {
-        bench.choose(port);
-        QCOMPARE(bench.picker.port(), port);
-        const int before = bench.picker.count();
-        bench.plugs.plug(gui::adapter(usb0, QStringLiteral("A"))); // comes before it in the list
-        QTRY_COMPARE(bench.picker.count(), before + 1);
-        QCOMPARE(bench.picker.port(), port);
-        QCOMPARE(bench.picker.currentData().toString(), port);
-        bench.plugs.unplug(usb0);
-        QTRY_COMPARE(bench.picker.count(), before);
-        QCOMPARE(bench.picker.port(), port);
-        QCOMPARE(bench.picker.currentData().toString(), port);
+        fixture.choose(port);
+        QCOMPARE(fixture.picker.port(), port);
+        const int before = fixture.picker.count();
+        fixture.portList.plug(
+            gui::adapter(usb0, QStringLiteral("A"))); // comes before it in the list
+        QTRY_COMPARE(fixture.picker.count(), before + 1);
+        QCOMPARE(fixture.picker.port(), port);
+        QCOMPARE(fixture.picker.currentData().toString(), port);
+        fixture.portList.unplug(usb0);
+        QTRY_COMPARE(fixture.picker.count(), before);
+        QCOMPARE(fixture.picker.port(), port);
+        QCOMPARE(fixture.picker.currentData().toString(), port);
     }
     QCOMPARE(chosen.count(), 2); // by the user, and by nobody else
 }
 
-void TestPortPicker::aChosenAdapterThatIsGoneStays()
+void TestPortPicker::aMissingSelectedAdapterStays()
 {
-    Bench bench;
-    bench.plugs.plug(gui::adapter(usb0, QStringLiteral("A")));
-    bench.plugs.plug(gui::adapter(usb1, QStringLiteral("B")));
-    QTRY_VERIFY(bench.rowOf(usb0) >= 0);
-    bench.choose(usb0);
-    QVERIFY(!bench.picker.isMissing());
-    bench.plugs.unplug(usb0);
-    QTRY_VERIFY(bench.picker.isMissing());
-    QCOMPARE(bench.picker.port(), usb0);
-    QVERIFY2(bench.picker.currentText().contains(QStringLiteral("not there now")),
-             qPrintable(bench.picker.currentText()));
-    QVERIFY(bench.picker.currentText().contains(QStringLiteral("USB Serial"))); // still known
-    bench.plugs.plug(gui::adapter(usb0, QStringLiteral("A")));
-    QTRY_VERIFY(!bench.picker.isMissing());
-    QCOMPARE(bench.picker.port(), usb0);
-    QVERIFY(!bench.picker.currentText().contains(QStringLiteral("not there now")));
+    Fixture fixture;
+    fixture.portList.plug(gui::adapter(usb0, QStringLiteral("A")));
+    fixture.portList.plug(gui::adapter(usb1, QStringLiteral("B")));
+    QTRY_VERIFY(fixture.rowOf(usb0) >= 0);
+    fixture.choose(usb0);
+    QVERIFY(!fixture.picker.isMissing());
+    fixture.portList.unplug(usb0);
+    QTRY_VERIFY(fixture.picker.isMissing());
+    QCOMPARE(fixture.picker.port(), usb0);
+    QVERIFY2(fixture.picker.currentText().contains(QStringLiteral("not there now")),
+             qPrintable(fixture.picker.currentText()));
+    QVERIFY(fixture.picker.currentText().contains(QStringLiteral("USB Serial"))); // still known
+    fixture.portList.plug(gui::adapter(usb0, QStringLiteral("A")));
+    QTRY_VERIFY(!fixture.picker.isMissing());
+    QCOMPARE(fixture.picker.port(), usb0);
+    QVERIFY(!fixture.picker.currentText().contains(QStringLiteral("not there now")));
 }
 
-void TestPortPicker::theSameAdapterElsewhereIsFollowed()
+void TestPortPicker::theSameAdapterAtAnotherPathIsFollowed()
 {
-    Bench bench;
-    bench.plugs.plug(gui::adapter(usb0, QStringLiteral("A")));
-    QTRY_VERIFY(bench.rowOf(usb0) >= 0);
-    bench.choose(usb0);
-    bench.plugs.unplug(usb0);
-    QTRY_VERIFY(bench.picker.isMissing());
-    QSignalSpy chosen(&bench.picker, &PortPicker::chosen);
-    bench.plugs.plug(gui::adapter(usb1, QStringLiteral("A")));
-    QTRY_COMPARE(bench.picker.port(), usb1);
+    Fixture fixture;
+    fixture.portList.plug(gui::adapter(usb0, QStringLiteral("A")));
+    QTRY_VERIFY(fixture.rowOf(usb0) >= 0);
+    fixture.choose(usb0);
+    fixture.portList.unplug(usb0);
+    QTRY_VERIFY(fixture.picker.isMissing());
+    QSignalSpy chosen(&fixture.picker, &PortPicker::portSelected);
+    fixture.portList.plug(gui::adapter(usb1, QStringLiteral("A")));
+    QTRY_COMPARE(fixture.picker.port(), usb1);
     QCOMPARE(chosen.count(), 1);
-    QCOMPARE(bench.picker.currentData().toString(), usb1);
-    QCOMPARE(bench.rowOf(usb0), -1);
+    QCOMPARE(fixture.picker.currentData().toString(), usb1);
+    QCOMPARE(fixture.rowOf(usb0), -1);
 }
 
-void TestPortPicker::oneWithoutSerialNumberIsNotFollowed()
+void TestPortPicker::anAdapterWithoutSerialNumberIsNotFollowed()
 {
-    Bench bench;
-    bench.plugs.plug(gui::adapter(usb0, QString()));
-    QTRY_VERIFY(bench.rowOf(usb0) >= 0);
-    bench.choose(usb0);
-    bench.plugs.unplug(usb0);
-    QTRY_VERIFY(bench.picker.isMissing());
-    bench.plugs.plug(gui::adapter(usb1, QString())); // perhaps another one
-    QTRY_VERIFY(bench.rowOf(usb1) >= 0);
-    QCOMPARE(bench.picker.port(), usb0);
+    Fixture fixture;
+    fixture.portList.plug(gui::adapter(usb0, QString()));
+    QTRY_VERIFY(fixture.rowOf(usb0) >= 0);
+    fixture.choose(usb0);
+    fixture.portList.unplug(usb0);
+    QTRY_VERIFY(fixture.picker.isMissing());
+    fixture.portList.plug(gui::adapter(usb1, QString())); // perhaps another one
+    QTRY_VERIFY(fixture.rowOf(usb1) >= 0);
+    QCOMPARE(fixture.picker.port(), usb0);
 }
 
 void TestPortPicker::anOpenListStaysOpen()
 {
-    Bench bench;
-    bench.plugs.plug(gui::adapter(usb1, QStringLiteral("B")));
-    QTRY_VERIFY(bench.rowOf(usb1) >= 0);
-    bench.choose(usb1);
-    bench.picker.show();
-    bench.picker.showPopup();
-    QTRY_VERIFY(bench.picker.view()->isVisible());
-    bench.plugs.plug(gui::adapter(usb0, QStringLiteral("A")));
-    QTRY_VERIFY(bench.rowOf(usb0) >= 0);
-    QVERIFY(bench.picker.view()->isVisible());
-    QCOMPARE(bench.picker.view()->currentIndex().data(Qt::UserRole).toString(), usb1);
-    bench.picker.hidePopup();
+    Fixture fixture;
+    fixture.portList.plug(gui::adapter(usb1, QStringLiteral("B")));
+    QTRY_VERIFY(fixture.rowOf(usb1) >= 0);
+    fixture.choose(usb1);
+    fixture.picker.show();
+    fixture.picker.showPopup();
+    QTRY_VERIFY(fixture.picker.view()->isVisible());
+    fixture.portList.plug(gui::adapter(usb0, QStringLiteral("A")));
+    QTRY_VERIFY(fixture.rowOf(usb0) >= 0);
+    QVERIFY(fixture.picker.view()->isVisible());
+    QCOMPARE(fixture.picker.view()->currentIndex().data(Qt::UserRole).toString(), usb1);
+    fixture.picker.hidePopup();
 }
 
-void TestPortPicker::suggestionsGiveWay()
+void TestPortPicker::suggestionsYieldToTheUser()
 {
-    Bench bench;
-    QTRY_VERIFY(bench.ports.hasLooked());
-    bench.picker.suggest(QStringLiteral("sim:demo"));
-    QCOMPARE(bench.picker.port(), QStringLiteral("sim:demo"));
-    bench.choose(QStringLiteral("sim:lx"));
-    bench.picker.suggest(QStringLiteral("sim:demo"));
-    QCOMPARE(bench.picker.port(), QStringLiteral("sim:lx"));
+    Fixture fixture;
+    QTRY_VERIFY(fixture.ports.isReady());
+    fixture.picker.suggest(QStringLiteral("sim:demo"));
+    QCOMPARE(fixture.picker.port(), QStringLiteral("sim:demo"));
+    fixture.choose(QStringLiteral("sim:lx"));
+    fixture.picker.suggest(QStringLiteral("sim:demo"));
+    QCOMPARE(fixture.picker.port(), QStringLiteral("sim:lx"));
 }
 
 void TestPortPicker::typedNamesAreEntries_data()
@@ -188,40 +189,40 @@ void TestPortPicker::typedNamesAreEntries()
     QFETCH(const QString, typed);
     QFETCH(const QString, port);
     QCOMPARE(ui::PortDialog::portFrom(typed), port);
-    Bench bench;
-    bench.picker.setPort(port);
-    QCOMPARE(bench.picker.port(), port);
-    QVERIFY(bench.picker.currentIndex() >= 0);
-    QVERIFY(!bench.picker.isMissing()); // nobody knows
-    bench.plugs.plug(gui::adapter(usb0, QStringLiteral("A")));
-    QTRY_VERIFY(bench.rowOf(usb0) >= 0);
-    QCOMPARE(bench.picker.port(), port);
-    bench.choose(QStringLiteral("sim:demo"));
-    QVERIFY(bench.rowOf(port) >= 0); // still to be had
+    Fixture fixture;
+    fixture.picker.setPort(port);
+    QCOMPARE(fixture.picker.port(), port);
+    QVERIFY(fixture.picker.currentIndex() >= 0);
+    QVERIFY(!fixture.picker.isMissing()); // nobody knows
+    fixture.portList.plug(gui::adapter(usb0, QStringLiteral("A")));
+    QTRY_VERIFY(fixture.rowOf(usb0) >= 0);
+    QCOMPARE(fixture.picker.port(), port);
+    fixture.choose(QStringLiteral("sim:demo"));
+    QVERIFY(fixture.rowOf(port) >= 0); // still to be had
 }
 
 void TestPortPicker::theLastEntryAsksForAName()
 {
-    Bench bench;
-    bench.choose(QStringLiteral("sim:demo"));
-    QSignalSpy asked(&bench.picker, &PortPicker::otherWanted);
-    const int last = bench.picker.count() - 1;
-    bench.picker.setCurrentIndex(last);
-    Q_EMIT bench.picker.activated(last);
+    Fixture fixture;
+    fixture.choose(QStringLiteral("sim:demo"));
+    QSignalSpy asked(&fixture.picker, &PortPicker::otherPortRequested);
+    const int last = fixture.picker.count() - 1;
+    fixture.picker.setCurrentIndex(last);
+    Q_EMIT fixture.picker.activated(last);
     QCOMPARE(asked.count(), 1);
-    QCOMPARE(bench.picker.port(), QStringLiteral("sim:demo"));
-    QCOMPARE(bench.picker.currentData().toString(), QStringLiteral("sim:demo"));
+    QCOMPARE(fixture.picker.port(), QStringLiteral("sim:demo"));
+    QCOMPARE(fixture.picker.currentData().toString(), QStringLiteral("sim:demo"));
 }
 
-void TestPortPicker::theWheelChoosesNothing()
+void TestPortPicker::theWheelSelectsNothing()
 {
-    Bench bench;
-    bench.choose(QStringLiteral("sim:demo"));
-    bench.picker.show();
-    QWheelEvent turn({5, 5}, bench.picker.mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton,
+    Fixture fixture;
+    fixture.choose(QStringLiteral("sim:demo"));
+    fixture.picker.show();
+    QWheelEvent turn({5, 5}, fixture.picker.mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton,
                      Qt::NoModifier, Qt::NoScrollPhase, false);
-    QCoreApplication::sendEvent(&bench.picker, &turn);
-    QCOMPARE(bench.picker.currentData().toString(), QStringLiteral("sim:demo"));
+    QCoreApplication::sendEvent(&fixture.picker, &turn);
+    QCOMPARE(fixture.picker.currentData().toString(), QStringLiteral("sim:demo"));
 }
 
 QTEST_MAIN(TestPortPicker)

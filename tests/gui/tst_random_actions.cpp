@@ -23,9 +23,9 @@ constexpr int actions = 1000;
 
 class Monkey {
 public:
-    Monkey(gui::WindowBench& bench, quint32 seed)
-        : m_bench(bench)
-        , m_dice(seed)
+    Monkey(gui::MainWindowFixture& fixture, quint32 seed)
+        : m_fixture(fixture)
+        , m_random(seed)
     {
         // A button with a menu runs that menu's own event loop and comes back when it is closed.
         // What stands in the menus are commands, which are taken anyway.
@@ -39,7 +39,7 @@ public:
     void act()
     {
         m_acting = true;
-        doSomething();
+        performRandomAction();
         m_acting = false;
         // Qt's own windows ask their questions in event loops of their own, too.
         if (auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget()))
@@ -48,9 +48,9 @@ public:
     }
 
 private:
-    void doSomething()
+    void performRandomAction()
     {
-        const int what = m_dice.bounded(100);
+        const int what = m_random.bounded(100);
         if (what < 45)
             click();
         else if (what < 70)
@@ -58,7 +58,7 @@ private:
         else if (what < 88)
             command();
         else if (what < 93)
-            switchLooks();
+            switchThemeOrLanguage();
         else if (what < 98)
             trouble();
         else
@@ -68,7 +68,7 @@ private:
     template <typename T>
     T pick(const QList<T>& list)
     {
-        return list[m_dice.bounded(list.size())];
+        return list[m_random.bounded(list.size())];
     }
 
     /// What the mouse can reach now.
@@ -78,7 +78,7 @@ private:
             return popup;
         if (QWidget* modal = QApplication::activeModalWidget())
             return modal;
-        return m_bench.window.get();
+        return m_fixture.window.get();
     }
 
     void click()
@@ -100,11 +100,11 @@ private:
         if (targets.isEmpty())
             return;
         QPointer<QWidget> target = pick(targets);
-        const QPoint at(m_dice.bounded(std::max(1, target->width())),
-                        m_dice.bounded(std::max(1, target->height())));
-        const Qt::MouseButton button = m_dice.bounded(10) == 0 ? Qt::RightButton : Qt::LeftButton;
+        const QPoint at(m_random.bounded(std::max(1, target->width())),
+                        m_random.bounded(std::max(1, target->height())));
+        const Qt::MouseButton button = m_random.bounded(10) == 0 ? Qt::RightButton : Qt::LeftButton;
         QTest::mouseClick(target, button, {}, at);
-        if (target && m_dice.bounded(3) == 0)
+        if (target && m_random.bounded(3) == 0)
             QTest::mouseDClick(target, Qt::LeftButton, {}, at);
     }
 
@@ -117,14 +117,14 @@ private:
                                      Qt::Key_X,      Qt::Key_F5,     Qt::Key_F6};
         QWidget* focus = QApplication::focusWidget();
         QWidget* target = focus != nullptr ? focus : window();
-        if (m_dice.bounded(4) == 0 && qobject_cast<QLineEdit*>(target) != nullptr) {
-            static const QStringList rubbish{QStringLiteral("99999999999999999999"),
-                                             QStringLiteral("abc"),
-                                             QStringLiteral("-1"),
-                                             QStringLiteral("12,5 V"),
-                                             QStringLiteral("\u0000\u4e2d"),
-                                             QStringLiteral("0x1F")};
-            static_cast<QLineEdit*>(target)->insert(pick(rubbish));
+        if (m_random.bounded(4) == 0 && qobject_cast<QLineEdit*>(target) != nullptr) {
+            static const QStringList invalidTexts{QStringLiteral("99999999999999999999"),
+                                                  QStringLiteral("abc"),
+                                                  QStringLiteral("-1"),
+                                                  QStringLiteral("12,5 V"),
+                                                  QStringLiteral("\u0000\u4e2d"),
+                                                  QStringLiteral("0x1F")};
+            static_cast<QLineEdit*>(target)->insert(pick(invalidTexts));
             return;
         }
         QTest::keyClick(target, static_cast<Qt::Key>(pick(keys)));
@@ -132,32 +132,33 @@ private:
 
     void command()
     {
-        const auto command = static_cast<Command>(m_dice.bounded(static_cast<int>(Command::Count)));
+        const auto command =
+            static_cast<Command>(m_random.bounded(static_cast<int>(Command::Count)));
         // Those that end the program or open the system's own windows.
         if (command == Command::Quit || command == Command::PrintTable ||
             command == Command::ExportTable || command == Command::Record ||
             command == Command::OpenRecording)
             return;
         if (QApplication::activeModalWidget() == nullptr)
-            m_bench.action(command)->trigger();
+            m_fixture.action(command)->trigger();
     }
 
-    void switchLooks()
+    void switchThemeOrLanguage()
     {
-        if (m_dice.bounded(2) == 0)
-            m_bench.languages.apply(m_bench.languages.chinese() ? QStringLiteral("en")
-                                                                : QStringLiteral("zh_CN"));
+        if (m_random.bounded(2) == 0)
+            m_fixture.languages.apply(m_fixture.languages.chinese() ? QStringLiteral("en")
+                                                                    : QStringLiteral("zh_CN"));
         else
-            m_bench.themes.apply(static_cast<session::Theme>(m_dice.bounded(3)));
+            m_fixture.themes.apply(static_cast<session::Theme>(m_random.bounded(3)));
     }
 
     void trouble()
     {
-        if (m_bench.desk().connection() == nullptr ||
-            m_bench.desk().connection()->simulation() == nullptr)
+        if (m_fixture.desk().connection() == nullptr ||
+            m_fixture.desk().connection()->simulation() == nullptr)
             return;
-        const int what = m_dice.bounded(5);
-        m_bench.desk().connection()->simulation()->with([what](sim::VirtualBus& bus) {
+        const int what = m_random.bounded(5);
+        m_fixture.desk().connection()->simulation()->with([what](sim::VirtualBus& bus) {
             auto& faults = bus.config().faults;
             faults = {};
             if (what == 0)
@@ -173,23 +174,23 @@ private:
 
     void reconnect()
     {
-        if (m_bench.desk().state() == session::LinkState::Open)
+        if (m_fixture.desk().state() == session::LinkState::Open)
             return;
-        m_bench.window->start({.port = session::PortRequest{.name = QStringLiteral("sim:demo")}});
+        m_fixture.window->start({.port = session::PortRequest{.name = QStringLiteral("sim:demo")}});
     }
 
-    gui::WindowBench& m_bench;
-    QRandomGenerator m_dice;
+    gui::MainWindowFixture& m_fixture;
+    QRandomGenerator m_random;
     QTimer m_menus;
     bool m_acting = false;
 };
 
-int openLocks(gui::WindowBench& bench)
+int openLocks(gui::MainWindowFixture& fixture)
 {
     int open = 0;
-    if (bench.desk().connection() == nullptr)
+    if (fixture.desk().connection() == nullptr)
         return open;
-    bench.desk().connection()->simulation()->with([&](sim::VirtualBus& bus) {
+    fixture.desk().connection()->simulation()->with([&](sim::VirtualBus& bus) {
         for (sim::VirtualServo* servo : bus.servos())
             open += servo->raw(QStringLiteral("lock")) == 0 ? 1 : 0;
     });
@@ -216,31 +217,31 @@ private Q_SLOTS:
             QStringLiteral("^(?!This plugin does not support |Keyboard event not accepted )")));
     }
 
-    void nothingBreaks()
+    void randomActionsBreakNothing()
     {
         bool given = false;
         const auto asked = qEnvironmentVariableIntValue("SERVODESK_SEED", &given);
         const quint32 seed = given ? static_cast<quint32>(asked) : 20261121U;
         qInfo("seed %u", seed);
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        Monkey monkey(bench, seed);
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        Monkey monkey(fixture, seed);
         for (int i = 0; i < actions; ++i) {
             monkey.act();
-            QVERIFY(bench.window->isVisible());
+            QVERIFY(fixture.window->isVisible());
         }
         closeEverything();
-        if (bench.desk().connection() != nullptr)
-            bench.desk().connection()->simulation()->with(
+        if (fixture.desk().connection() != nullptr)
+            fixture.desk().connection()->simulation()->with(
                 [](sim::VirtualBus& bus) { bus.config().faults = {}; });
-        bench.desk().stopSearch();
-        bench.desk().stopTask();
-        QVERIFY(bench.settled());
+        fixture.desk().stopSearch();
+        fixture.desk().stopTask();
+        QVERIFY(fixture.waitUntilIdle());
         closeEverything();
-        const int locks = openLocks(bench);
-        bench.window->close();
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.window->isVisible(), 20000);
-        const auto open = bench.session.journal().open();
+        const int locks = openLocks(fixture);
+        fixture.window->close();
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture.window->isVisible(), 20000);
+        const auto open = fixture.session.journal().open();
         QVERIFY(open);
         // One was opened by hand. Where a silent servo kept ServoDesk from closing its lock, the
         // journal knows it.

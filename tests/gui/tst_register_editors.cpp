@@ -37,24 +37,24 @@ private Q_SLOTS:
     void numbersStep();
     void physicalValuesKeepTheirUnit();
     void listsShowNumbers();
-    void listsKeepWhatWasRead();
+    void listsKeepTheReadValue();
     void bitsAddUp();
-    void unnamedBitsAreKept();
-    void theSumMovesTheTicks();
-    void complaintsSayWhatToDo_data();
-    void complaintsSayWhatToDo();
-    void complaintsAreShort();
-    void whatWasReadMayStay();
+    void unnamedBitsArePreserved();
+    void editingTheSumChecksTheBits();
+    void errorMessagesSayWhatToDo_data();
+    void errorMessagesSayWhatToDo();
+    void errorMessagesAreShort();
+    void theReadValueIsAlwaysAccepted();
 
     void enterWrites();
     void escapeCancels();
-    void rubbishKeepsTheEditorOpen();
-    void pastedRubbishWritesNothing();
-    void leavingWritesNothingAndSaysSo();
+    void invalidInputKeepsTheEditorOpen();
+    void invalidPastedTextWritesNothing();
+    void losingFocusWritesNothingAndReportsIt();
     void untouchedWritesNothing();
-    void digitsBeginAValue();
-    void readOnlyRowsSaySo();
-    void liveReadingsDoNotDisturbTyping();
+    void digitsStartEditing();
+    void readOnlyRowsAreMarked();
+    void pollingDoesNotDisturbTyping();
     void bitsFitInATable();
 
 private:
@@ -66,23 +66,23 @@ private:
 
 namespace {
 /// A table with its delegate, as the page has it.
-struct Table {
+struct EditorFixture {
     ui::MemoryModel model;
     ui::MemoryFilter filter;
     ui::MemoryView view{nullptr};
     ui::RegisterDelegate* delegate = new ui::RegisterDelegate(&view);
-    QSignalSpy wanted{&model, &ui::MemoryModel::writeWanted};
+    QSignalSpy writeRequests{&model, &ui::MemoryModel::writeRequested};
     bool active = false;
-    QSignalSpy left{delegate, &ui::RegisterDelegate::leftUnwritten};
+    QSignalSpy left{delegate, &ui::RegisterDelegate::editorLeft};
 
-    explicit Table(const session::ServoEntry& entry)
+    explicit EditorFixture(const session::ServoEntry& entry)
     {
         filter.setSourceModel(&model);
         view.setItemDelegate(delegate);
         view.setModel(&filter);
         model.setEntry(&entry, {});
         view.resize(900, 500);
-        view.measure();
+        view.resizeColumns();
         view.show();
         view.activateWindow();
         active = QTest::qWaitForWindowActive(&view);
@@ -112,7 +112,7 @@ struct Table {
 void type(RegisterEditor* editor, const QString& text)
 {
     editor->selectAll();
-    QTest::keyClicks(editor->keyTakers().front(), text);
+    QTest::keyClicks(editor->is().front(), text);
 }
 } // namespace
 
@@ -159,7 +159,7 @@ void TestRegisterEditors::numbersAreTyped_data()
 {
     QTest::addColumn<QString>("key");
     QTest::addColumn<bool>("physical");
-    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("inputText");
     QTest::addColumn<int>("raw");
     QTest::newRow("plain") << "position_p" << false << "40" << 40;
     QTest::newRow("hexadecimal") << "position_p" << false << "0x28" << 40;
@@ -175,29 +175,29 @@ void TestRegisterEditors::numbersAreTyped()
 {
     QFETCH(QString, key);
     QFETCH(bool, physical);
-    QFETCH(QString, typed);
+    QFETCH(QString, inputText);
     QFETCH(int, raw);
     RegisterEditor* editor = make(qPrintable(key), physical);
-    QVERIFY(!editor->touched());
-    QSignalSpy edited(editor, &RegisterEditor::edited);
-    type(editor, typed);
-    QVERIFY(editor->touched());
+    QVERIFY(!editor->isModified());
+    QSignalSpy edited(editor, &RegisterEditor::userEdited);
+    type(editor, inputText);
+    QVERIFY(editor->isModified());
     QVERIFY(edited.count() > 0);
-    QVERIFY2(editor->value().has_value(), qPrintable(editor->complaint()));
+    QVERIFY2(editor->value().has_value(), qPrintable(editor->inputError()));
     QCOMPARE(*editor->value(), raw);
 }
 
 void TestRegisterEditors::numbersStep()
 {
     RegisterEditor* editor = make("position_p");
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Up);
+    QTest::keyClick(editor->is().front(), Qt::Key_Up);
     QCOMPARE(*editor->value(), 33);
-    QVERIFY(editor->touched());
+    QVERIFY(editor->isModified());
     type(editor, QStringLiteral("254"));
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Up);
+    QTest::keyClick(editor->is().front(), Qt::Key_Up);
     QCOMPARE(*editor->value(), 254);
     type(editor, QStringLiteral("0"));
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Down);
+    QTest::keyClick(editor->is().front(), Qt::Key_Down);
     QCOMPARE(*editor->value(), 0);
 }
 
@@ -205,10 +205,10 @@ void TestRegisterEditors::physicalValuesKeepTheirUnit()
 {
     put(m_entry, QStringLiteral("max_voltage"), 80);
     RegisterEditor* editor = make("max_voltage", true);
-    QCOMPARE(editor->typed(), QStringLiteral("8.0 V"));
+    QCOMPARE(editor->inputText(), QStringLiteral("8.0 V"));
     QCOMPARE(*editor->value(), 80);
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Up);
-    QCOMPARE(editor->typed(), QStringLiteral("8.1 V"));
+    QTest::keyClick(editor->is().front(), Qt::Key_Up);
+    QCOMPARE(editor->inputText(), QStringLiteral("8.1 V"));
     QCOMPARE(*editor->value(), 81);
 }
 
@@ -220,21 +220,21 @@ void TestRegisterEditors::listsShowNumbers()
     QVERIFY(box->itemText(1).startsWith(QStringLiteral("1 — ")));
     QCOMPARE(box->currentIndex(), 0);
     QTest::keyClick(box, Qt::Key_Down);
-    QVERIFY(editor->touched());
+    QVERIFY(editor->isModified());
     QCOMPARE(*editor->value(), 1);
 }
 
-void TestRegisterEditors::listsKeepWhatWasRead()
+void TestRegisterEditors::listsKeepTheReadValue()
 {
     put(m_entry, QStringLiteral("operating_mode"), 9);
     RegisterEditor* editor = make("operating_mode");
     auto* box = editor->findChild<QComboBox*>(QStringLiteral("valueList"));
     QVERIFY(box->currentText().startsWith(QStringLiteral("9 — ")));
-    QVERIFY(!editor->touched());
+    QVERIFY(!editor->isModified());
     QCOMPARE(*editor->value(), 9);
     editor->setRaw(std::nullopt);
     QVERIFY(!editor->value().has_value());
-    QVERIFY(!editor->complaint().isEmpty());
+    QVERIFY(!editor->inputError().isEmpty());
 }
 
 void TestRegisterEditors::bitsAddUp()
@@ -253,11 +253,11 @@ void TestRegisterEditors::bitsAddUp()
     QTest::keyClick(two, Qt::Key_Space);
     QCOMPARE(sum->text(), QStringLiteral("44"));
     QCOMPARE(*editor->value(), 44);
-    QVERIFY(editor->touched());
+    QVERIFY(editor->isModified());
     m_home.hide();
 }
 
-void TestRegisterEditors::unnamedBitsAreKept()
+void TestRegisterEditors::unnamedBitsArePreserved()
 {
     put(m_entry, QStringLiteral("unload_condition"), 128 + 4);
     RegisterEditor* editor = make("unload_condition");
@@ -277,7 +277,7 @@ void TestRegisterEditors::unnamedBitsAreKept()
     QCOMPARE(*editor->value(), 128 + 32 + 4);
 }
 
-void TestRegisterEditors::theSumMovesTheTicks()
+void TestRegisterEditors::editingTheSumChecksTheBits()
 {
     RegisterEditor* editor = make("unload_condition");
     type(editor, QStringLiteral("33"));
@@ -290,10 +290,10 @@ void TestRegisterEditors::theSumMovesTheTicks()
     QVERIFY(!editor->value().has_value());
 }
 
-void TestRegisterEditors::complaintsSayWhatToDo_data()
+void TestRegisterEditors::errorMessagesSayWhatToDo_data()
 {
     QTest::addColumn<QString>("key");
-    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("inputText");
     QTest::addColumn<QString>("what");
     QTest::addColumn<QString>("remedy");
     QTest::newRow("letters") << "position_p"
@@ -330,30 +330,30 @@ void TestRegisterEditors::complaintsSayWhatToDo_data()
                                       << "unit";
 }
 
-void TestRegisterEditors::complaintsSayWhatToDo()
+void TestRegisterEditors::errorMessagesSayWhatToDo()
 {
     QFETCH(QString, key);
-    QFETCH(QString, typed);
+    QFETCH(QString, inputText);
     QFETCH(QString, what);
     QFETCH(QString, remedy);
     RegisterEditor* editor = make(qPrintable(key));
     editor->findChild<QLineEdit*>()->clear();
-    QTest::keyClicks(editor->keyTakers().front(), typed);
+    QTest::keyClicks(editor->is().front(), inputText);
     QVERIFY(!editor->value().has_value());
-    const QString complaint = editor->complaint();
-    QVERIFY2(complaint.contains(what), qPrintable(complaint));
-    QVERIFY2(complaint.contains(remedy), qPrintable(complaint));
-    QVERIFY2(complaint.contains(QStringLiteral("Nothing was written")), qPrintable(complaint));
+    const QString inputError = editor->inputError();
+    QVERIFY2(inputError.contains(what), qPrintable(inputError));
+    QVERIFY2(inputError.contains(remedy), qPrintable(inputError));
+    QVERIFY2(inputError.contains(QStringLiteral("Nothing was written")), qPrintable(inputError));
 }
 
-void TestRegisterEditors::complaintsAreShort()
+void TestRegisterEditors::errorMessagesAreShort()
 {
     RegisterEditor* editor = make("position_p");
     editor->findChild<QLineEdit*>()->setText(QString(100'000, u'x'));
-    QVERIFY(editor->complaint().size() < 400);
+    QVERIFY(editor->inputError().size() < 400);
 }
 
-void TestRegisterEditors::whatWasReadMayStay()
+void TestRegisterEditors::theReadValueIsAlwaysAccepted()
 {
     put(m_entry, QStringLiteral("cw_dead_zone"), 99); // documented: 0–32
     RegisterEditor* editor = make("cw_dead_zone");
@@ -366,14 +366,14 @@ void TestRegisterEditors::whatWasReadMayStay()
 
 void TestRegisterEditors::enterWrites()
 {
-    Table table(m_entry);
+    EditorFixture table(m_entry);
     RegisterEditor* editor = table.open("position_p");
     QVERIFY(editor);
     type(editor, QStringLiteral("40"));
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Return);
-    QCOMPARE(table.wanted.count(), 1);
-    QCOMPARE(table.wanted.at(0).at(0).toString(), QStringLiteral("position_p"));
-    QCOMPARE(table.wanted.at(0).at(1).toInt(), 40);
+    QTest::keyClick(editor->is().front(), Qt::Key_Return);
+    QCOMPARE(table.writeRequests.count(), 1);
+    QCOMPARE(table.writeRequests.at(0).at(0).toString(), QStringLiteral("position_p"));
+    QCOMPARE(table.writeRequests.at(0).at(1).toInt(), 40);
     QVERIFY(!table.delegate->openEditor());
     QCOMPARE(table.left.count(), 0);
     QCOMPARE(table.message(), QString());
@@ -381,101 +381,101 @@ void TestRegisterEditors::enterWrites()
 
 void TestRegisterEditors::escapeCancels()
 {
-    Table table(m_entry);
+    EditorFixture table(m_entry);
     RegisterEditor* editor = table.open("position_p");
     type(editor, QStringLiteral("40"));
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Escape);
+    QTest::keyClick(editor->is().front(), Qt::Key_Escape);
     QVERIFY(!table.delegate->openEditor());
-    QCOMPARE(table.wanted.count(), 0);
+    QCOMPARE(table.writeRequests.count(), 0);
     QCOMPARE(table.left.count(), 0);
 }
 
-void TestRegisterEditors::rubbishKeepsTheEditorOpen()
+void TestRegisterEditors::invalidInputKeepsTheEditorOpen()
 {
-    Table table(m_entry);
+    EditorFixture table(m_entry);
     RegisterEditor* editor = table.open("position_p");
     type(editor, QStringLiteral("4x"));
     QVERIFY(table.message().contains(QStringLiteral("4x")));
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Return);
+    QTest::keyClick(editor->is().front(), Qt::Key_Return);
     QCOMPARE(table.delegate->openEditor(), editor);
-    QCOMPARE(table.wanted.count(), 0);
+    QCOMPARE(table.writeRequests.count(), 0);
     QVERIFY(table.message().contains(QStringLiteral("0–254")));
     // What is put right goes through, and the message goes away.
     type(editor, QStringLiteral("41"));
     QCOMPARE(table.message(), QString());
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Return);
-    QCOMPARE(table.wanted.count(), 1);
-    QCOMPARE(table.wanted.at(0).at(1).toInt(), 41);
+    QTest::keyClick(editor->is().front(), Qt::Key_Return);
+    QCOMPARE(table.writeRequests.count(), 1);
+    QCOMPARE(table.writeRequests.at(0).at(1).toInt(), 41);
 }
 
-void TestRegisterEditors::pastedRubbishWritesNothing()
+void TestRegisterEditors::invalidPastedTextWritesNothing()
 {
-    Table table(m_entry);
+    EditorFixture table(m_entry);
     RegisterEditor* editor = table.open("position_p");
     QGuiApplication::clipboard()->setText(
         QStringLiteral("Dear all,\nplease find attached\t=cmd|' /C calc'!A0\n\u202e\u0000 12"));
     editor->selectAll();
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_V, Qt::ControlModifier);
-    QVERIFY(editor->typed().contains(QStringLiteral("Dear all")));
+    QTest::keyClick(editor->is().front(), Qt::Key_V, Qt::ControlModifier);
+    QVERIFY(editor->inputText().contains(QStringLiteral("Dear all")));
     QVERIFY(!table.message().isEmpty());
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Enter);
-    QCOMPARE(table.wanted.count(), 0);
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Escape);
-    QCOMPARE(table.wanted.count(), 0);
+    QTest::keyClick(editor->is().front(), Qt::Key_Enter);
+    QCOMPARE(table.writeRequests.count(), 0);
+    QTest::keyClick(editor->is().front(), Qt::Key_Escape);
+    QCOMPARE(table.writeRequests.count(), 0);
     QCOMPARE(table.message(), QString());
 }
 
-void TestRegisterEditors::leavingWritesNothingAndSaysSo()
+void TestRegisterEditors::losingFocusWritesNothingAndReportsIt()
 {
-    Table table(m_entry);
+    EditorFixture table(m_entry);
     QVERIFY(table.active);
     RegisterEditor* editor = table.open("position_p");
     type(editor, QStringLiteral("40"));
     table.view.setFocus(Qt::MouseFocusReason);
     QVERIFY(!table.delegate->openEditor());
-    QCOMPARE(table.wanted.count(), 0);
+    QCOMPARE(table.writeRequests.count(), 0);
     QCOMPARE(table.left.count(), 1);
     QVERIFY(table.left.at(0).at(0).toString().contains(QStringLiteral("40")));
 }
 
 void TestRegisterEditors::untouchedWritesNothing()
 {
-    Table table(m_entry);
+    EditorFixture table(m_entry);
     RegisterEditor* editor = table.open("position_p");
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Return);
-    QCOMPARE(table.wanted.count(), 0);
+    QTest::keyClick(editor->is().front(), Qt::Key_Return);
+    QCOMPARE(table.writeRequests.count(), 0);
     editor = table.open("position_p");
     table.view.setFocus(Qt::MouseFocusReason);
-    QCOMPARE(table.wanted.count(), 0);
+    QCOMPARE(table.writeRequests.count(), 0);
     QCOMPARE(table.left.count(), 0);
 }
 
-void TestRegisterEditors::digitsBeginAValue()
+void TestRegisterEditors::digitsStartEditing()
 {
-    Table table(m_entry);
+    EditorFixture table(m_entry);
     table.view.setCurrentIndex(table.at("position_p", MemoryColumn::Name));
     QTest::keyClick(&table.view, Qt::Key_X);
     QVERIFY(!table.delegate->openEditor());
     QTest::keyClick(&table.view, Qt::Key_5);
     RegisterEditor* editor = table.delegate->openEditor();
     QVERIFY(editor);
-    QCOMPARE(editor->typed(), QStringLiteral("5"));
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Return);
-    QCOMPARE(table.wanted.count(), 1);
-    QCOMPARE(table.wanted.at(0).at(1).toInt(), 5);
+    QCOMPARE(editor->inputText(), QStringLiteral("5"));
+    QTest::keyClick(editor->is().front(), Qt::Key_Return);
+    QCOMPARE(table.writeRequests.count(), 1);
+    QCOMPARE(table.writeRequests.at(0).at(1).toInt(), 5);
 }
 
-void TestRegisterEditors::readOnlyRowsSaySo()
+void TestRegisterEditors::readOnlyRowsAreMarked()
 {
-    Table table(m_entry);
-    QSignalSpy told(&table.view, &ui::MemoryView::readOnlyChosen);
+    EditorFixture table(m_entry);
+    QSignalSpy readOnlySignals(&table.view, &ui::MemoryView::readOnlyActivated);
     QVERIFY(!table.open("present_voltage"));
-    QCOMPARE(told.count(), 1);
+    QCOMPARE(readOnlySignals.count(), 1);
 }
 
-void TestRegisterEditors::liveReadingsDoNotDisturbTyping()
+void TestRegisterEditors::pollingDoesNotDisturbTyping()
 {
-    Table table(m_entry);
+    EditorFixture table(m_entry);
     RegisterEditor* editor = table.open("position_p");
     put(m_entry, QStringLiteral("position_p"), 90);
     table.model.setEntry(&m_entry, {});
@@ -483,19 +483,19 @@ void TestRegisterEditors::liveReadingsDoNotDisturbTyping()
     put(m_entry, QStringLiteral("position_p"), 91);
     table.model.setEntry(&m_entry, {});
     QCOMPARE(table.delegate->openEditor(), editor);
-    QCOMPARE(editor->typed(), QStringLiteral("40"));
+    QCOMPARE(editor->inputText(), QStringLiteral("40"));
 }
 
 void TestRegisterEditors::bitsFitInATable()
 {
-    Table table(m_entry);
+    EditorFixture table(m_entry);
     RegisterEditor* editor = table.open("led_alarm_condition");
     QVERIFY(editor);
     const QRect room = table.view.viewport()->rect();
     QVERIFY(room.contains(editor->geometry()));
     QVERIFY(editor->height() >= editor->sizeHint().height());
     // The last visible row has no room below.
-    QTest::keyClick(editor->keyTakers().front(), Qt::Key_Escape);
+    QTest::keyClick(editor->is().front(), Qt::Key_Escape);
     table.view.resize(900, 220);
     table.view.scrollTo(table.at("phase"), QAbstractItemView::PositionAtBottom);
     editor = table.open("phase");
@@ -505,8 +505,8 @@ void TestRegisterEditors::bitsFitInATable()
     QCOMPARE(table.delegate->openEditor(), editor);
     QTest::keyClick(editor->findChild<QCheckBox*>(QStringLiteral("bit4")), Qt::Key_Space);
     QTest::keyClick(editor->findChild<QCheckBox*>(QStringLiteral("bit4")), Qt::Key_Return);
-    QCOMPARE(table.wanted.count(), 1);
-    QCOMPARE(table.wanted.at(0).at(1).toInt(), 16);
+    QCOMPARE(table.writeRequests.count(), 1);
+    QCOMPARE(table.writeRequests.at(0).at(1).toInt(), 16);
 }
 
 QTEST_MAIN(TestRegisterEditors)

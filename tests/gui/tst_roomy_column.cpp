@@ -17,7 +17,7 @@ int sum(const QTableWidget& table)
 }
 } // namespace
 
-class TestRoomyColumn : public QObject {
+class TestStretchFirstColumn : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -31,13 +31,13 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowExposed(&m_table));
     }
 
-    void theFirstTakesWhatIsLeft()
+    void theFirstColumnStretches()
     {
         QTRY_COMPARE(sum(m_table), m_table.viewport()->width());
         QVERIFY(m_table.columnWidth(0) > m_table.columnWidth(1));
     }
 
-    void itIsNeverCut()
+    void theFirstColumnIsNeverElided()
     {
         m_table.resize(260, 200);
         QTRY_VERIFY(m_table.columnWidth(0) >= needed());
@@ -46,7 +46,7 @@ private Q_SLOTS:
         QTRY_COMPARE(sum(m_table), m_table.viewport()->width());
     }
 
-    void othersThatGrowDoNotCutIt()
+    void growingColumnsDoNotElideIt()
     {
         m_table.resize(620, 200);
         m_table.item(0, 2)->setText(QString(60, QLatin1Char('x')));
@@ -61,8 +61,8 @@ private:
     }
 
     QTableWidget m_table{1, columns};
-    ui::RoomyColumn* m_roomy = new ui::RoomyColumn(&m_table);
+    ui::StretchFirstColumn* m_roomy = new ui::StretchFirstColumn(&m_table);
 };
 
-QTEST_MAIN(TestRoomyColumn)
+QTEST_MAIN(TestStretchFirstColumn)
 #include "tst_roomy_column.moc"

@@ -23,7 +23,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-using session::Archive;
+using session::HistoryService;
 using ui::RunColumn;
 using ui::RunsDialog;
 
@@ -83,7 +83,7 @@ private:
 
     std::unique_ptr<QTemporaryDir> m_dir;
     std::unique_ptr<session::Settings> m_settings;
-    std::unique_ptr<Archive> m_archive;
+    std::unique_ptr<HistoryService> m_historyService;
     QPointer<RunsDialog> m_dialog;
 
 private Q_SLOTS:
@@ -91,15 +91,15 @@ private Q_SLOTS:
     void cleanup();
 
     void listsAndFilters();
-    void nothingThereSaysSo();
+    void emptyListIsExplained();
     void labelAndReference();
-    void twoAreHeldAgainstEachOther();
-    void whatCannotBeComparedIsSaidFirst();
+    void twoRunsAreCompared();
+    void incomparableRunsAreReportedFirst();
     void reportsAreSaved();
-    void whatDidNotFinishIsNoReference();
+    void unfinishedRunsAreNoReference();
     void deletingAsksFirst();
-    void anUnusableHistoryIsSaid();
-    void speaksBothLanguages();
+    void anUnusableHistoryIsReported();
+    void isTranslated();
     void theReferenceInAText();
 };
 
@@ -109,20 +109,20 @@ void TestRunsDialog::init()
         QRegularExpression(text("^(?!This plugin does not support propagateSizeHints)")));
     m_dir = std::make_unique<QTemporaryDir>();
     m_settings = std::make_unique<session::Settings>();
-    m_archive = std::make_unique<Archive>(m_dir->filePath(text("history.sqlite")));
-    m_archive->keep(runOf("STS3215", 1, 0));
-    m_archive->keep(runOf("STS3215", 2, 1));
+    m_historyService = std::make_unique<HistoryService>(m_dir->filePath(text("history.sqlite")));
+    m_historyService->saveRun(runOf("STS3215", 1, 0));
+    m_historyService->saveRun(runOf("STS3215", 2, 1));
     QFile readings(m_dir->filePath(text("kept.readings.csv")));
     QVERIFY(readings.open(QIODevice::WriteOnly) && readings.write("time_us\n1\n") > 0);
-    m_archive->keep(runOf("SCS15", 3, 2), {readings.fileName()});
-    m_dialog = new RunsDialog(*m_archive, *m_settings, nullptr);
+    m_historyService->saveRun(runOf("SCS15", 3, 2), {readings.fileName()});
+    m_dialog = new RunsDialog(*m_historyService, *m_settings, nullptr);
     m_dialog->show();
 }
 
 void TestRunsDialog::cleanup()
 {
     delete m_dialog;
-    m_archive.reset();
+    m_historyService.reset();
 }
 
 void TestRunsDialog::listsAndFilters()
@@ -140,15 +140,15 @@ void TestRunsDialog::listsAndFilters()
     QVERIFY(part<QLabel>(m_dialog, "runsHint")->text().contains(text("filter")));
     part<QLineEdit>(m_dialog, "runsFilter")->clear();
     QTRY_COMPARE(rows(), 3);
-    m_archive->keep(runOf("HLS3606", 9, 5)); // another test ends meanwhile
+    m_historyService->saveRun(runOf("HLS3606", 9, 5)); // another test ends meanwhile
     QTRY_COMPARE(rows(), 4);
     QCOMPARE(cell(0, RunColumn::Servo), text("9"));
 }
 
-void TestRunsDialog::nothingThereSaysSo()
+void TestRunsDialog::emptyListIsExplained()
 {
     delete m_dialog;
-    Archive empty(m_dir->filePath(text("other.sqlite")));
+    HistoryService empty(m_dir->filePath(text("other.sqlite")));
     m_dialog = new RunsDialog(empty, *m_settings, nullptr);
     m_dialog->show();
     QTRY_VERIFY(part<QLabel>(m_dialog, "runsHint")->text().contains(text("No test has been run")));
@@ -182,7 +182,7 @@ void TestRunsDialog::labelAndReference()
     QTRY_VERIFY(cell(2, RunColumn::Reference).isEmpty());
 }
 
-void TestRunsDialog::twoAreHeldAgainstEachOther()
+void TestRunsDialog::twoRunsAreCompared()
 {
     QTRY_COMPARE(rows(), 3);
     select({1});
@@ -207,19 +207,19 @@ void TestRunsDialog::twoAreHeldAgainstEachOther()
     part<QPushButton>(compare, "compareSave")->click();
     choose(compare, "compareFileDialog", path);
     QTRY_VERIFY(QFile::exists(path));
-    QTRY_VERIFY(compare->findChild<ui::TaskResult*>()->told().what.contains(text("pair.html")));
+    QTRY_VERIFY(compare->findChild<ui::TaskResult*>()->text().message.contains(text("pair.html")));
     part<QPushButton>(compare, "compareSave")->click();
     choose(compare, "compareFileDialog", m_dir->path()); // a folder
-    QTRY_VERIFY(!compare->findChild<ui::TaskResult*>()->told().what.contains(text("pair.html")));
+    QTRY_VERIFY(!compare->findChild<ui::TaskResult*>()->text().message.contains(text("pair.html")));
     compare->close();
 }
 
-void TestRunsDialog::whatCannotBeComparedIsSaidFirst()
+void TestRunsDialog::incomparableRunsAreReportedFirst()
 {
     auto other = std::make_shared<record::SweepRun>(*runOf("STS3215", 4, 9));
     other->servos[0].axis.to = 2000;
     other->servos[0].parameters.registers[0].raw = 600;
-    m_archive->keep(other);
+    m_historyService->saveRun(other);
     QTRY_COMPARE(rows(), 4);
     select({3}); // the oldest is the reference, so it is A
     button("runsReference")->click();
@@ -230,7 +230,7 @@ void TestRunsDialog::whatCannotBeComparedIsSaidFirst()
     auto* compare = m_dialog->findChild<QDialog*>(text("compareDialog"));
     QVERIFY(part<QLabel>(compare, "compareWarnings")
                 ->text()
-                .contains(report::compareWords().notComparable.en));
+                .contains(report::compareTexts().notComparable.en));
     auto* tests = part<QTableWidget>(compare, "compareTests");
     QVERIFY(tests->isVisible());
     QCOMPARE(tests->item(0, 2)->text(), text("1000 … 2000"));
@@ -251,18 +251,19 @@ void TestRunsDialog::reportsAreSaved()
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), report::sweepHtml(*runOf("SCS15", 3, 2), {}, false));
-    QTRY_VERIFY(m_dialog->findChild<ui::TaskResult*>()->told().what.contains(text("report.html")));
+    QTRY_VERIFY(
+        m_dialog->findChild<ui::TaskResult*>()->text().message.contains(text("report.html")));
     QFile readings(m_dir->filePath(text("report.readings.csv")));
     QVERIFY(readings.open(QIODevice::ReadOnly));
     QCOMPARE(readings.readAll(), QByteArray("time_us\n1\n"));
 }
 
 /// Neither a mark nor a comparison: it has no verdict on a good servo.
-void TestRunsDialog::whatDidNotFinishIsNoReference()
+void TestRunsDialog::unfinishedRunsAreNoReference()
 {
     auto stopped = std::make_shared<record::SweepRun>(*runOf("STS3215", 4, 9));
     stopped->end = record::SweepEnd::Stopped;
-    m_archive->keep(stopped);
+    m_historyService->saveRun(stopped);
     QTRY_COMPARE(rows(), 4);
     QVERIFY(cell(0, RunColumn::Verdict).contains(text("No verdict")));
     QVERIFY(!cell(1, RunColumn::Verdict).contains(text("No verdict")));
@@ -276,12 +277,12 @@ void TestRunsDialog::whatDidNotFinishIsNoReference()
         record::HistoryFile::open(m_dir->filePath(text("history.sqlite")), std::chrono::seconds(5));
     QVERIFY(file && (*file)->run(text("UPDATE run_servos SET reference = 1 WHERE id = 4")));
     std::optional<std::vector<session::ReferenceResult>> results;
-    m_archive->compareWithReference(runOf("STS3215", 5, 20), this,
-                                    [&](const auto& answer) { results = answer.value(); });
+    m_historyService->compareWithReference(runOf("STS3215", 5, 20), this,
+                                           [&](const auto& answer) { results = answer.value(); });
     QTRY_VERIFY(results && results->size() == 1);
     const QString words = ui::referenceText(results->front());
     QVERIFY2(words.contains(text("is ignored")), qPrintable(words));
-    m_archive->setNote(4, text("marked")); // the list is asked again
+    m_historyService->setNote(4, text("marked")); // the list is asked again
     QTRY_COMPARE(cell(0, RunColumn::Note), text("marked"));
     QVERIFY(cell(0, RunColumn::Reference).contains(text("ignored")));
     select({0});
@@ -305,19 +306,19 @@ void TestRunsDialog::deletingAsksFirst()
     QCOMPARE(cell(0, RunColumn::Servo), text("2"));
 }
 
-void TestRunsDialog::anUnusableHistoryIsSaid()
+void TestRunsDialog::anUnusableHistoryIsReported()
 {
     delete m_dialog;
     const QString path = m_dir->filePath(text("folder.sqlite"));
     QVERIFY(QDir().mkpath(path));
-    Archive broken(path);
+    HistoryService broken(path);
     m_dialog = new RunsDialog(broken, *m_settings, nullptr);
     m_dialog->show();
-    QTRY_VERIFY(!m_dialog->findChild<ui::TaskResult*>()->told().what.isEmpty());
+    QTRY_VERIFY(!m_dialog->findChild<ui::TaskResult*>()->text().message.isEmpty());
     delete m_dialog;
 }
 
-void TestRunsDialog::speaksBothLanguages()
+void TestRunsDialog::isTranslated()
 {
     QTRY_COMPARE(rows(), 3);
     select({1, 2});
@@ -350,22 +351,22 @@ void TestRunsDialog::speaksBothLanguages()
 void TestRunsDialog::theReferenceInAText()
 {
     QTRY_COMPARE(rows(), 3);
-    m_archive->setReference(1, 1, true);
+    m_historyService->setReference(1, 1, true);
     auto worse = std::make_shared<record::SweepRun>(*runOf("STS3215", 5, 20));
     worse->servos[0].metrics[4].value = *worse->servos[0].metrics[4].value + 50;
     std::optional<std::vector<session::ReferenceResult>> results;
-    m_archive->compareWithReference(worse, this,
-                                    [&](const auto& answer) { results = answer.value(); });
+    m_historyService->compareWithReference(worse, this,
+                                           [&](const auto& answer) { results = answer.value(); });
     QTRY_VERIFY(results && results->size() == 1);
     const QString words = ui::referenceText(results->front());
     QVERIFY2(words.contains(text("STS3215")), qPrintable(words));
     QVERIFY2(words.contains(text("Hysteresis, both sides +50 step (worse)")), qPrintable(words));
     worse->servos[0].axis.to = 5;
     results.reset();
-    m_archive->compareWithReference(worse, this,
-                                    [&](const auto& answer) { results = answer.value(); });
+    m_historyService->compareWithReference(worse, this,
+                                           [&](const auto& answer) { results = answer.value(); });
     QTRY_VERIFY(results && results->size() == 1);
-    QVERIFY(ui::referenceText(results->front()).contains(report::compareWords().notComparable.en));
+    QVERIFY(ui::referenceText(results->front()).contains(report::compareTexts().notComparable.en));
 }
 
 QTEST_MAIN(TestRunsDialog)

@@ -11,20 +11,20 @@ using ui::AdviceRow;
 using ui::SearchFacts;
 
 namespace {
-SearchFacts nobodyAnswered()
+SearchFacts noServoFoundFacts()
 {
     SearchFacts facts;
     facts.port.name = QStringLiteral("/dev/ttyUSB0");
     facts.report.rates = {1000000};
-    facts.possible.assign(base::allProtocols.begin(), base::allProtocols.end());
+    facts.candidates.assign(base::allProtocols.begin(), base::allProtocols.end());
     return facts;
 }
 
-jobs::Found servo(int id, bool twins = false)
+jobs::FoundServo servo(int id, bool twins = false)
 {
-    jobs::Found found;
+    jobs::FoundServo found;
     found.servo.id = id;
-    found.twinsSuspected = twins;
+    found.duplicateSuspected = twins;
     return found;
 }
 
@@ -54,19 +54,19 @@ std::vector<int> order(const SearchFacts& facts)
     return numbers;
 }
 
-bool hasChinese(const QString& text)
+bool containsChinese(const QString& text)
 {
     static const QRegularExpression han(QStringLiteral("\\p{Han}"));
     return text.contains(han);
 }
 
-void everythingIsWords(const AdviceItem& item)
+void allTextsSet(const AdviceItem& item)
 {
     for (const catalog::Text& text : {item.cause, item.check, item.finding}) {
         if (text.en.isEmpty() && text.zh.isEmpty())
             continue;
-        QVERIFY2(!text.en.isEmpty() && !hasChinese(text.en), qPrintable(item.key));
-        QVERIFY2(hasChinese(text.zh), qPrintable(item.key + text.zh));
+        QVERIFY2(!text.en.isEmpty() && !containsChinese(text.en), qPrintable(item.key));
+        QVERIFY2(containsChinese(text.zh), qPrintable(item.key + text.zh));
         QVERIFY2(!text.en.contains(u'%') && !text.zh.contains(u'%'), qPrintable(text.en));
     }
     QVERIFY(!item.cause.en.isEmpty() && !item.check.en.isEmpty());
@@ -81,18 +81,18 @@ private Q_SLOTS:
 
     void everyRowInBothLanguages_data();
     void everyRowInBothLanguages();
-    void whatFitsComesFirst();
+    void matchingAdviceComesFirst();
     void anOpenPortRulesOutTheDriver();
-    void otherProgramsAreNamed();
+    void otherProgramsAreReported();
     void searchedIdsAreRuledOut();
     void searchedRatesAreRuledOut();
     void triedProtocolsAreRuledOut();
     void aStoppedSearchRulesNothingOut();
-    void lateAnswersPointAtTheTimeOut();
-    void twinsAreNamed();
-    void refusedRatesAreNamed();
+    void lateRepliesSuggestTheTimeout();
+    void duplicateIdsAreReported();
+    void refusedRatesAreReported();
     void aSimulatedBusHasNoCables();
-    void afterAChangeOfOurs();
+    void afterAnOwnChange();
     void aBridgeSetsTheRate();
 };
 
@@ -106,36 +106,36 @@ void TestSearchAdvice::everyRowInBothLanguages_data()
 void TestSearchAdvice::everyRowInBothLanguages()
 {
     QFETCH(const bool, much);
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     if (much) {
         facts.port.name = QStringLiteral("sim:trouble");
-        facts.report.rates = session::knownRates();
-        facts.report.ratesRefused = {76800};
-        facts.report.garbledHeard = true;
+        facts.report.rates = session::standardBaudRates();
+        facts.report.unsupportedRates = {76800};
+        facts.report.hasGarbledReplies = true;
         facts.report.found.push_back(servo(1, true));
-        facts.history.idOrRateChanged = true;
+        facts.history.idOrBaudChanged = true;
     }
     const auto rows = ui::searchAdvice(facts);
     QCOMPARE(rows.size(), std::size_t(5));
     for (int number = 1; number <= 5; ++number) {
         const AdviceRow row = rowOf(rows, number);
-        QVERIFY(!row.symptom.en.isEmpty() && hasChinese(row.symptom.zh));
+        QVERIFY(!row.symptom.en.isEmpty() && containsChinese(row.symptom.zh));
         QVERIFY(row.items.size() >= 3);
         for (const AdviceItem& one : row.items)
-            everythingIsWords(one);
+            allTextsSet(one);
     }
 }
 
-void TestSearchAdvice::whatFitsComesFirst()
+void TestSearchAdvice::matchingAdviceComesFirst()
 {
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     QCOMPARE(order(facts), std::vector<int>({1, 2, 3, 4, 5}));
-    QVERIFY(rowOf(ui::searchAdvice(facts), 1).fits);
-    QVERIFY(!rowOf(ui::searchAdvice(facts), 3).fits);
-    facts.report.garbledHeard = true;
+    QVERIFY(rowOf(ui::searchAdvice(facts), 1).matches);
+    QVERIFY(!rowOf(ui::searchAdvice(facts), 3).matches);
+    facts.report.hasGarbledReplies = true;
     QCOMPARE(order(facts), std::vector<int>({4, 1, 2, 3, 5}));
-    facts.report.garbledHeard = false;
-    facts.history.vanished = 1;
+    facts.report.hasGarbledReplies = false;
+    facts.history.lostServos = 1;
     QCOMPARE(order(facts), std::vector<int>({5, 1, 2, 3, 4}));
     facts.history = {};
     facts.report.found.push_back(servo(3));
@@ -144,7 +144,7 @@ void TestSearchAdvice::whatFitsComesFirst()
 
 void TestSearchAdvice::anOpenPortRulesOutTheDriver()
 {
-    const SearchFacts facts = nobodyAnswered();
+    const SearchFacts facts = noServoFoundFacts();
     QVERIFY(item(facts, 1, "driver").ruledOut);
     QVERIFY(!item(facts, 1, "driver").finding.en.isEmpty());
     QVERIFY(!item(facts, 1, "port").ruledOut); // it may be another adapter
@@ -152,9 +152,9 @@ void TestSearchAdvice::anOpenPortRulesOutTheDriver()
 }
 
 /// One that opened the port before, without locking it, is not kept out and does not keep out.
-void TestSearchAdvice::otherProgramsAreNamed()
+void TestSearchAdvice::otherProgramsAreReported()
 {
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     for (const int row : {1, 2, 3, 4}) {
         QVERIFY(!item(facts, row, "holder").cause.en.isEmpty());
         QVERIFY(!item(facts, row, "holder").ruledOut); // those of other users cannot be seen
@@ -172,7 +172,7 @@ void TestSearchAdvice::otherProgramsAreNamed()
 
 void TestSearchAdvice::searchedIdsAreRuledOut()
 {
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     QVERIFY(item(facts, 1, "ids").ruledOut);
     facts.spec.firstId = 100;
     facts.spec.lastId = 110;
@@ -185,12 +185,12 @@ void TestSearchAdvice::searchedIdsAreRuledOut()
 
 void TestSearchAdvice::searchedRatesAreRuledOut()
 {
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     const AdviceItem one = item(facts, 1, "rate");
     QVERIFY(!one.ruledOut);
     QVERIFY(one.finding.en.contains(QStringLiteral("1000000")));
     QVERIFY(ui::canSearchWider(facts));
-    facts.report.rates = session::knownRates();
+    facts.report.rates = session::standardBaudRates();
     for (const int row : {1, 2, 3})
         QVERIFY(item(facts, row, "rate").ruledOut);
     QVERIFY(item(facts, 1, "rate").finding.en.contains(QStringLiteral("14")));
@@ -201,9 +201,9 @@ void TestSearchAdvice::searchedRatesAreRuledOut()
 
 void TestSearchAdvice::triedProtocolsAreRuledOut()
 {
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     QVERIFY(item(facts, 1, "protocol").ruledOut);
-    facts.possible = {base::Protocol::Feetech}; // LX and Modbus cannot be met at this rate
+    facts.candidates = {base::Protocol::Feetech}; // LX and Modbus cannot be met at this rate
     QVERIFY(!item(facts, 1, "protocol").ruledOut);
     facts.spec.protocols = {base::Protocol::Feetech, base::Protocol::Lx};
     QVERIFY(!item(facts, 3, "protocol").ruledOut);
@@ -216,66 +216,66 @@ void TestSearchAdvice::triedProtocolsAreRuledOut()
 
 void TestSearchAdvice::aStoppedSearchRulesNothingOut()
 {
-    SearchFacts facts = nobodyAnswered();
-    facts.report.rates = session::knownRates();
+    SearchFacts facts = noServoFoundFacts();
+    facts.report.rates = session::standardBaudRates();
     facts.report.stopped = true;
     for (const char* key : {"ids", "rate", "protocol"})
         QVERIFY2(!item(facts, 1, key).ruledOut, key);
     QVERIFY(!item(facts, 5, "old").ruledOut);
 }
 
-void TestSearchAdvice::lateAnswersPointAtTheTimeOut()
+void TestSearchAdvice::lateRepliesSuggestTheTimeout()
 {
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     QVERIFY(item(facts, 3, "late").ruledOut);
     facts.report.lateReplies = 3;
     QVERIFY(!item(facts, 3, "late").ruledOut);
     QVERIFY(item(facts, 3, "late").finding.en.contains(u'3'));
 }
 
-void TestSearchAdvice::twinsAreNamed()
+void TestSearchAdvice::duplicateIdsAreReported()
 {
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     for (const int id : {4, 7})
         facts.report.found.push_back(servo(id, true));
-    QVERIFY(rowOf(ui::searchAdvice(facts), 4).fits);
+    QVERIFY(rowOf(ui::searchAdvice(facts), 4).matches);
     for (const int row : {3, 4, 5})
         QVERIFY(item(facts, row, "same_id").finding.en.contains(QStringLiteral("4, 7")));
 }
 
-void TestSearchAdvice::refusedRatesAreNamed()
+void TestSearchAdvice::refusedRatesAreReported()
 {
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     QVERIFY(item(facts, 4, "rate_off").finding.en.isEmpty());
-    facts.report.ratesRefused = {76800, 14400};
+    facts.report.unsupportedRates = {76800, 14400};
     QVERIFY(item(facts, 4, "rate_off").finding.en.contains(QStringLiteral("76800, 14400")));
 }
 
 void TestSearchAdvice::aSimulatedBusHasNoCables()
 {
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     facts.port.name = QStringLiteral("sim:demo");
     for (const char* key : {"port", "adapter_supply", "supply", "lead", "damaged"})
         QVERIFY2(item(facts, 1, key).ruledOut, key);
 }
 
-void TestSearchAdvice::afterAChangeOfOurs()
+void TestSearchAdvice::afterAnOwnChange()
 {
-    SearchFacts facts = nobodyAnswered();
+    SearchFacts facts = noServoFoundFacts();
     QVERIFY(!item(facts, 5, "locked").ruledOut);
-    facts.history.idOrRateChanged = true;
-    QVERIFY(rowOf(ui::searchAdvice(facts), 5).fits);
+    facts.history.idOrBaudChanged = true;
+    QVERIFY(rowOf(ui::searchAdvice(facts), 5).matches);
     QVERIFY(item(facts, 5, "locked").ruledOut);
     QVERIFY(!item(facts, 5, "old").ruledOut);
-    facts.report.rates = session::knownRates();
+    facts.report.rates = session::standardBaudRates();
     QVERIFY(item(facts, 5, "old").ruledOut);
 }
 
 void TestSearchAdvice::aBridgeSetsTheRate()
 {
-    SearchFacts facts = nobodyAnswered();
-    facts.hasBaud = false;
-    facts.report.rates = session::knownRates();
+    SearchFacts facts = noServoFoundFacts();
+    facts.canSetBaud = false;
+    facts.report.rates = session::standardBaudRates();
     QVERIFY(!item(facts, 1, "rate").ruledOut);
     QVERIFY(item(facts, 1, "rate").finding.en.isEmpty());
     QVERIFY(!ui::canSearchWider(facts)); // nothing wider can be asked from here

@@ -23,10 +23,10 @@
 using ui::Command;
 
 namespace {
-struct Bench : gui::DeskBench {
+struct Fixture : gui::WorkbenchFixture {
     ui::SearchPanel panel{desk, commands, selection, settings};
 
-    explicit Bench(const QString& port = {})
+    explicit Fixture(const QString& port = {})
     {
         panel.resize(300, 700);
         panel.show();
@@ -47,7 +47,7 @@ struct Bench : gui::DeskBench {
     bool searched()
     {
         find<QPushButton>("searchButton")->click();
-        return desk.searching() && QTest::qWaitFor([this] { return !desk.searching(); }, 60000);
+        return desk.isSearching() && QTest::qWaitFor([this] { return !desk.isSearching(); }, 60000);
     }
     QListView* list() const { return find<QListView>("servoList"); }
     QModelIndex index(int id) const
@@ -71,87 +71,87 @@ private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
     void cleanup() { text::installTranslator(QStringLiteral("en")); }
 
-    void nothingCanBeSearchedWithoutAPort();
+    void searchNeedsAPort();
     void theEstimateComesFirst();
-    void servosAppear();
+    void foundServosAppear();
     void progressIsShownAndStops();
-    void troubleIsMarked();
+    void problemsAreMarked();
     void otherRatesAreSearched();
     void anEmptyBusIsExplained();
-    void theChecklistLeavesRoomForCommissioning();
-    void wideningFromTheChecklist();
-    void missingOnesAreExplained();
-    void selectionBothWays();
-    void severalAreChosenTogether();
-    void theMenuIsOfTheSelected();
-    void choicesAreRemembered();
-    void nonsenseInTheSettingsIsHarmless();
-    void losingThePortEndsIt();
-    void theLanguageIsFollowed();
+    void theChecklistMakesRoomForCommissioning();
+    void widenTheSearchFromTheChecklist();
+    void missingServosAreExplained();
+    void selectionSyncsBothWays();
+    void severalServosAreSelectedTogether();
+    void theMenuActsOnTheSelection();
+    void searchSettingsAreRemembered();
+    void invalidSettingsAreHarmless();
+    void losingThePortEndsTheSearch();
+    void followsTheLanguage();
 };
 
-void TestSearchPanel::nothingCanBeSearchedWithoutAPort()
+void TestSearchPanel::searchNeedsAPort()
 {
-    Bench bench;
-    QVERIFY(!bench.find<QPushButton>("searchButton")->isEnabled());
-    QVERIFY(!bench.find<QPushButton>("stopSearchButton")->isEnabled());
-    QVERIFY(bench.find<QLabel>("servoListEmpty")->isVisible());
+    Fixture fixture;
+    QVERIFY(!fixture.find<QPushButton>("searchButton")->isEnabled());
+    QVERIFY(!fixture.find<QPushButton>("stopSearchButton")->isEnabled());
+    QVERIFY(fixture.find<QLabel>("servoListEmpty")->isVisible());
 }
 
 void TestSearchPanel::theEstimateComesFirst()
 {
-    Bench bench(QStringLiteral("sim:demo"));
-    bench.setIds(0, 253);
-    const QString all = bench.find<QLabel>("searchEstimate")->text();
+    Fixture fixture(QStringLiteral("sim:demo"));
+    fixture.setIds(0, 253);
+    const QString all = fixture.find<QLabel>("searchEstimate")->text();
     QVERIFY2(all.contains(QStringLiteral("254")) && all.contains(QStringLiteral("about")),
              qPrintable(all));
-    bench.find<QComboBox>("searchRates")->setCurrentIndex(2);
-    const QString everywhere = bench.find<QLabel>("searchEstimate")->text();
+    fixture.find<QComboBox>("searchRates")->setCurrentIndex(2);
+    const QString everywhere = fixture.find<QLabel>("searchEstimate")->text();
     QVERIFY2(everywhere.contains(QStringLiteral("rates: 14")), qPrintable(everywhere));
     QVERIFY(everywhere != all);
-    QVERIFY(!bench.desk.searching());
+    QVERIFY(!fixture.desk.isSearching());
 }
 
-void TestSearchPanel::servosAppear()
+void TestSearchPanel::foundServosAppear()
 {
-    Bench bench(QStringLiteral("sim:demo"));
-    bench.setIds(6, 0); // the wrong way round: what is meant is clear
-    QSignalSpy rows(bench.list()->model(), &QAbstractItemModel::rowsInserted);
-    QVERIFY(bench.searched());
+    Fixture fixture(QStringLiteral("sim:demo"));
+    fixture.setIds(6, 0); // the wrong way round: what is meant is clear
+    QSignalSpy rows(fixture.list()->model(), &QAbstractItemModel::rowsInserted);
+    QVERIFY(fixture.searched());
     QCOMPARE(rows.count(), 6); // one by one
-    QVERIFY(bench.list()->isVisible());
-    QVERIFY(!bench.checklistShown());
-    QVERIFY2(bench.status().contains(QStringLiteral("servos: 6")), qPrintable(bench.status()));
-    QCOMPARE(bench.selection.current(), 0); // searching selects nothing
+    QVERIFY(fixture.list()->isVisible());
+    QVERIFY(!fixture.checklistShown());
+    QVERIFY2(fixture.status().contains(QStringLiteral("servos: 6")), qPrintable(fixture.status()));
+    QCOMPARE(fixture.selection.current(), 0); // searching selects nothing
 }
 
 void TestSearchPanel::progressIsShownAndStops()
 {
-    Bench bench(QStringLiteral("sim:demo"));
-    bench.setIds(0, 253);
-    bench.find<QComboBox>("searchRates")->setCurrentIndex(2);
-    bench.find<QPushButton>("searchButton")->click();
-    auto* bar = bench.find<ui::ThinProgress>("searchProgress");
+    Fixture fixture(QStringLiteral("sim:demo"));
+    fixture.setIds(0, 253);
+    fixture.find<QComboBox>("searchRates")->setCurrentIndex(2);
+    fixture.find<QPushButton>("searchButton")->click();
+    auto* bar = fixture.find<ui::ThinProgress>("searchProgress");
     QTRY_VERIFY_WITH_TIMEOUT(bar->value() > bar->minimum() && bar->value() < bar->maximum(), 10000);
-    QVERIFY2(bench.status().contains(QStringLiteral("left")), qPrintable(bench.status()));
-    auto* stop = bench.find<QPushButton>("stopSearchButton");
+    QVERIFY2(fixture.status().contains(QStringLiteral("left")), qPrintable(fixture.status()));
+    auto* stop = fixture.find<QPushButton>("stopSearchButton");
     QVERIFY(stop->isEnabled());
     QElapsedTimer took;
     took.start();
-    bench.desk.stopSearch(); // what Command::StopSearch does in the window
-    QTRY_VERIFY(!bench.desk.searching());
+    fixture.desk.stopSearch(); // what Command::StopSearch does in the window
+    QTRY_VERIFY(!fixture.desk.isSearching());
     QVERIFY2(took.elapsed() < 100, qPrintable(QString::number(took.elapsed())));
-    QTRY_VERIFY(bench.status().startsWith(QStringLiteral("Stopped")));
+    QTRY_VERIFY(fixture.status().startsWith(QStringLiteral("Stopped")));
     QVERIFY(!stop->isEnabled());
-    QVERIFY(!bench.checklistShown()); // it was the user who ended it
+    QVERIFY(!fixture.checklistShown()); // it was the user who ended it
 }
 
-void TestSearchPanel::troubleIsMarked()
+void TestSearchPanel::problemsAreMarked()
 {
-    Bench bench(QStringLiteral("sim:trouble"));
-    bench.setIds(0, 10);
-    QVERIFY(bench.searched());
-    const auto tip = [&](int id) { return bench.index(id).data(Qt::ToolTipRole).toString(); };
+    Fixture fixture(QStringLiteral("sim:trouble"));
+    fixture.setIds(0, 10);
+    QVERIFY(fixture.searched());
+    const auto tip = [&](int id) { return fixture.index(id).data(Qt::ToolTipRole).toString(); };
     QVERIFY2(tip(1).contains(QStringLiteral("Two servos with this ID?")), qPrintable(tip(1)));
     QVERIFY2(tip(4).contains(QStringLiteral("EPROM lock open")), qPrintable(tip(4)));
     QVERIFY2(tip(5).contains(QStringLiteral("overload")), qPrintable(tip(5)));
@@ -159,192 +159,192 @@ void TestSearchPanel::troubleIsMarked()
 
 void TestSearchPanel::otherRatesAreSearched()
 {
-    Bench bench(QStringLiteral("sim:trouble"));
-    bench.setIds(2, 3);
-    bench.find<QComboBox>("searchRates")->setCurrentIndex(1); // chosen: 1 M and 115200 at first
-    auto* rates = bench.panel.findChild<QListWidget*>(QStringLiteral("rateList"));
+    Fixture fixture(QStringLiteral("sim:trouble"));
+    fixture.setIds(2, 3);
+    fixture.find<QComboBox>("searchRates")->setCurrentIndex(1); // chosen: 1 M and 115200 at first
+    auto* rates = fixture.panel.findChild<QListWidget*>(QStringLiteral("rateList"));
     for (int row = 0; row < rates->count(); ++row) {
         const int rate = rates->item(row)->data(Qt::UserRole).toInt();
         rates->item(row)->setCheckState(rate == 500000 || rate == 115200 ? Qt::Checked
                                                                          : Qt::Unchecked);
     }
-    bench.find<QComboBox>("searchProtocol")->setCurrentIndex(2); // Feetech
-    QVERIFY(bench.searched());
-    QCOMPARE(bench.list()->model()->rowCount(), 2);
-    QCOMPARE(bench.index(2).siblingAtColumn(ui::ServoListModel::Rate).data().toString(),
+    fixture.find<QComboBox>("searchProtocol")->setCurrentIndex(2); // Feetech
+    QVERIFY(fixture.searched());
+    QCOMPARE(fixture.list()->model()->rowCount(), 2);
+    QCOMPARE(fixture.index(2).siblingAtColumn(ui::ServoListModel::Rate).data().toString(),
              QStringLiteral("500 k"));
-    QCOMPARE(bench.index(3).siblingAtColumn(ui::ServoListModel::Rate).data().toString(),
+    QCOMPARE(fixture.index(3).siblingAtColumn(ui::ServoListModel::Rate).data().toString(),
              QStringLiteral("115200"));
-    QCOMPARE(bench.desk.baud(), 1000000); // as before
+    QCOMPARE(fixture.desk.baud(), 1000000); // as before
 }
 
 void TestSearchPanel::anEmptyBusIsExplained()
 {
-    Bench bench(QStringLiteral("sim:demo"));
-    bench.setIds(100, 110);
-    QVERIFY(bench.searched());
-    QTRY_VERIFY(bench.checklistShown());
+    Fixture fixture(QStringLiteral("sim:demo"));
+    fixture.setIds(100, 110);
+    QVERIFY(fixture.searched());
+    QTRY_VERIFY(fixture.checklistShown());
     for (int row = 1; row <= 5; ++row) {
         const auto* heading =
-            bench.find<QToolButton>(qPrintable(QStringLiteral("checklistRow%1").arg(row)));
+            fixture.find<QToolButton>(qPrintable(QStringLiteral("checklistRow%1").arg(row)));
         QVERIFY(heading != nullptr);
         QCOMPARE(heading->isChecked(), row <= 2); // what fits is open, the rest one click away
     }
-    QVERIFY(bench.find<QCheckBox>("check1_ids") != nullptr);
-    QVERIFY(bench.find<QCheckBox>("check1_rate") != nullptr);
-    QVERIFY(bench.find<QCheckBox>("check1_protocol") != nullptr); // at 1 M only Feetech is met
-    QVERIFY(bench.find<QCheckBox>("check1_driver") == nullptr);   // ruled out
-    QVERIFY(bench.find<QCheckBox>("check1_supply") == nullptr);   // simulated
+    QVERIFY(fixture.find<QCheckBox>("check1_ids") != nullptr);
+    QVERIFY(fixture.find<QCheckBox>("check1_rate") != nullptr);
+    QVERIFY(fixture.find<QCheckBox>("check1_protocol") != nullptr); // at 1 M only Feetech is met
+    QVERIFY(fixture.find<QCheckBox>("check1_driver") == nullptr);   // ruled out
+    QVERIFY(fixture.find<QCheckBox>("check1_supply") == nullptr);   // simulated
     QStringList words;
-    for (const QLabel* label : bench.find<QWidget>("checklist")->findChildren<QLabel*>())
+    for (const QLabel* label : fixture.find<QWidget>("checklist")->findChildren<QLabel*>())
         words << label->text();
     const QString all = words.join(u'\n');
     QVERIFY2(all.contains(QStringLiteral("100–110")), qPrintable(all));
     QVERIFY(all.contains(QStringLiteral("The port was opened")));
-    bench.find<QPushButton>("whyButton")->click();
-    QVERIFY(!bench.checklistShown());
+    fixture.find<QPushButton>("whyButton")->click();
+    QVERIFY(!fixture.checklistShown());
 }
 
 /// "Nothing found" of a search before is no news while servos are set up one by one.
-void TestSearchPanel::theChecklistLeavesRoomForCommissioning()
+void TestSearchPanel::theChecklistMakesRoomForCommissioning()
 {
-    Bench bench(QStringLiteral("sim:demo"));
-    bench.setIds(100, 110);
-    QVERIFY(bench.searched());
-    QTRY_VERIFY(bench.checklistShown());
+    Fixture fixture(QStringLiteral("sim:demo"));
+    fixture.setIds(100, 110);
+    QVERIFY(fixture.searched());
+    QTRY_VERIFY(fixture.checklistShown());
     session::Task line;
     line.name = QStringLiteral("commission");
-    line.lasting = true;
+    line.isLongRunning = true;
     line.quiet = true;
     line.work = [](session::TaskContext& context) -> base::Result<void> {
-        while (!context.stop.requested())
+        while (!context.stop.isRequested())
             context.device.bus.clock().sleepFor(std::chrono::milliseconds(5));
         return {};
     };
-    bench.desk.perform(0, std::move(line));
-    QTRY_VERIFY(!bench.checklistShown());
-    QVERIFY2(bench.status().contains(QLatin1String("Commissioning is running")),
-             qPrintable(bench.status()));
-    bench.desk.stopTask();
-    QTRY_VERIFY(!bench.status().contains(QLatin1String("Commissioning")));
+    fixture.desk.perform(0, std::move(line));
+    QTRY_VERIFY(!fixture.checklistShown());
+    QVERIFY2(fixture.status().contains(QLatin1String("Commissioning is running")),
+             qPrintable(fixture.status()));
+    fixture.desk.stopTask();
+    QTRY_VERIFY(!fixture.status().contains(QLatin1String("Commissioning")));
 }
 
-void TestSearchPanel::wideningFromTheChecklist()
+void TestSearchPanel::widenTheSearchFromTheChecklist()
 {
-    Bench bench(QStringLiteral("sim:demo"));
-    bench.setIds(100, 110);
-    QVERIFY(bench.searched());
-    QTRY_VERIFY(bench.checklistShown());
-    bench.find<QPushButton>("searchWider")->click();
-    QVERIFY(bench.desk.searching());
-    QCOMPARE(bench.desk.lastSearchSpec().firstId, 0);
-    QCOMPARE(bench.desk.lastSearchSpec().lastId, 253);
-    QCOMPARE(bench.desk.lastSearchSpec().bauds.size(), session::knownRates().size());
-    QCOMPARE(bench.desk.lastSearchSpec().protocols.size(), base::allProtocols.size());
-    QTRY_COMPARE_WITH_TIMEOUT(bench.list()->model()->rowCount(), 6, 20000);
-    QVERIFY(!bench.checklistShown());
-    bench.desk.stopSearch();
-    QTRY_VERIFY(!bench.desk.searching());
+    Fixture fixture(QStringLiteral("sim:demo"));
+    fixture.setIds(100, 110);
+    QVERIFY(fixture.searched());
+    QTRY_VERIFY(fixture.checklistShown());
+    fixture.find<QPushButton>("searchWider")->click();
+    QVERIFY(fixture.desk.isSearching());
+    QCOMPARE(fixture.desk.lastSearchSpec().firstId, 0);
+    QCOMPARE(fixture.desk.lastSearchSpec().lastId, 253);
+    QCOMPARE(fixture.desk.lastSearchSpec().bauds.size(), session::standardBaudRates().size());
+    QCOMPARE(fixture.desk.lastSearchSpec().protocols.size(), base::allProtocols.size());
+    QTRY_COMPARE_WITH_TIMEOUT(fixture.list()->model()->rowCount(), 6, 20000);
+    QVERIFY(!fixture.checklistShown());
+    fixture.desk.stopSearch();
+    QTRY_VERIFY(!fixture.desk.isSearching());
 }
 
-void TestSearchPanel::missingOnesAreExplained()
+void TestSearchPanel::missingServosAreExplained()
 {
-    Bench bench(QStringLiteral("sim:trouble"));
-    bench.setIds(1, 5);
-    QVERIFY(bench.searched());
-    auto* why = bench.find<QPushButton>("whyButton");
+    Fixture fixture(QStringLiteral("sim:trouble"));
+    fixture.setIds(1, 5);
+    QVERIFY(fixture.searched());
+    auto* why = fixture.find<QPushButton>("whyButton");
     QVERIFY(why->isVisible());
-    QVERIFY(!bench.checklistShown());
+    QVERIFY(!fixture.checklistShown());
     why->click();
-    QVERIFY(bench.checklistShown());
-    QVERIFY(bench.find<QToolButton>("checklistRow3")->isChecked());
-    QVERIFY(bench.find<QToolButton>("checklistRow4")->isChecked()); // twins at ID 1
-    QVERIFY(!bench.find<QToolButton>("checklistRow1")->isChecked());
+    QVERIFY(fixture.checklistShown());
+    QVERIFY(fixture.find<QToolButton>("checklistRow3")->isChecked());
+    QVERIFY(fixture.find<QToolButton>("checklistRow4")->isChecked()); // twins at ID 1
+    QVERIFY(!fixture.find<QToolButton>("checklistRow1")->isChecked());
     // What was ticked off stays so in the other language.
-    bench.find<QCheckBox>("check3_rate")->setChecked(true);
+    fixture.find<QCheckBox>("check3_rate")->setChecked(true);
     text::installTranslator(QStringLiteral("zh_CN"));
     QEvent change(QEvent::LanguageChange);
-    QCoreApplication::sendEvent(bench.find<QWidget>("checklist"), &change);
-    QVERIFY(bench.find<QCheckBox>("check3_rate")->isChecked());
+    QCoreApplication::sendEvent(fixture.find<QWidget>("checklist"), &change);
+    QVERIFY(fixture.find<QCheckBox>("check3_rate")->isChecked());
     static const QRegularExpression han(QStringLiteral("\\p{Han}"));
-    QVERIFY(bench.find<QCheckBox>("check3_rate")->accessibleName().contains(han));
+    QVERIFY(fixture.find<QCheckBox>("check3_rate")->accessibleName().contains(han));
 }
 
-void TestSearchPanel::selectionBothWays()
+void TestSearchPanel::selectionSyncsBothWays()
 {
-    Bench bench(QStringLiteral("sim:demo"));
-    bench.setIds(1, 6);
-    QVERIFY(bench.searched());
-    QTest::mouseClick(bench.list()->viewport(), Qt::LeftButton, {},
-                      bench.list()->visualRect(bench.index(3)).center());
-    QCOMPARE(bench.selection.current(), bench.ref(3));
-    QTest::keyClick(bench.list(), Qt::Key_Down);
-    QCOMPARE(bench.selection.current(), bench.ref(4));
-    bench.selection.select(bench.ref(1));
-    QCOMPARE(bench.list()->currentIndex(), bench.index(1));
-    bench.selection.select(0);
-    QVERIFY(!bench.list()->selectionModel()->hasSelection());
-    QCOMPARE(bench.selection.current(), 0);
+    Fixture fixture(QStringLiteral("sim:demo"));
+    fixture.setIds(1, 6);
+    QVERIFY(fixture.searched());
+    QTest::mouseClick(fixture.list()->viewport(), Qt::LeftButton, {},
+                      fixture.list()->visualRect(fixture.index(3)).center());
+    QCOMPARE(fixture.selection.current(), fixture.ref(3));
+    QTest::keyClick(fixture.list(), Qt::Key_Down);
+    QCOMPARE(fixture.selection.current(), fixture.ref(4));
+    fixture.selection.select(fixture.ref(1));
+    QCOMPARE(fixture.list()->currentIndex(), fixture.index(1));
+    fixture.selection.select(0);
+    QVERIFY(!fixture.list()->selectionModel()->hasSelection());
+    QCOMPARE(fixture.selection.current(), 0);
     // A search that finds it again changes nothing.
-    bench.selection.select(bench.ref(2));
-    QVERIFY(bench.searched());
-    QCOMPARE(bench.selection.current(), bench.ref(2));
-    QCOMPARE(bench.list()->currentIndex(), bench.index(2));
+    fixture.selection.select(fixture.ref(2));
+    QVERIFY(fixture.searched());
+    QCOMPARE(fixture.selection.current(), fixture.ref(2));
+    QCOMPARE(fixture.list()->currentIndex(), fixture.index(2));
 }
 
-void TestSearchPanel::severalAreChosenTogether()
+void TestSearchPanel::severalServosAreSelectedTogether()
 {
-    Bench bench(QStringLiteral("sim:demo"));
-    bench.setIds(1, 6);
-    QVERIFY(bench.searched());
+    Fixture fixture(QStringLiteral("sim:demo"));
+    fixture.setIds(1, 6);
+    QVERIFY(fixture.searched());
     const auto click = [&](int id, Qt::KeyboardModifiers keys) {
-        QTest::mouseClick(bench.list()->viewport(), Qt::LeftButton, keys,
-                          bench.list()->visualRect(bench.index(id)).center());
+        QTest::mouseClick(fixture.list()->viewport(), Qt::LeftButton, keys,
+                          fixture.list()->visualRect(fixture.index(id)).center());
     };
-    const auto chosen = [&] { return bench.selection.chosen(); };
+    const auto chosen = [&] { return fixture.selection.selected(); };
     using Refs = std::vector<session::ServoRef>;
     click(3, {});
-    QSignalSpy current(&bench.selection, &ui::Selection::changed);
+    QSignalSpy current(&fixture.selection, &ui::Selection::changed);
     click(1, Qt::ControlModifier);
-    QCOMPARE(chosen(), (Refs{bench.ref(3), bench.ref(1)}));
+    QCOMPARE(chosen(), (Refs{fixture.ref(3), fixture.ref(1)}));
     QCOMPARE(current.count(), 0); // the page stays with the one it shows
     click(3, Qt::ControlModifier);
-    QCOMPARE(chosen(), (Refs{bench.ref(1)}));
-    QCOMPARE(bench.selection.current(), bench.ref(1));
+    QCOMPARE(chosen(), (Refs{fixture.ref(1)}));
+    QCOMPARE(fixture.selection.current(), fixture.ref(1));
     click(1, {});
     click(3, Qt::ShiftModifier);
     QCOMPARE(chosen().size(), std::size_t(3));
-    QCOMPARE(chosen().front(), bench.ref(1));
-    bench.selection.select(bench.ref(2));
-    QCOMPARE(bench.list()->selectionModel()->selectedIndexes().size(), 1);
+    QCOMPARE(chosen().front(), fixture.ref(1));
+    fixture.selection.select(fixture.ref(2));
+    QCOMPARE(fixture.list()->selectionModel()->selectedIndexes().size(), 1);
 }
 
-void TestSearchPanel::theMenuIsOfTheSelected()
+void TestSearchPanel::theMenuActsOnTheSelection()
 {
-    Bench bench(QStringLiteral("sim:sts3215@1"));
-    bench.setIds(0, 2);
-    QVERIFY(bench.searched());
-    bench.selection.select(bench.ref(1));
-    Q_EMIT bench.list()->customContextMenuRequested(
-        bench.list()->visualRect(bench.index(1)).center());
-    const QPointer<QMenu> menu = bench.find<QMenu>("servoMenu");
+    Fixture fixture(QStringLiteral("sim:sts3215@1"));
+    fixture.setIds(0, 2);
+    QVERIFY(fixture.searched());
+    fixture.selection.select(fixture.ref(1));
+    Q_EMIT fixture.list()->customContextMenuRequested(
+        fixture.list()->visualRect(fixture.index(1)).center());
+    const QPointer<QMenu> menu = fixture.find<QMenu>("servoMenu");
     QVERIFY(menu != nullptr && menu->isVisible());
     for (const Command command :
          {Command::ReadTable, Command::SetId, Command::SetBaud, Command::Center, Command::Identify,
           Command::RestoreDefaults, Command::Reboot, Command::ClearAlarm})
-        QVERIFY(menu->actions().contains(bench.action(command)));
+        QVERIFY(menu->actions().contains(fixture.action(command)));
     menu->close();
     QTRY_VERIFY(menu == nullptr);
 }
 
-void TestSearchPanel::choicesAreRemembered()
+void TestSearchPanel::searchSettingsAreRemembered()
 {
-    Bench bench;
-    bench.setIds(7, 42);
-    bench.find<QComboBox>("searchRates")->setCurrentIndex(1);
-    bench.find<QComboBox>("searchProtocol")->setCurrentIndex(4);
-    bench.find<QCheckBox>("searchSlowly")->setChecked(true);
-    ui::SearchPanel later(bench.desk, bench.commands, bench.selection, bench.settings);
+    Fixture fixture;
+    fixture.setIds(7, 42);
+    fixture.find<QComboBox>("searchRates")->setCurrentIndex(1);
+    fixture.find<QComboBox>("searchProtocol")->setCurrentIndex(4);
+    fixture.find<QCheckBox>("searchSlowly")->setChecked(true);
+    ui::SearchPanel later(fixture.desk, fixture.commands, fixture.selection, fixture.settings);
     QCOMPARE(later.findChild<QSpinBox*>(QStringLiteral("firstId"))->value(), 7);
     QCOMPARE(later.findChild<QSpinBox*>(QStringLiteral("lastId"))->value(), 42);
     QCOMPARE(later.findChild<QComboBox*>(QStringLiteral("searchRates"))->currentIndex(), 1);
@@ -352,47 +352,48 @@ void TestSearchPanel::choicesAreRemembered()
     QVERIFY(later.findChild<QCheckBox*>(QStringLiteral("searchSlowly"))->isChecked());
 }
 
-void TestSearchPanel::nonsenseInTheSettingsIsHarmless()
+void TestSearchPanel::invalidSettingsAreHarmless()
 {
-    gui::DeskBench bench;
-    bench.settings.setChoice(QStringLiteral("search/first_id"), 9000);
-    bench.settings.setChoice(QStringLiteral("search/last_id"), QStringLiteral("many"));
-    bench.settings.setChoice(QStringLiteral("search/rates"), -3);
-    bench.settings.setChoice(QStringLiteral("search/protocol"), 77);
-    bench.settings.setChoice(QStringLiteral("search/chosen_rates"),
-                             QStringList{QStringLiteral("fast"), QStringLiteral("-1")});
-    const ui::SearchPanel panel(bench.desk, bench.commands, bench.selection, bench.settings);
+    gui::WorkbenchFixture fixture;
+    fixture.settings.setPageValue(QStringLiteral("search/first_id"), 9000);
+    fixture.settings.setPageValue(QStringLiteral("search/last_id"), QStringLiteral("many"));
+    fixture.settings.setPageValue(QStringLiteral("search/rates"), -3);
+    fixture.settings.setPageValue(QStringLiteral("search/protocol"), 77);
+    fixture.settings.setPageValue(QStringLiteral("search/chosen_rates"),
+                                  QStringList{QStringLiteral("fast"), QStringLiteral("-1")});
+    const ui::SearchPanel panel(fixture.desk, fixture.commands, fixture.selection,
+                                fixture.settings);
     QVERIFY(panel.findChild<QSpinBox*>(QStringLiteral("firstId"))->value() <= 253);
     QVERIFY(panel.findChild<QComboBox*>(QStringLiteral("searchRates"))->currentIndex() >= 0);
     QVERIFY(panel.findChild<QComboBox*>(QStringLiteral("searchProtocol"))->currentIndex() >= 0);
 }
 
-void TestSearchPanel::losingThePortEndsIt()
+void TestSearchPanel::losingThePortEndsTheSearch()
 {
-    Bench bench(QStringLiteral("sim:demo"));
-    bench.setIds(0, 253);
-    bench.find<QPushButton>("searchButton")->click();
-    QVERIFY(bench.desk.searching());
-    bench.desk.disconnectFrom();
-    QTRY_COMPARE(bench.desk.state(), session::LinkState::Off);
-    QVERIFY(!bench.desk.searching());
-    QVERIFY(!bench.find<QPushButton>("searchButton")->isEnabled());
-    QVERIFY(!bench.checklistShown());
+    Fixture fixture(QStringLiteral("sim:demo"));
+    fixture.setIds(0, 253);
+    fixture.find<QPushButton>("searchButton")->click();
+    QVERIFY(fixture.desk.isSearching());
+    fixture.desk.disconnectFrom();
+    QTRY_COMPARE(fixture.desk.state(), session::LinkState::Off);
+    QVERIFY(!fixture.desk.isSearching());
+    QVERIFY(!fixture.find<QPushButton>("searchButton")->isEnabled());
+    QVERIFY(!fixture.checklistShown());
 }
 
-void TestSearchPanel::theLanguageIsFollowed()
+void TestSearchPanel::followsTheLanguage()
 {
-    Bench bench(QStringLiteral("sim:demo"));
-    bench.setIds(1, 6);
-    QVERIFY(bench.searched());
+    Fixture fixture(QStringLiteral("sim:demo"));
+    fixture.setIds(1, 6);
+    QVERIFY(fixture.searched());
     text::installTranslator(QStringLiteral("zh_CN"));
     QEvent change(QEvent::LanguageChange);
-    QCoreApplication::sendEvent(&bench.panel, &change);
+    QCoreApplication::sendEvent(&fixture.panel, &change);
     static const QRegularExpression han(QStringLiteral("\\p{Han}"));
     for (const QString& words :
-         {bench.find<QPushButton>("searchButton")->text(), bench.status(),
-          bench.find<QPushButton>("whyButton")->text(),
-          bench.index(6).siblingAtColumn(ui::ServoListModel::Alarm).data().toString()})
+         {fixture.find<QPushButton>("searchButton")->text(), fixture.status(),
+          fixture.find<QPushButton>("whyButton")->text(),
+          fixture.index(6).siblingAtColumn(ui::ServoListModel::Alarm).data().toString()})
         QVERIFY2(words.contains(han), qPrintable(words));
 }
 

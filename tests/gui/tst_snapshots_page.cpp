@@ -31,13 +31,13 @@
 #include <thread>
 
 namespace {
-struct SnapshotsBench : gui::WindowBench {
-    explicit SnapshotsBench(const QString& language = QStringLiteral("en"))
-        : WindowBench(language)
+struct SnapshotsPageFixture : gui::MainWindowFixture {
+    explicit SnapshotsPageFixture(const QString& language = QStringLiteral("en"))
+        : MainWindowFixture(language)
     {
         page = QStringLiteral("snapshots");
     }
-    QTreeWidget* shelf() { return find<QTreeWidget>("shelfTree"); }
+    QTreeWidget* snapshotTree() { return find<QTreeWidget>("shelfTree"); }
     QTableView* table() { return find<QTableView>("compareTable"); }
     QPushButton* button(const char* name) { return find<QPushButton>(name); }
     void click(const char* name)
@@ -49,23 +49,23 @@ struct SnapshotsBench : gui::WindowBench {
     /// Takes one and selects it.
     bool taken()
     {
-        const int before = shelf()->topLevelItemCount();
+        const int before = snapshotTree()->topLevelItemCount();
         click("snapshotTake");
-        if (!QTest::qWaitFor([&] { return shelf()->topLevelItemCount() > before; }, 20'000))
+        if (!QTest::qWaitFor([&] { return snapshotTree()->topLevelItemCount() > before; }, 20'000))
             return false;
-        select(shelf()->topLevelItem(0));
+        select(snapshotTree()->topLevelItem(0));
         return true;
     }
     void select(QTreeWidgetItem* row)
     {
-        shelf()->clearSelection();
-        shelf()->setCurrentItem(row);
+        snapshotTree()->clearSelection();
+        snapshotTree()->setCurrentItem(row);
     }
     bool write(const char* key, std::int64_t value, bool dangerous = false)
     {
         desk().write(selection().current(),
                      {{{QString::fromLatin1(key), value}}, false, dangerous});
-        return settled();
+        return waitUntilIdle();
     }
     /// The row of this register, -1: it is not shown.
     int rowOf(const char* key)
@@ -87,9 +87,9 @@ struct SnapshotsBench : gui::WindowBench {
     }
     std::int64_t now(const char* key)
     {
-        (void)settled();
+        (void)waitUntilIdle();
         desk().readTable(selection().current());
-        (void)settled();
+        (void)waitUntilIdle();
         return raw(key).value_or(-1);
     }
     QString bannerText()
@@ -102,8 +102,8 @@ struct SnapshotsBench : gui::WindowBench {
     }
     record::Snapshot file()
     {
-        session::Snapshots snapshots(desk(), bench.archive);
-        return *snapshots.now(selection().current());
+        session::Snapshots snapshots(desk(), context.history);
+        return *snapshots.currentSnapshot(selection().current());
     }
     void drop(const QString& path)
     {
@@ -127,226 +127,227 @@ class TestSnapshotsPage : public QObject {
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
-    void lookingWritesNothing()
+    void viewingWritesNothing()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        QVERIFY(!bench.button("restoreWrite")->isEnabled());
-        QVERIFY(bench.taken());
-        QVERIFY(bench.shelf()->topLevelItem(0)->text(0).contains(QStringLiteral("STS3215 · ID 1")));
-        QTRY_VERIFY(bench.find<QLabel>("compareNothing")->isVisible());
-        QCOMPARE(bench.find<QLabel>("compareNothing")->text(),
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(!fixture.button("restoreWrite")->isEnabled());
+        QVERIFY(fixture.taken());
+        QVERIFY(fixture.snapshotTree()->topLevelItem(0)->text(0).contains(
+            QStringLiteral("STS3215 · ID 1")));
+        QTRY_VERIFY(fixture.find<QLabel>("compareNothing")->isVisible());
+        QCOMPARE(fixture.find<QLabel>("compareNothing")->text(),
                  QStringLiteral("Nothing to set differs."));
-        bench.find<QToolButton>("compareAll")->click();
-        QTRY_VERIFY(bench.rowOf("position_p") >= 0);
-        QVERIFY(!bench.button("restoreWrite")->isEnabled());
-        const auto intents = bench.session.journal().entries();
+        fixture.find<QToolButton>("compareAll")->click();
+        QTRY_VERIFY(fixture.rowOf("position_p") >= 0);
+        QVERIFY(!fixture.button("restoreWrite")->isEnabled());
+        const auto intents = fixture.session.journal().entries();
         QVERIFY(intents && intents->empty());
     }
 
     /// Another program writes, or the servo is exchanged for one of its kind.
-    void theServosColumnFollowsTheServo()
+    void theServoColumnFollowsTheServo()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        QVERIFY(bench.taken());
-        auto* different = bench.find<ui::Pill>("compareDifferent");
-        auto* age = bench.find<ui::Pill>("compareAge");
-        QTRY_COMPARE(different->words(), QStringLiteral("= no setting differs"));
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(fixture.taken());
+        auto* different = fixture.find<ui::Pill>("compareDifferent");
+        auto* age = fixture.find<ui::Pill>("compareAge");
+        QTRY_COMPARE(different->text(), QStringLiteral("= no setting differs"));
         QTRY_VERIFY(!age->isVisible());
-        bench.desk().connection()->simulation()->with([](sim::VirtualBus& bus) {
+        fixture.desk().connection()->simulation()->with([](sim::VirtualBus& bus) {
             bus.servo(1)->poke(QStringLiteral("max_temperature"), 60);
         });
-        QTRY_COMPARE_WITH_TIMEOUT(different->words(), QStringLiteral("≠ 1 differ"), 20000);
-        QVERIFY(bench.rowOf("max_temperature") >= 0);
+        QTRY_COMPARE_WITH_TIMEOUT(different->text(), QStringLiteral("≠ 1 differ"), 20000);
+        QVERIFY(fixture.rowOf("max_temperature") >= 0);
     }
 
     /// What cannot be read is not said to be so now.
-    void aSilentServosColumnSaysHowOldItIs()
+    void aSilentServosColumnShowsItsAge()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        QVERIFY(bench.taken());
-        auto* different = bench.find<ui::Pill>("compareDifferent");
-        auto* age = bench.find<ui::Pill>("compareAge");
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(fixture.taken());
+        auto* different = fixture.find<ui::Pill>("compareDifferent");
+        auto* age = fixture.find<ui::Pill>("compareAge");
         QTRY_VERIFY(different->isVisible() && !age->isVisible());
         const auto title = [&] {
-            return bench.table()
+            return fixture.table()
                 ->model()
                 ->headerData(ui::CompareModel::FirstTable, Qt::Horizontal)
                 .toString();
         };
         QTRY_COMPARE(title(), QStringLiteral("ID 1 now"));
-        const auto lose = [&bench](double share) {
-            bench.desk().connection()->simulation()->with(
+        const auto lose = [&fixture](double share) {
+            fixture.desk().connection()->simulation()->with(
                 [share](sim::VirtualBus& bus) { bus.config().faults.dropRequest = share; });
         };
         lose(1);
         QTRY_VERIFY_WITH_TIMEOUT(age->isVisible(), 30000);
         QTRY_VERIFY2_WITH_TIMEOUT(
-            age->words().startsWith(QStringLiteral("ID 1 · no answer · read ")),
-            qPrintable(age->words()), 30000);
-        QCOMPARE(different->words(), QStringLiteral("= no setting differed then"));
+            age->text().startsWith(QStringLiteral("ID 1 · no answer · read ")),
+            qPrintable(age->text()), 30000);
+        QCOMPARE(different->text(), QStringLiteral("= no setting differed then"));
         QTRY_VERIFY_WITH_TIMEOUT(title().startsWith(QStringLiteral("ID 1 · ")), 30000);
         lose(0);
         QTRY_VERIFY_WITH_TIMEOUT(!age->isVisible(), 30000);
         QTRY_COMPARE(title(), QStringLiteral("ID 1 now"));
-        QCOMPARE(different->words(), QStringLiteral("= no setting differs"));
+        QCOMPARE(different->text(), QStringLiteral("= no setting differs"));
     }
 
     /// A snapshot of a servo for 8 V is no reason to put one at 12 V into an alarm.
-    void limitsOfAnotherModelNeedAConsciousClick()
+    void limitsOfAnotherModelAreNotPreselected()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3250@2")));
-        QVERIFY(bench.write("max_voltage", 80));
-        QVERIFY(bench.write("position_p", 50));
-        QVERIFY(bench.taken());
-        auto* title = bench.find<QLabel>("compareTitle");
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1,sts3250@2")));
+        QVERIFY(fixture.write("max_voltage", 80));
+        QVERIFY(fixture.write("position_p", 50));
+        QVERIFY(fixture.taken());
+        auto* title = fixture.find<QLabel>("compareTitle");
         QTRY_VERIFY2(title->text().contains(QStringLiteral("STS3215 · ID 1 · ")),
                      qPrintable(title->text()));
         QVERIFY(!title->text().contains(QLatin1String("another model")));
 
-        QVERIFY(bench.choose(2));
-        const std::int64_t before = bench.now("max_voltage");
+        QVERIFY(fixture.choose(2));
+        const std::int64_t before = fixture.now("max_voltage");
         QVERIFY(before > 120);
-        bench.find<QComboBox>("shelfWhose")->setCurrentIndex(1);
-        const auto ofTheFirst = [&] {
-            for (int row = 0; row < bench.shelf()->topLevelItemCount(); ++row) {
-                QTreeWidgetItem* item = bench.shelf()->topLevelItem(row);
+        fixture.find<QComboBox>("shelfWhose")->setCurrentIndex(1);
+        const auto firstServoValue = [&] {
+            for (int row = 0; row < fixture.snapshotTree()->topLevelItemCount(); ++row) {
+                QTreeWidgetItem* item = fixture.snapshotTree()->topLevelItem(row);
                 if (item->text(0).contains(QStringLiteral("STS3215 · ID 1\ntaken")))
                     return item;
             }
             return static_cast<QTreeWidgetItem*>(nullptr);
         };
-        QTRY_VERIFY(ofTheFirst() != nullptr);
-        bench.select(ofTheFirst());
+        QTRY_VERIFY(firstServoValue() != nullptr);
+        fixture.select(firstServoValue());
         QTRY_VERIFY2(title->text().contains(QStringLiteral("STS3215 · ID 1")) &&
                          title->text().contains(QLatin1String("another model")),
                      qPrintable(title->text()));
-        QTRY_VERIFY(bench.rowOf("max_voltage") >= 0);
-        QTRY_COMPARE(bench.tick("position_p"), Qt::Checked);
-        QCOMPARE(bench.tick("max_voltage"), Qt::Unchecked);
+        QTRY_VERIFY(fixture.rowOf("max_voltage") >= 0);
+        QTRY_COMPARE(fixture.tick("position_p"), Qt::Checked);
+        QCOMPARE(fixture.tick("max_voltage"), Qt::Unchecked);
 
-        bench.click("restoreDryRun");
+        fixture.click("restoreDryRun");
         QLabel* warning = nullptr;
-        QTRY_VERIFY((warning = bench.find<QLabel>("dryRunWarning")) != nullptr);
+        QTRY_VERIFY((warning = fixture.find<QLabel>("dryRunWarning")) != nullptr);
         QVERIFY2(warning->isVisible() && warning->text().contains(QLatin1String("STS3215")) &&
                      warning->text().contains(QLatin1String("not selected: voltage alarm at once")),
                  qPrintable(warning->text()));
-        bench.click("dryRunClose");
+        fixture.click("dryRunClose");
 
-        bench.click("restoreWrite");
-        QTRY_VERIFY(!bench.bannerText().isEmpty());
-        QCOMPARE(bench.now("position_p"), 50);
-        QCOMPARE(bench.now("max_voltage"), before);
+        fixture.click("restoreWrite");
+        QTRY_VERIFY(!fixture.bannerText().isEmpty());
+        QCOMPARE(fixture.now("position_p"), 50);
+        QCOMPARE(fixture.now("max_voltage"), before);
 
         // By hand: asked for, with what will happen.
-        QTRY_VERIFY(bench.rowOf("max_voltage") >= 0);
-        bench.table()->setCurrentIndex(bench.cell("max_voltage", 1));
-        QTest::keyClick(bench.table(), Qt::Key_Space);
-        QTRY_COMPARE(bench.tick("max_voltage"), Qt::Checked);
-        bench.click("restoreWrite");
+        QTRY_VERIFY(fixture.rowOf("max_voltage") >= 0);
+        fixture.table()->setCurrentIndex(fixture.cell("max_voltage", 1));
+        QTest::keyClick(fixture.table(), Qt::Key_Space);
+        QTRY_COMPARE(fixture.tick("max_voltage"), Qt::Checked);
+        fixture.click("restoreWrite");
         QLabel* risk = nullptr;
-        QTRY_VERIFY((risk = bench.find<QLabel>("questionRisk")) != nullptr);
+        QTRY_VERIFY((risk = fixture.find<QLabel>("questionRisk")) != nullptr);
         QVERIFY2(risk->text().contains(QLatin1String("limit of another model (STS3215)")) &&
                      risk->text().contains(QLatin1String("voltage alarm at once")),
                  qPrintable(risk->text()));
-        QTest::mouseClick(bench.find<QPushButton>("questionNo"), Qt::LeftButton);
-        QCOMPARE(bench.now("max_voltage"), before);
+        QTest::mouseClick(fixture.find<QPushButton>("questionNo"), Qt::LeftButton);
+        QCOMPARE(fixture.now("max_voltage"), before);
     }
 
     /// The servo reads as the file has it, but only until power-off.
-    void aTemporaryValueIsOfferedToBeKept()
+    void aTemporaryValueIsOfferedForSaving()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        const std::int64_t asked = bench.now("position_p") + 8;
-        bench.desk().write(bench.selection().current(),
-                           {{{QStringLiteral("position_p"), asked}}, true, false});
-        QVERIFY(bench.settled());
-        QVERIFY(bench.taken());
-        QTRY_COMPARE(bench.rowOf("position_p"), 0);
-        QCOMPARE(bench.table()->model()->rowCount(), 1);
-        QCOMPARE(bench.tick("position_p"), Qt::Checked);
-        const auto* model = bench.table()->model();
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        const std::int64_t asked = fixture.now("position_p") + 8;
+        fixture.desk().write(fixture.selection().current(),
+                             {{{QStringLiteral("position_p"), asked}}, true, false});
+        QVERIFY(fixture.waitUntilIdle());
+        QVERIFY(fixture.taken());
+        QTRY_COMPARE(fixture.rowOf("position_p"), 0);
+        QCOMPARE(fixture.table()->model()->rowCount(), 1);
+        QCOMPARE(fixture.tick("position_p"), Qt::Checked);
+        const auto* model = fixture.table()->model();
         const QString state = model->index(0, model->columnCount() - 1).data().toString();
         QVERIFY2(state.contains(QLatin1String("not kept yet")), qPrintable(state));
 
-        bench.click("restoreWrite");
-        QTRY_VERIFY(!bench.bannerText().isEmpty());
-        QTRY_COMPARE(bench.rowOf("position_p"), -1);
-        bench.desk().connection()->simulation()->with(
+        fixture.click("restoreWrite");
+        QTRY_VERIFY(!fixture.bannerText().isEmpty());
+        QTRY_COMPARE(fixture.rowOf("position_p"), -1);
+        fixture.desk().connection()->simulation()->with(
             [](sim::VirtualBus& wire) { wire.powerCycle(); });
-        QCOMPARE(bench.now("position_p"), asked);
+        QCOMPARE(fixture.now("position_p"), asked);
     }
 
-    void whatDiffersIsShownAndWrittenBack()
+    void differencesAreShownAndRestored()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        const std::int64_t before = bench.now("position_p");
-        QVERIFY(bench.taken());
-        QVERIFY(bench.write("position_p", before + 8));
-        QVERIFY(bench.write("max_angle_limit", 3800));
-        QTRY_COMPARE(bench.table()->model()->rowCount(), 2);
-        QTRY_COMPARE(bench.tick("position_p"), Qt::Checked);
-        QVERIFY(bench.cell("position_p", ui::CompareModel::FirstTable)
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        const std::int64_t before = fixture.now("position_p");
+        QVERIFY(fixture.taken());
+        QVERIFY(fixture.write("position_p", before + 8));
+        QVERIFY(fixture.write("max_angle_limit", 3800));
+        QTRY_COMPARE(fixture.table()->model()->rowCount(), 2);
+        QTRY_COMPARE(fixture.tick("position_p"), Qt::Checked);
+        QVERIFY(fixture.cell("position_p", ui::CompareModel::FirstTable)
                     .data()
                     .toString()
                     .contains(QString::number(before + 8)));
-        QTRY_COMPARE(bench.button("restoreWrite")->text(), QStringLiteral("Write 2 ticked rows"));
+        QTRY_COMPARE(fixture.button("restoreWrite")->text(), QStringLiteral("Write 2 ticked rows"));
 
         // Taken off by hand: it stays off while the servo is read again.
-        bench.table()->setCurrentIndex(bench.cell("max_angle_limit", 1));
-        QTest::keyClick(bench.table(), Qt::Key_Space);
-        QTRY_COMPARE(bench.button("restoreWrite")->text(), QStringLiteral("Write 1 ticked row"));
-        const auto* filter = qobject_cast<QSortFilterProxyModel*>(bench.table()->model());
-        QSignalSpy looked(qobject_cast<ui::CompareModel*>(filter->sourceModel()),
-                          &ui::CompareModel::ticksChanged);
-        (void)bench.now("position_p");
-        QTRY_VERIFY(looked.count() > 0); // the page has looked again
-        QCOMPARE(bench.tick("max_angle_limit"), Qt::Unchecked);
+        fixture.table()->setCurrentIndex(fixture.cell("max_angle_limit", 1));
+        QTest::keyClick(fixture.table(), Qt::Key_Space);
+        QTRY_COMPARE(fixture.button("restoreWrite")->text(), QStringLiteral("Write 1 ticked row"));
+        const auto* filter = qobject_cast<QSortFilterProxyModel*>(fixture.table()->model());
+        QSignalSpy compareSpy(qobject_cast<ui::CompareModel*>(filter->sourceModel()),
+                              &ui::CompareModel::selectedRowsChanged);
+        (void)fixture.now("position_p");
+        QTRY_VERIFY(compareSpy.count() > 0); // the page has looked again
+        QCOMPARE(fixture.tick("max_angle_limit"), Qt::Unchecked);
 
-        bench.click("restoreDryRun");
+        fixture.click("restoreDryRun");
         QTableWidget* steps = nullptr;
-        QTRY_VERIFY((steps = bench.find<QTableWidget>("dryRunTable")) != nullptr);
+        QTRY_VERIFY((steps = fixture.find<QTableWidget>("dryRunTable")) != nullptr);
         int writes = 0;
         for (int row = 0; row < steps->rowCount(); ++row)
             writes += steps->item(row, 3)->text().contains(QString::number(before)) ? 1 : 0;
         QCOMPARE(writes, 1);
-        bench.click("dryRunClose");
+        fixture.click("dryRunClose");
 
-        bench.click("restoreWrite");
-        QTRY_VERIFY(bench.bannerText().contains(QLatin1String("1 row")));
-        QCOMPARE(bench.now("position_p"), before);
-        QCOMPARE(bench.raw("max_angle_limit"), 3800);
-        QTRY_VERIFY(!bench.button("restoreWrite")->isEnabled());
-        QVERIFY(bench.desk().nextUndo() != nullptr);
-        QCOMPARE(bench.desk().nextUndo()->after.front().raw, before);
+        fixture.click("restoreWrite");
+        QTRY_VERIFY(fixture.bannerText().contains(QLatin1String("1 row")));
+        QCOMPARE(fixture.now("position_p"), before);
+        QCOMPARE(fixture.raw("max_angle_limit"), 3800);
+        QTRY_VERIFY(!fixture.button("restoreWrite")->isEnabled());
+        QVERIFY(fixture.desk().undoStep() != nullptr);
+        QCOMPARE(fixture.desk().undoStep()->newItems.front().raw, before);
 
         // Taken back, it is no result any more.
-        bench.desk().undo();
-        QVERIFY(bench.settled());
-        QTRY_VERIFY(bench.bannerText().isEmpty());
+        fixture.desk().undo();
+        QVERIFY(fixture.waitUntilIdle());
+        QTRY_VERIFY(fixture.bannerText().isEmpty());
     }
 
     /// The servo falls silent in the middle, so the way back that was asked for fails as well.
-    void aWayBackThatFailedIsSaid()
+    void aFailedRollbackIsReported()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        const std::int64_t voltage = bench.now("max_voltage");
-        QVERIFY(bench.taken());
-        QVERIFY(bench.write("max_voltage", voltage + 5));
-        QVERIFY(bench.write("position_p", bench.now("position_p") + 8));
-        QTRY_COMPARE(bench.button("restoreWrite")->text(), QStringLiteral("Write 2 ticked rows"));
-        bench.find<QCheckBox>("restoreRollBack")->setChecked(true);
-        const auto simulation = bench.desk().connection()->simulation();
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        const std::int64_t voltage = fixture.now("max_voltage");
+        QVERIFY(fixture.taken());
+        QVERIFY(fixture.write("max_voltage", voltage + 5));
+        QVERIFY(fixture.write("position_p", fixture.now("position_p") + 8));
+        QTRY_COMPARE(fixture.button("restoreWrite")->text(), QStringLiteral("Write 2 ticked rows"));
+        fixture.find<QCheckBox>("restoreRollBack")->setChecked(true);
+        const auto simulation = fixture.desk().connection()->simulation();
         simulation->with([](sim::VirtualBus& wire) {
             wire.config().adapterLatency = std::chrono::milliseconds(150);
         });
-        bench.click("restoreWrite");
+        fixture.click("restoreWrite");
         QTRY_VERIFY_WITH_TIMEOUT(simulation->with([&](sim::VirtualBus& wire) {
             const bool written = wire.servo(1)->raw(QStringLiteral("max_voltage")) == voltage;
             if (written)
@@ -354,89 +355,90 @@ private Q_SLOTS:
             return written;
         }),
                                  60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.bannerText().isEmpty(), 60'000);
-        const QString said = bench.bannerText();
-        QVERIFY2(said.contains(QLatin1String("The old values could not be put back: Maximum")),
-                 qPrintable(said));
-        QVERIFY2(said.contains(QLatin1String("Interrupted writes")), qPrintable(said));
-        QCOMPARE(bench.session.journal().open()->size(), std::size_t(1));
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture.bannerText().isEmpty(), 60'000);
+        const QString message = fixture.bannerText();
+        QVERIFY2(message.contains(QLatin1String("The old values could not be put back: Maximum")),
+                 qPrintable(message));
+        QVERIFY2(message.contains(QLatin1String("Interrupted writes")), qPrintable(message));
+        QCOMPARE(fixture.session.journal().open()->size(), std::size_t(1));
     }
 
     /// Consent was given for one write: after Undo the dangerous row is not ticked by itself.
-    void aDangerousRowIsNotTickedAgainAfterUndo()
+    void aDangerousRowStaysUncheckedAfterUndo()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1));
-        QVERIFY(bench.taken());
-        const auto before = bench.raw("unload_condition").value_or(0);
-        bench.desk().write(bench.selection().current(),
-                           {{{QStringLiteral("unload_condition"), before ^ 1}}, false, true});
-        QVERIFY(bench.settled());
-        QTRY_VERIFY(bench.rowOf("unload_condition") >= 0);
-        QTRY_COMPARE(bench.tick("unload_condition"), Qt::Unchecked);
-        bench.table()->setCurrentIndex(bench.cell("unload_condition", 1));
-        QTest::keyClick(bench.table(), Qt::Key_Space);
-        QTRY_COMPARE(bench.tick("unload_condition"), Qt::Checked);
-        bench.click("restoreWrite");
-        QTRY_VERIFY(bench.find<QPushButton>("questionYes") != nullptr);
-        QTest::mouseClick(bench.find<QPushButton>("questionYes"), Qt::LeftButton);
-        QTRY_VERIFY(bench.bannerText().contains(QLatin1String("1 row")));
-        QVERIFY(bench.settled());
-        bench.desk().undo();
-        QVERIFY(bench.settled());
-        QTRY_VERIFY(bench.rowOf("unload_condition") >= 0);
-        QTRY_COMPARE(bench.tick("unload_condition"), Qt::Unchecked);
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QVERIFY(fixture.taken());
+        const auto before = fixture.raw("unload_condition").value_or(0);
+        fixture.desk().write(fixture.selection().current(),
+                             {{{QStringLiteral("unload_condition"), before ^ 1}}, false, true});
+        QVERIFY(fixture.waitUntilIdle());
+        QTRY_VERIFY(fixture.rowOf("unload_condition") >= 0);
+        QTRY_COMPARE(fixture.tick("unload_condition"), Qt::Unchecked);
+        fixture.table()->setCurrentIndex(fixture.cell("unload_condition", 1));
+        QTest::keyClick(fixture.table(), Qt::Key_Space);
+        QTRY_COMPARE(fixture.tick("unload_condition"), Qt::Checked);
+        fixture.click("restoreWrite");
+        QTRY_VERIFY(fixture.find<QPushButton>("questionYes") != nullptr);
+        QTest::mouseClick(fixture.find<QPushButton>("questionYes"), Qt::LeftButton);
+        QTRY_VERIFY(fixture.bannerText().contains(QLatin1String("1 row")));
+        QVERIFY(fixture.waitUntilIdle());
+        fixture.desk().undo();
+        QVERIFY(fixture.waitUntilIdle());
+        QTRY_VERIFY(fixture.rowOf("unload_condition") >= 0);
+        QTRY_COMPARE(fixture.tick("unload_condition"), Qt::Unchecked);
     }
 
     /// The table was saved by itself before the first change, and can be chosen like any other.
     /// A row that is never restored is not counted among what differs; it is named, with the
     /// reason.
-    void whatIsNeverRestoredIsNotCounted()
+    void nonRestorableRowsAreNotCounted()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1));
-        QVERIFY(bench.write("torque_switch", 1));
-        QVERIFY(bench.taken());
-        QVERIFY(bench.write("torque_switch", 0));
-        QVERIFY(bench.write("position_p", 40));
-        auto* different = bench.find<ui::Pill>("compareDifferent");
-        auto* never = bench.find<ui::Pill>("compareNever");
-        QTRY_COMPARE(different->words(), QStringLiteral("≠ 1 differ"));
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QVERIFY(fixture.write("torque_switch", 1));
+        QVERIFY(fixture.taken());
+        QVERIFY(fixture.write("torque_switch", 0));
+        QVERIFY(fixture.write("position_p", 40));
+        auto* different = fixture.find<ui::Pill>("compareDifferent");
+        auto* never = fixture.find<ui::Pill>("compareNever");
+        QTRY_COMPARE(different->text(), QStringLiteral("≠ 1 differ"));
         QVERIFY(never->isVisible());
-        QCOMPARE(never->words(), QStringLiteral("≠ 1 not restored"));
+        QCOMPARE(never->text(), QStringLiteral("≠ 1 not restored"));
         QVERIFY2(never->toolTip().contains(QStringLiteral("never restored")),
                  qPrintable(never->toolTip()));
-        bench.click("restoreWrite");
-        QTRY_COMPARE(different->words(), QStringLiteral("= no setting differs"));
+        fixture.click("restoreWrite");
+        QTRY_COMPARE(different->text(), QStringLiteral("= no setting differs"));
         QVERIFY(never->isVisible());
     }
 
-    void theTableBeforeTheFirstChangeIsThere()
+    void theTableBeforeTheFirstChangeIsListed()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        const std::int64_t before = bench.now("position_p");
-        QVERIFY(bench.write("position_p", before + 1));
-        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 1);
-        QVERIFY(bench.shelf()->topLevelItem(0)->text(0).contains(QLatin1String("before a change")));
-        bench.select(bench.shelf()->topLevelItem(0));
-        QTRY_VERIFY(bench.rowOf("position_p") == 0);
-        QCOMPARE(bench.entry().servo.raw(QStringLiteral("position_p")), before + 1);
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        const std::int64_t before = fixture.now("position_p");
+        QVERIFY(fixture.write("position_p", before + 1));
+        QTRY_COMPARE(fixture.snapshotTree()->topLevelItemCount(), 1);
+        QVERIFY(fixture.snapshotTree()->topLevelItem(0)->text(0).contains(
+            QLatin1String("before a change")));
+        fixture.select(fixture.snapshotTree()->topLevelItem(0));
+        QTRY_VERIFY(fixture.rowOf("position_p") == 0);
+        QCOMPARE(fixture.entry().servo.raw(QStringLiteral("position_p")), before + 1);
     }
 
     /// The table is kept either way.
-    void theHistoryNamesNoFileThatIsNotThere()
+    void theHistoryNamesNoMissingFile()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        session::Snapshots snapshots(bench.desk(), bench.bench.archive);
-        QSignalSpy taken(&snapshots, &session::Snapshots::taken);
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        session::Snapshots snapshots(fixture.desk(), fixture.context.history);
+        QSignalSpy taken(&snapshots, &session::Snapshots::snapshotTaken);
         QSignalSpy failed(&snapshots, &session::Snapshots::failed);
         const QTemporaryDir folder;
         const QString good = folder.filePath(QStringLiteral("one.servo.json"));
-        snapshots.take(bench.selection().current(), {{}, {}, good});
+        snapshots.take(fixture.selection().current(), {{}, {}, good});
         QTRY_COMPARE(taken.count(), 1);
-        snapshots.take(bench.selection().current(),
+        snapshots.take(fixture.selection().current(),
                        {{}, {}, folder.filePath(QStringLiteral("no/two.servo.json"))});
         QTRY_COMPARE(failed.count(), 1);
         QStringList files;
@@ -446,59 +448,59 @@ private Q_SLOTS:
                 files += one.file;
         };
         const auto both = [&] {
-            bench.bench.archive.snapshots({}, this, look);
+            fixture.context.history.snapshots({}, this, look);
             return files.size() == 2;
         };
         QTRY_VERIFY(both());
         QCOMPARE(files, (QStringList{QString(), good})); // the latest first
     }
 
-    void identityIsLeftAloneUnlessAsked()
+    void identityIsRestoredOnlyOnRequest()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
         const QTemporaryDir folder;
-        record::Snapshot other = bench.file();
+        record::Snapshot other = fixture.file();
         for (record::SnapshotRegister& row : other.registers) {
             if (row.key == QLatin1String("id"))
                 row.raw = 7;
         }
         const QString path = folder.filePath(QStringLiteral("other.servo.json"));
         QVERIFY(record::saveSnapshot(other, path));
-        bench.drop(path);
-        QTRY_VERIFY(bench.find<QCheckBox>("restoreIdentity")->isEnabled()); // it is compared with
-        QVERIFY(bench.rowOf("id") >= 0);
-        QCOMPARE(bench.tick("id"), Qt::Unchecked);
-        QVERIFY(!bench.button("restoreWrite")->isEnabled());
-        QTest::mouseClick(bench.find<QCheckBox>("restoreIdentity"), Qt::LeftButton);
-        QTRY_COMPARE(bench.tick("id"), Qt::Checked);
-        bench.click("restoreWrite");
-        auto* yes = bench.find<QPushButton>("questionYes");
+        fixture.drop(path);
+        QTRY_VERIFY(fixture.find<QCheckBox>("restoreIdentity")->isEnabled()); // it is compared with
+        QVERIFY(fixture.rowOf("id") >= 0);
+        QCOMPARE(fixture.tick("id"), Qt::Unchecked);
+        QVERIFY(!fixture.button("restoreWrite")->isEnabled());
+        QTest::mouseClick(fixture.find<QCheckBox>("restoreIdentity"), Qt::LeftButton);
+        QTRY_COMPARE(fixture.tick("id"), Qt::Checked);
+        fixture.click("restoreWrite");
+        auto* yes = fixture.find<QPushButton>("questionYes");
         QTRY_VERIFY(yes != nullptr); // it answers elsewhere afterwards: asked
         QTest::mouseClick(yes, Qt::LeftButton);
-        QTRY_COMPARE(bench.entry().servo.id, 7);
-        QTRY_VERIFY(!bench.bannerText().isEmpty());
+        QTRY_COMPARE(fixture.entry().servo.id, 7);
+        QTRY_VERIFY(!fixture.bannerText().isEmpty());
     }
 
     void factoryAndOtherServosAreColumns()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        QVERIFY(bench.taken());
-        QTRY_VERIFY(bench.table()->model()->columnCount() >= 4);
-        const int before = bench.table()->model()->columnCount();
-        auto* menu = bench.find<QMenu>("compareColumnsMenu");
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(fixture.taken());
+        QTRY_VERIFY(fixture.table()->model()->columnCount() >= 4);
+        const int before = fixture.table()->model()->columnCount();
+        auto* menu = fixture.find<QMenu>("compareColumnsMenu");
         Q_EMIT menu->aboutToShow();
         QCOMPARE(menu->actions().size(), 3); // factory, line, the other servo
         menu->actions().front()->trigger();
-        QCOMPARE(bench.table()->model()->columnCount(), before + 1);
+        QCOMPARE(fixture.table()->model()->columnCount(), before + 1);
         Q_EMIT menu->aboutToShow();
         menu->actions().back()->trigger();
-        QTRY_COMPARE(bench.table()->model()->columnCount(), before + 2);
-        QTRY_VERIFY(bench.rowOf("id") >= 0); // the two have different ones
+        QTRY_COMPARE(fixture.table()->model()->columnCount(), before + 2);
+        QTRY_VERIFY(fixture.rowOf("id") >= 0); // the two have different ones
     }
 
-    void brokenFilesAreTold_data()
+    void brokenFilesAreReported_data()
     {
         QTest::addColumn<QByteArray>("content");
         QTest::newRow("empty") << QByteArray();
@@ -507,29 +509,29 @@ private Q_SLOTS:
         QTest::newRow("newer") << QByteArray(
             "{\"format\":\"servodesk-snapshot\",\"version\":99,\"servo\":{},\"registers\":[]}");
     }
-    void brokenFilesAreTold()
+    void brokenFilesAreReported()
     {
         QFETCH(QByteArray, content);
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("broken.servo.json"));
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(content);
         file.close();
-        bench.drop(path);
-        QTRY_VERIFY(bench.bannerText().contains(QLatin1String("broken.servo.json")));
-        QCOMPARE(bench.shelf()->topLevelItemCount(), 0);
+        fixture.drop(path);
+        QTRY_VERIFY(fixture.bannerText().contains(QLatin1String("broken.servo.json")));
+        QCOMPARE(fixture.snapshotTree()->topLevelItemCount(), 0);
     }
 
-    void aTemplateGoesToSeveral()
+    void aTemplateIsAppliedToSeveralServos()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        const std::int64_t before = bench.now("position_p");
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        const std::int64_t before = fixture.now("position_p");
         const QTemporaryDir folder;
-        record::Snapshot wanted = bench.file();
+        record::Snapshot wanted = fixture.file();
         for (record::SnapshotRegister& row : wanted.registers) {
             if (row.key == QLatin1String("position_p"))
                 row.raw = before + 5;
@@ -538,38 +540,38 @@ private Q_SLOTS:
         QVERIFY(chosen);
         const QString path = folder.filePath(QStringLiteral("gripper.servo.json"));
         QVERIFY(record::saveSnapshot(*chosen, path));
-        bench.drop(path);
-        QTRY_COMPARE(bench.rowOf("position_p"), 0);
-        bench.click("restoreSeveral");
-        auto* servos = bench.find<QTableWidget>("applyTable");
+        fixture.drop(path);
+        QTRY_COMPARE(fixture.rowOf("position_p"), 0);
+        fixture.click("restoreSeveral");
+        auto* servos = fixture.find<QTableWidget>("applyTable");
         QVERIFY(servos != nullptr);
         QCOMPARE(servos->rowCount(), 2);
-        bench.click("applyDryRun");
+        fixture.click("applyDryRun");
         QTRY_VERIFY(servos->item(1, 3)->text().startsWith(QStringLiteral("≠")));
-        QCOMPARE(bench.now("position_p"), before);
-        bench.click("applyWrite");
-        auto* yes = bench.find<QPushButton>("questionYes");
+        QCOMPARE(fixture.now("position_p"), before);
+        fixture.click("applyWrite");
+        auto* yes = fixture.find<QPushButton>("questionYes");
         QTRY_VERIFY(yes != nullptr);
         QTest::mouseClick(yes, Qt::LeftButton);
         for (int row = 0; row < 2; ++row)
             QTRY_VERIFY_WITH_TIMEOUT(servos->item(row, 3)->text().startsWith(QStringLiteral("✔")),
                                      20'000);
-        QTRY_VERIFY(bench.button("applySave")->isEnabled());
-        for (const session::ServoRef ref : bench.desk().servos()) {
-            bench.selection().select(ref);
-            QCOMPARE(bench.now("position_p"), before + 5);
-            QVERIFY(bench.desk().servo(ref)->snapshotPath.contains(QLatin1String("STS3215")));
+        QTRY_VERIFY(fixture.button("applySave")->isEnabled());
+        for (const session::ServoRef ref : fixture.desk().servos()) {
+            fixture.selection().select(ref);
+            QCOMPARE(fixture.now("position_p"), before + 5);
+            QVERIFY(fixture.desk().servo(ref)->snapshotPath.contains(QLatin1String("STS3215")));
         }
-        QVERIFY(bench.desk().nextUndo() != nullptr);
+        QVERIFY(fixture.desk().undoStep() != nullptr);
     }
 
     /// A row that this servo has not is told, not passed over.
-    void whatIsLeftOutIsSaid()
+    void skippedRowsAreReported()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, QStringLiteral("sim:scs15@1")));
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:scs15@1")));
         const QTemporaryDir folder;
-        record::Snapshot foreign = bench.file();
+        record::Snapshot foreign = fixture.file();
         record::SnapshotRegister row = *foreign.find(QStringLiteral("position_p"));
         row.key = QStringLiteral("no_such_row");
         row.address = 200;
@@ -578,13 +580,13 @@ private Q_SLOTS:
         QVERIFY(chosen);
         const QString path = folder.filePath(QStringLiteral("foreign.servo.json"));
         QVERIFY(record::saveSnapshot(*chosen, path));
-        bench.drop(path);
-        bench.click("restoreSeveral");
-        auto* servos = bench.find<QTableWidget>("applyTable");
+        fixture.drop(path);
+        fixture.click("restoreSeveral");
+        auto* servos = fixture.find<QTableWidget>("applyTable");
         QVERIFY(servos != nullptr);
-        bench.click("applyWrite");
-        QTRY_VERIFY(bench.find<QPushButton>("questionYes") != nullptr);
-        QTest::mouseClick(bench.find<QPushButton>("questionYes"), Qt::LeftButton);
+        fixture.click("applyWrite");
+        QTRY_VERIFY(fixture.find<QPushButton>("questionYes") != nullptr);
+        QTest::mouseClick(fixture.find<QPushButton>("questionYes"), Qt::LeftButton);
         QTRY_VERIFY(servos->item(0, 3)->text().startsWith(QStringLiteral("⚠")));
         QVERIFY(servos->item(0, 3)->text().contains(QLatin1String("1 row left out")));
         QVERIFY(servos->item(0, 3)->toolTip().contains(QLatin1String("no_such_row")));
@@ -593,135 +595,136 @@ private Q_SLOTS:
     /// The page that is hidden tells of what was read last, and others make widgets of it.
     void theWindowIsWholeWhenThePageEnds()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1));
-        QVERIFY(bench.taken());
-        const base::Duration before = bench.desk().now();
-        while (bench.desk().now() < before + std::chrono::milliseconds(1500))
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1));
+        QVERIFY(fixture.taken());
+        const base::Duration before = fixture.desk().now();
+        while (fixture.desk().now() < before + std::chrono::milliseconds(1500))
             std::this_thread::yield(); // it is read twice a second, and nobody takes it
-        const QObject* window = bench.window.get();
+        const QObject* window = fixture.window.get();
         bool told = false;
         bool whole = true;
-        QObject::connect(&bench.desk(), &session::Desk::tableChanged, &bench.desk(), [&] {
+        QObject::connect(&fixture.desk(), &session::Desk::tableChanged, &fixture.desk(), [&] {
             told = true;
             whole = whole && window->metaObject() == &ui::MainWindow::staticMetaObject;
         });
-        bench.window.reset();
+        fixture.window.reset();
         QVERIFY(told && whole);
     }
 
-    void aBundleGoesBackById()
+    void aBundleIsRestoredById()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(2, two));
-        const std::int64_t before = bench.now("position_p");
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(2, two));
+        const std::int64_t before = fixture.now("position_p");
         const QTemporaryDir folder;
         record::Bundle bundle;
         bundle.program = QStringLiteral("servodesk");
         bundle.at = QDateTime::currentDateTimeUtc();
-        bundle.servos = {bench.file()};
+        bundle.servos = {fixture.file()};
         const QString path = folder.filePath(QStringLiteral("arm.bundle.json"));
         QVERIFY(record::saveBundle(bundle, path));
-        QVERIFY(bench.write("position_p", before + 3));
-        bench.drop(path);
-        QTRY_COMPARE(bench.button("restoreSeveral")->text(), QStringLiteral("Restore the bundle…"));
-        QTreeWidgetItem* row = bench.shelf()->topLevelItem(0);
+        QVERIFY(fixture.write("position_p", before + 3));
+        fixture.drop(path);
+        QTRY_COMPARE(fixture.button("restoreSeveral")->text(),
+                     QStringLiteral("Restore the bundle…"));
+        QTreeWidgetItem* row = fixture.snapshotTree()->topLevelItem(0);
         QCOMPARE(row->childCount(), 1);
-        bench.select(row->child(0));
-        QTRY_COMPARE(bench.rowOf("position_p"), 0);
-        bench.select(row);
-        bench.click("restoreSeveral");
-        auto* servos = bench.find<QTableWidget>("applyTable");
+        fixture.select(row->child(0));
+        QTRY_COMPARE(fixture.rowOf("position_p"), 0);
+        fixture.select(row);
+        fixture.click("restoreSeveral");
+        auto* servos = fixture.find<QTableWidget>("applyTable");
         QCOMPARE(servos->rowCount(), 1);
-        bench.click("applyWrite");
-        QTRY_VERIFY(bench.find<QPushButton>("questionYes") != nullptr);
-        QTest::mouseClick(bench.find<QPushButton>("questionYes"), Qt::LeftButton);
+        fixture.click("applyWrite");
+        QTRY_VERIFY(fixture.find<QPushButton>("questionYes") != nullptr);
+        QTest::mouseClick(fixture.find<QPushButton>("questionYes"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(servos->item(0, 3)->text().startsWith(QStringLiteral("✔")),
                                  20'000);
-        QCOMPARE(bench.now("position_p"), before);
+        QCOMPARE(fixture.now("position_p"), before);
     }
 
-    void filesAreLookedAtWithoutAPort()
+    void filesCanBeViewedWithoutAPort()
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("kept.servo.json"));
         {
-            SnapshotsBench bench;
-            QVERIFY(bench.ready(1, two));
-            QVERIFY(record::saveSnapshot(bench.file(), path));
+            SnapshotsPageFixture fixture;
+            QVERIFY(fixture.ready(1, two));
+            QVERIFY(record::saveSnapshot(fixture.file(), path));
         }
-        SnapshotsBench bench;
-        bench.action(ui::Command::PageSnapshots)->trigger();
-        QVERIFY(bench.find<ui::SnapshotsPage>("snapshotsPage")->isVisible());
-        bench.drop(path);
-        QTRY_VERIFY(bench.table()->isVisible());
-        QVERIFY(bench.rowOf("position_p") >= 0);
-        QVERIFY(!bench.button("restoreWrite")->isEnabled());
-        QVERIFY(!bench.button("snapshotTake")->isEnabled());
+        SnapshotsPageFixture fixture;
+        fixture.action(ui::Command::PageSnapshots)->trigger();
+        QVERIFY(fixture.find<ui::SnapshotsPage>("snapshotsPage")->isVisible());
+        fixture.drop(path);
+        QTRY_VERIFY(fixture.table()->isVisible());
+        QVERIFY(fixture.rowOf("position_p") >= 0);
+        QVERIFY(!fixture.button("restoreWrite")->isEnabled());
+        QVERIFY(!fixture.button("snapshotTake")->isEnabled());
     }
 
-    void aNoteIsKept()
+    void aNoteIsSaved()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        QVERIFY(bench.taken());
-        auto* note = bench.window->findChild<QAction*>(QStringLiteral("snapshotNote"));
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(fixture.taken());
+        auto* note = fixture.window->findChild<QAction*>(QStringLiteral("snapshotNote"));
         QTRY_VERIFY(note->isEnabled());
-        QTRY_VERIFY(bench.table() != nullptr);
-        bench.find<QToolButton>("compareAll")->setChecked(true);
-        QTRY_VERIFY(bench.rowOf("position_p") >= 0); // it is loaded
+        QTRY_VERIFY(fixture.table() != nullptr);
+        fixture.find<QToolButton>("compareAll")->setChecked(true);
+        QTRY_VERIFY(fixture.rowOf("position_p") >= 0); // it is loaded
         note->trigger();
-        auto* label = bench.find<QLineEdit>("noteLabel");
+        auto* label = fixture.find<QLineEdit>("noteLabel");
         QTRY_VERIFY(label != nullptr);
         label->setFocus();
         QTest::keyClicks(label, QStringLiteral("reference, tested"));
-        bench.find<QPlainTextEdit>("noteText")->setPlainText(QStringLiteral("gear changed"));
-        bench.click("noteSave");
-        QTRY_VERIFY(
-            bench.shelf()->topLevelItem(0)->text(0).contains(QLatin1String("reference, tested")));
-        bench.find<QLineEdit>("shelfSearch")->setText(QStringLiteral("gear"));
-        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 1);
-        bench.find<QLineEdit>("shelfSearch")->setText(QStringLiteral("nothing like it"));
-        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 0);
+        fixture.find<QPlainTextEdit>("noteText")->setPlainText(QStringLiteral("gear changed"));
+        fixture.click("noteSave");
+        QTRY_VERIFY(fixture.snapshotTree()->topLevelItem(0)->text(0).contains(
+            QLatin1String("reference, tested")));
+        fixture.find<QLineEdit>("shelfSearch")->setText(QStringLiteral("gear"));
+        QTRY_COMPARE(fixture.snapshotTree()->topLevelItemCount(), 1);
+        fixture.find<QLineEdit>("shelfSearch")->setText(QStringLiteral("nothing like it"));
+        QTRY_COMPARE(fixture.snapshotTree()->topLevelItemCount(), 0);
     }
 
     /// As by servodesk-cli, with another connection; what is selected stays.
-    void whatAnotherProgramKeepsIsListed()
+    void snapshotsOfAnotherProgramAreListed()
     {
-        SnapshotsBench bench;
-        QVERIFY(bench.ready(1, two));
-        QVERIFY(bench.taken());
-        bench.find<QComboBox>("shelfWhose")->setCurrentIndex(1); // of all servos
+        SnapshotsPageFixture fixture;
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(fixture.taken());
+        fixture.find<QComboBox>("shelfWhose")->setCurrentIndex(1); // of all servos
         const auto history = record::History::open(session::historyFile()).value();
         const auto keep = [&](int id) {
             (void)history->log()
-                .addSnapshot(history_example::snapshot(id, "one"), record::SnapshotReason::Asked)
+                .addSnapshot(history_example::snapshot(id, "one"), record::SnapshotReason::Manual)
                 .value();
         };
         keep(7);
-        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 2);
-        bench.shelf()->selectAll();
-        bench.shelf()->setCurrentItem(bench.shelf()->topLevelItem(1), 0,
-                                      QItemSelectionModel::NoUpdate);
-        const QString current = bench.shelf()->currentItem()->text(0);
+        QTRY_COMPARE(fixture.snapshotTree()->topLevelItemCount(), 2);
+        fixture.snapshotTree()->selectAll();
+        fixture.snapshotTree()->setCurrentItem(fixture.snapshotTree()->topLevelItem(1), 0,
+                                               QItemSelectionModel::NoUpdate);
+        const QString current = fixture.snapshotTree()->currentItem()->text(0);
         keep(8);
-        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 3);
-        QCOMPARE(bench.shelf()->selectedItems().size(), 2);
-        QCOMPARE(bench.shelf()->currentItem()->text(0), current);
-        bench.action(ui::Command::PageMemory)->trigger();
-        QTRY_VERIFY(!bench.shelf()->isVisible());
+        QTRY_COMPARE(fixture.snapshotTree()->topLevelItemCount(), 3);
+        QCOMPARE(fixture.snapshotTree()->selectedItems().size(), 2);
+        QCOMPARE(fixture.snapshotTree()->currentItem()->text(0), current);
+        fixture.action(ui::Command::PageMemory)->trigger();
+        QTRY_VERIFY(!fixture.snapshotTree()->isVisible());
         keep(9);
-        bench.action(ui::Command::PageSnapshots)->trigger();
-        QTRY_COMPARE(bench.shelf()->topLevelItemCount(), 4);
+        fixture.action(ui::Command::PageSnapshots)->trigger();
+        QTRY_COMPARE(fixture.snapshotTree()->topLevelItemCount(), 4);
     }
 
-    void itSpeaksChinese()
+    void isTranslatedToChinese()
     {
-        SnapshotsBench bench(QStringLiteral("zh_CN"));
-        QVERIFY(bench.ready(1, two));
-        QVERIFY(bench.taken());
+        SnapshotsPageFixture fixture(QStringLiteral("zh_CN"));
+        QVERIFY(fixture.ready(1, two));
+        QVERIFY(fixture.taken());
         static const QRegularExpression han(QStringLiteral("\\p{Han}"));
-        auto* page = bench.find<ui::SnapshotsPage>("snapshotsPage");
+        auto* page = fixture.find<ui::SnapshotsPage>("snapshotsPage");
         for (const QAbstractButton* button : page->findChildren<QAbstractButton*>()) {
             if (button->isVisible() && !button->text().isEmpty())
                 QVERIFY2(button->text().contains(han), qPrintable(button->text()));

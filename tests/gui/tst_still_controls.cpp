@@ -22,7 +22,7 @@
 #include <QToolTip>
 #include <QTreeWidget>
 
-using gui::WindowBench;
+using gui::MainWindowFixture;
 using namespace std::chrono_literals;
 
 namespace {
@@ -35,7 +35,7 @@ const QStringList motionControls{
     QStringLiteral("mode_step"),     QStringLiteral("torqueLimitSlider"),
     QStringLiteral("howWrite"),      QStringLiteral("torqueLimitPercent")};
 
-QRect placeIn(const QWidget& window, const QWidget& widget)
+QRect geometryIn(const QWidget& window, const QWidget& widget)
 {
     return {widget.mapTo(&window, QPoint()), widget.size()};
 }
@@ -46,42 +46,42 @@ std::map<QString, QRect> places(const QWidget& window, const QStringList& names)
     for (const QString& name : names) {
         const auto* widget = window.findChild<QWidget*>(name);
         if (widget != nullptr && widget->isVisible())
-            found[name] = placeIn(window, *widget);
+            found[name] = geometryIn(window, *widget);
     }
     return found;
 }
 
 template <typename Function>
-decltype(auto) withWire(WindowBench& bench, Function&& function)
+decltype(auto) withBus(MainWindowFixture& fixture, Function&& function)
 {
-    return bench.desk().connection()->simulation()->with(std::forward<Function>(function));
+    return fixture.desk().connection()->simulation()->with(std::forward<Function>(function));
 }
 
-std::int64_t rawOf(WindowBench& bench, int id, const char* key)
+std::int64_t rawOf(MainWindowFixture& fixture, int id, const char* key)
 {
-    return withWire(bench, [&](sim::VirtualBus& wire) {
+    return withBus(fixture, [&](sim::VirtualBus& wire) {
         return wire.servo(id)->raw(QString::fromLatin1(key));
     });
 }
 
 /// The places are compared after each thing that happens.
-class Watch {
+class LayoutObserver {
 public:
-    Watch(WindowBench& bench, const QStringList& names)
-        : m_bench(bench)
+    LayoutObserver(MainWindowFixture& fixture, const QStringList& names)
+        : m_fixture(fixture)
         , m_names(names)
     {
-        settle();
-        m_before = places(*bench.window, names);
+        waitUntilStable();
+        m_before = places(*fixture.window, names);
     }
 
     std::size_t count() const { return m_before.size(); }
     /// What stands elsewhere now; empty: nothing.
     QString moved(const char* after)
     {
-        settle();
+        waitUntilStable();
         QStringList moved;
-        for (const auto& [name, now] : places(*m_bench.window, m_names)) {
+        for (const auto& [name, now] : places(*m_fixture.window, m_names)) {
             const auto before = m_before.find(name);
             if (before != m_before.end() && before->second != now)
                 moved << QStringLiteral("%1: %2,%3 %4×%5 → %6,%7 %8×%9")
@@ -102,14 +102,14 @@ public:
 
 private:
     /// The panel shows anew 25 ms after something changed, the layouts follow.
-    void settle()
+    void waitUntilStable()
     {
-        QVERIFY(m_bench.desk().testing() || m_bench.settled());
+        QVERIFY(m_fixture.desk().isTesting() || m_fixture.waitUntilIdle());
         QElapsedTimer since;
         since.start();
-        auto last = places(*m_bench.window, m_names);
+        auto last = places(*m_fixture.window, m_names);
         (void)QTest::qWaitFor([&] {
-            if (auto now = places(*m_bench.window, m_names); now != last) {
+            if (auto now = places(*m_fixture.window, m_names); now != last) {
                 last = std::move(now);
                 since.restart();
             }
@@ -117,18 +117,18 @@ private:
         });
     }
 
-    WindowBench& m_bench;
+    MainWindowFixture& m_fixture;
     QStringList m_names;
     std::map<QString, QRect> m_before;
 };
 
-#define VERIFY_STILL(watch, after)                                                                 \
+#define VERIFY_UNMOVED(watch, after)                                                               \
     do {                                                                                           \
         const QString moved = (watch).moved(after);                                                \
         QVERIFY2(moved.isEmpty(), qPrintable(moved));                                              \
     } while (false)
 
-void sizesAndLanguages()
+void addSizesAndLanguages()
 {
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
@@ -138,9 +138,9 @@ void sizesAndLanguages()
     QTest::newRow("Chinese") << "zh_CN" << QSize(1280, 800);
 }
 
-bool chooseRow(WindowBench& bench, const char* key)
+bool clickRow(MainWindowFixture& fixture, const char* key)
 {
-    auto* table = bench.find<QTableView>("memoryTable");
+    auto* table = fixture.find<QTableView>("memoryTable");
     for (int row = 0; row < table->model()->rowCount(); ++row) {
         const QModelIndex cell = table->model()->index(row, 0);
         if (cell.data(ui::MemoryModel::KeyRole).toString() == QLatin1String(key)) {
@@ -152,29 +152,29 @@ bool chooseRow(WindowBench& bench, const char* key)
 }
 
 /// A snapshot is chosen from which the servo differs.
-bool takeSnapshotAndChange(WindowBench& bench)
+bool takeSnapshotAndChange(MainWindowFixture& fixture)
 {
-    auto* shelf = bench.find<QTreeWidget>("shelfTree");
-    auto* take = bench.find<QPushButton>("snapshotTake");
+    auto* snapshotTree = fixture.find<QTreeWidget>("shelfTree");
+    auto* take = fixture.find<QPushButton>("snapshotTake");
     if (!QTest::qWaitFor([&] { return take->isEnabled(); }, 20'000))
         return false;
     QTest::mouseClick(take, Qt::LeftButton);
-    if (!QTest::qWaitFor([&] { return shelf->topLevelItemCount() > 0; }, 20'000))
+    if (!QTest::qWaitFor([&] { return snapshotTree->topLevelItemCount() > 0; }, 20'000))
         return false;
-    bench.desk().write(bench.selection().current(), {{{QStringLiteral("position_p"), 40}}});
-    if (!bench.settled())
+    fixture.desk().write(fixture.selection().current(), {{{QStringLiteral("position_p"), 40}}});
+    if (!fixture.waitUntilIdle())
         return false;
-    shelf->setCurrentItem(shelf->topLevelItem(shelf->topLevelItemCount() - 1));
-    auto* restore = bench.find<QPushButton>("restoreWrite");
+    snapshotTree->setCurrentItem(snapshotTree->topLevelItem(snapshotTree->topLevelItemCount() - 1));
+    auto* restore = fixture.find<QPushButton>("restoreWrite");
     return QTest::qWaitFor([&] { return restore->isEnabled(); }, 20'000);
 }
 
 /// The controls on which something that floats lies.
-QString coveredBy(WindowBench& bench, const char* floating, const QStringList& names)
+QString coveredControls(MainWindowFixture& fixture, const char* floating, const QStringList& names)
 {
-    const QRect place = placeIn(*bench.window, *bench.find<QWidget>(floating));
+    const QRect place = geometryIn(*fixture.window, *fixture.find<QWidget>(floating));
     QStringList covered;
-    for (const auto& [name, control] : places(*bench.window, names)) {
+    for (const auto& [name, control] : places(*fixture.window, names)) {
         if (control.intersects(place))
             covered << name;
     }
@@ -182,9 +182,9 @@ QString coveredBy(WindowBench& bench, const char* floating, const QStringList& n
 }
 
 /// As a message, a hint or a longer line did before the controls were kept still.
-void pushDown(WindowBench& bench, int by)
+void shiftLayout(MainWindowFixture& fixture, int by)
 {
-    QWidget* body = bench.find<QScrollArea>("controlScroll")->widget();
+    QWidget* body = fixture.find<QScrollArea>("controlScroll")->widget();
     auto* block = new QWidget(body);
     block->setFixedHeight(by);
     qobject_cast<QBoxLayout*>(body->layout())->insertWidget(0, block);
@@ -192,253 +192,257 @@ void pushDown(WindowBench& bench, int by)
 }
 } // namespace
 
-class TestStillControls : public QObject {
+class TestStableLayout : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { gui::failOnWarnings(); }
 
-    void messagesMoveNoControl_data() { sizesAndLanguages(); }
-    void messagesMoveNoControl()
+    void messagesDoNotMoveControls_data() { addSizesAndLanguages(); }
+    void messagesDoNotMoveControls()
     {
         QFETCH(QString, language);
         QFETCH(QSize, size);
-        WindowBench bench(language);
-        bench.window->resize(size);
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2,sts3215@3")));
-        QTRY_VERIFY(bench.find<QWidget>("goal") != nullptr);
-        Watch watch(bench, motionControls);
+        MainWindowFixture fixture(language);
+        fixture.window->resize(size);
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2,sts3215@3")));
+        QTRY_VERIFY(fixture.find<QWidget>("goal") != nullptr);
+        LayoutObserver watch(fixture, motionControls);
         QVERIFY(watch.count() >= 12);
-        const auto seen = [&](const char* name) { return bench.find<QWidget>(name)->isVisible(); };
+        const auto seen = [&](const char* name) {
+            return fixture.find<QWidget>(name)->isVisible();
+        };
 
-        QTest::mouseClick(bench.find<QToolButton>("torqueSwitch"), Qt::LeftButton);
+        QTest::mouseClick(fixture.find<QToolButton>("torqueSwitch"), Qt::LeftButton);
         QTRY_VERIFY(seen("torqueHint"));
-        VERIFY_STILL(watch, "the question before the first torque");
-        QTest::mouseClick(bench.find<QPushButton>("torqueHintGo"), Qt::LeftButton);
-        QTRY_COMPARE(rawOf(bench, 1, "torque_switch"), 1);
-        QTRY_VERIFY(!bench.find<QLabel>("controlSaid")->text().isEmpty());
-        VERIFY_STILL(watch, "torque on, and what was said of it");
+        VERIFY_UNMOVED(watch, "the question before the first torque");
+        QTest::mouseClick(fixture.find<QPushButton>("torqueHintGo"), Qt::LeftButton);
+        QTRY_COMPARE(rawOf(fixture, 1, "torque_switch"), 1);
+        QTRY_VERIFY(!fixture.find<QLabel>("controlSaid")->text().isEmpty());
+        VERIFY_UNMOVED(watch, "torque on, and what was said of it");
 
-        auto* goal = bench.find<QAbstractSpinBox>("goal");
+        auto* goal = fixture.find<QAbstractSpinBox>("goal");
         goal->setFocus();
         goal->selectAll();
         QTest::keyClicks(goal, QStringLiteral("99999"));
         QTest::keyClick(goal, Qt::Key_Return);
         QTRY_VERIFY(seen("controlBanner"));
-        VERIFY_STILL(watch, "a banner");
+        VERIFY_UNMOVED(watch, "a banner");
 
-        auto* speed = bench.find<QAbstractSpinBox>("speed");
+        auto* speed = fixture.find<QAbstractSpinBox>("speed");
         speed->setFocus();
         speed->selectAll();
         QTest::keyClicks(speed, QStringLiteral("30000"));
-        VERIFY_STILL(watch, "a speed that is too high for the model");
+        VERIFY_UNMOVED(watch, "a speed that is too high for the model");
 
-        bench.desk().emergencyStop();
+        fixture.desk().emergencyStop();
         QTRY_VERIFY(seen("controlStopped"));
-        VERIFY_STILL(watch, "the line after a stop");
-        QTest::mouseClick(bench.find<QToolButton>("torqueSwitch"), Qt::LeftButton);
+        VERIFY_UNMOVED(watch, "the line after a stop");
+        QTest::mouseClick(fixture.find<QToolButton>("torqueSwitch"), Qt::LeftButton);
         QTRY_VERIFY(!seen("controlStopped"));
-        VERIFY_STILL(watch, "going on after a stop");
+        VERIFY_UNMOVED(watch, "going on after a stop");
 
-        bench.desk().write(bench.selection().current(),
-                           {{{QStringLiteral("max_temperature"), 20}}, true, true});
+        fixture.desk().write(fixture.selection().current(),
+                             {{{QStringLiteral("max_temperature"), 20}}, true, true});
         QTRY_VERIFY(seen("statusAlarm"));
-        VERIFY_STILL(watch, "an alarm, and a write that can be undone");
+        VERIFY_UNMOVED(watch, "an alarm, and a write that can be undone");
 
-        bench.find<ui::Banner>("banner")->present(
+        fixture.find<ui::Banner>("banner")->showMessage(
             {base::ErrorCode::LinkLost, QStringLiteral("read"), QStringLiteral("/dev/ttyUSB0")});
-        VERIFY_STILL(watch, "the window's own banner");
+        VERIFY_UNMOVED(watch, "the window's own banner");
         for (const char* floating : {"banner", "controlMessages"})
-            QCOMPARE(coveredBy(bench, floating, motionControls), QString());
-        bench.find<ui::Banner>("banner")->clear();
-        bench.find<ui::Banner>("controlBanner")->clear();
-        VERIFY_STILL(watch, "banners that go");
+            QCOMPARE(coveredControls(fixture, floating, motionControls), QString());
+        fixture.find<ui::Banner>("banner")->hideMessage();
+        fixture.find<ui::Banner>("controlBanner")->hideMessage();
+        VERIFY_UNMOVED(watch, "banners that go");
     }
 
-    void servosThatComeMoveNoControl_data() { sizesAndLanguages(); }
-    void servosThatComeMoveNoControl()
+    void newServosDoNotMoveControls_data() { addSizesAndLanguages(); }
+    void newServosDoNotMoveControls()
     {
         QFETCH(QString, language);
         QFETCH(QSize, size);
-        WindowBench bench(language);
-        bench.window->resize(size);
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@22,sts3250@23")));
-        QTRY_VERIFY(bench.find<QWidget>("goal") != nullptr);
-        Watch watch(bench, motionControls);
-        QVERIFY(!bench.find<QWidget>("servoStrip")->isVisible());
-        bench.desk().search({.firstId = 20, .lastId = 25, .bauds = {}});
-        QTRY_VERIFY(bench.find<QWidget>("servoStrip")->isVisible());
-        VERIFY_STILL(watch, "a strip of servos");
-        withWire(bench, [](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
-        QTRY_VERIFY(bench.entry().silent || bench.entry().link.lost());
-        VERIFY_STILL(watch, "a servo that is silent");
-        withWire(bench, [](sim::VirtualBus& wire) { wire.servo(1)->powerOn(); });
-        QTRY_VERIFY(!bench.entry().silent && !bench.entry().link.lost());
-        VERIFY_STILL(watch, "a servo that is back");
+        MainWindowFixture fixture(language);
+        fixture.window->resize(size);
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1,sts3215@22,sts3250@23")));
+        QTRY_VERIFY(fixture.find<QWidget>("goal") != nullptr);
+        LayoutObserver watch(fixture, motionControls);
+        QVERIFY(!fixture.find<QWidget>("servoStrip")->isVisible());
+        fixture.desk().search({.firstId = 20, .lastId = 25, .bauds = {}});
+        QTRY_VERIFY(fixture.find<QWidget>("servoStrip")->isVisible());
+        VERIFY_UNMOVED(watch, "a strip of servos");
+        withBus(fixture, [](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
+        QTRY_VERIFY(fixture.entry().silent || fixture.entry().linkMonitor.isLost());
+        VERIFY_UNMOVED(watch, "a servo that is silent");
+        withBus(fixture, [](sim::VirtualBus& wire) { wire.servo(1)->powerOn(); });
+        QTRY_VERIFY(!fixture.entry().silent && !fixture.entry().linkMonitor.isLost());
+        VERIFY_UNMOVED(watch, "a servo that is back");
     }
 
-    void pagesThatRunTestsKeepTheirButtons_data() { sizesAndLanguages(); }
+    void pagesThatRunTestsKeepTheirButtons_data() { addSizesAndLanguages(); }
     void pagesThatRunTestsKeepTheirButtons()
     {
         QFETCH(QString, language);
         QFETCH(QSize, size);
-        WindowBench bench(language);
-        bench.window->resize(size);
+        MainWindowFixture fixture(language);
+        fixture.window->resize(size);
         const std::array<std::array<const char*, 4>, 2> pages{
             {{"sweep", "sweepRun", "sweepBanner", "sweepOutlook"},
              {"step", "stepRun", "stepBanner", "stepWhy"}}};
         for (const auto& [page, run, banner, words] : pages) {
-            bench.page = QString::fromLatin1(page);
-            QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+            fixture.page = QString::fromLatin1(page);
+            QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
             const QStringList names{QString::fromLatin1(run)};
-            Watch watch(bench, names);
+            LayoutObserver watch(fixture, names);
             QCOMPARE(watch.count(), std::size_t(1));
-            bench.find<ui::Banner>(banner)->present(
+            fixture.find<ui::Banner>(banner)->showMessage(
                 {base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
-            VERIFY_STILL(watch, banner);
-            QCOMPARE(coveredBy(bench, banner, names), QString());
-            bench.find<ui::Banner>(banner)->clear();
-            VERIFY_STILL(watch, "a banner that goes");
-            bench.find<QLabel>(words)->setText(QStringLiteral("one<br>two<br>three<br>four"));
-            VERIFY_STILL(watch, words);
+            VERIFY_UNMOVED(watch, banner);
+            QCOMPARE(coveredControls(fixture, banner, names), QString());
+            fixture.find<ui::Banner>(banner)->hideMessage();
+            VERIFY_UNMOVED(watch, "a banner that goes");
+            fixture.find<QLabel>(words)->setText(QStringLiteral("one<br>two<br>three<br>four"));
+            VERIFY_UNMOVED(watch, words);
         }
     }
 
-    void theReportButtonsStayInSight_data() { sizesAndLanguages(); }
-    void theReportButtonsStayInSight()
+    void theReportButtonsStayVisible_data() { addSizesAndLanguages(); }
+    void theReportButtonsStayVisible()
     {
         QFETCH(QString, language);
         QFETCH(QSize, size);
-        WindowBench bench(language);
-        bench.window->resize(size);
-        bench.page = QStringLiteral("sweep");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        MainWindowFixture fixture(language);
+        fixture.window->resize(size);
+        fixture.page = QStringLiteral("sweep");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
         const QStringList names{QStringLiteral("sweepReport_html"),
                                 QStringLiteral("sweepReport_pdf"), QStringLiteral("sweepEarlier")};
-        Watch watch(bench, names);
+        LayoutObserver watch(fixture, names);
         QCOMPARE(watch.count(), std::size_t(3));
         for (const char* label : {"sweepSaved", "sweepEnd", "sweepComparison"}) {
-            auto* words = bench.find<QLabel>(label);
+            auto* words = fixture.find<QLabel>(label);
             words->setText(QStringLiteral("one<br>two<br>three"));
             words->show();
-            VERIFY_STILL(watch, label);
+            VERIFY_UNMOVED(watch, label);
         }
-        bench.find<ui::Banner>("sweepBanner")
-            ->present({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
+        fixture.find<ui::Banner>("sweepBanner")
+            ->showMessage({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
         QCoreApplication::processEvents();
-        QCOMPARE(coveredBy(bench, "sweepBanner", names), QString());
+        QCOMPARE(coveredControls(fixture, "sweepBanner", names), QString());
     }
 
-    void theMemoryPageKeepsItsWriteButtons_data() { sizesAndLanguages(); }
+    void theMemoryPageKeepsItsWriteButtons_data() { addSizesAndLanguages(); }
     void theMemoryPageKeepsItsWriteButtons()
     {
         QFETCH(QString, language);
         QFETCH(QSize, size);
-        WindowBench bench(language);
-        bench.window->resize(size);
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        QVERIFY(chooseRow(bench, "position_p"));
+        MainWindowFixture fixture(language);
+        fixture.window->resize(size);
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        QVERIFY(clickRow(fixture, "position_p"));
         const QStringList names{QStringLiteral("panelEditor"), QStringLiteral("writeValue"),
                                 QStringLiteral("writeTemporarily"), QStringLiteral("memoryTable")};
-        Watch watch(bench, names);
+        LayoutObserver watch(fixture, names);
         QCOMPARE(watch.count(), std::size_t(4));
-        bench.find<ui::Banner>("memoryBanner")
-            ->present({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
-        VERIFY_STILL(watch, "a banner");
-        QCOMPARE(coveredBy(bench, "memoryBanner", names.mid(0, 3)), QString());
-        auto* editor = bench.find<QWidget>("panelEditor")->findChild<QAbstractSpinBox*>();
+        fixture.find<ui::Banner>("memoryBanner")
+            ->showMessage({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
+        VERIFY_UNMOVED(watch, "a banner");
+        QCOMPARE(coveredControls(fixture, "memoryBanner", names.mid(0, 3)), QString());
+        auto* editor = fixture.find<QWidget>("panelEditor")->findChild<QAbstractSpinBox*>();
         editor->setFocus();
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("999"));
-        QVERIFY(bench.find<QWidget>("registerComplaint")->isVisible());
-        VERIFY_STILL(watch, "a complaint");
-        bench.find<ui::Banner>("memoryBanner")->clear();
+        QVERIFY(fixture.find<QWidget>("registerComplaint")->isVisible());
+        VERIFY_UNMOVED(watch, "a complaint");
+        fixture.find<ui::Banner>("memoryBanner")->hideMessage();
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("40"));
-        VERIFY_STILL(watch, "no complaint any more");
-        QTest::mouseClick(bench.find<QPushButton>("writeValue"), Qt::LeftButton);
-        QTRY_COMPARE(rawOf(bench, 1, "position_p"), 40);
-        VERIFY_STILL(watch, "a write");
-        withWire(bench,
-                 [](sim::VirtualBus& wire) { wire.servo(1)->poke(QStringLiteral("lock"), 0); });
-        bench.desk().readTable(bench.selection().current());
-        QTRY_VERIFY(bench.find<QWidget>("closeLock")->isVisible());
-        VERIFY_STILL(watch, "a lock that another program has opened");
+        VERIFY_UNMOVED(watch, "no complaint any more");
+        QTest::mouseClick(fixture.find<QPushButton>("writeValue"), Qt::LeftButton);
+        QTRY_COMPARE(rawOf(fixture, 1, "position_p"), 40);
+        VERIFY_UNMOVED(watch, "a write");
+        withBus(fixture,
+                [](sim::VirtualBus& wire) { wire.servo(1)->poke(QStringLiteral("lock"), 0); });
+        fixture.desk().readTable(fixture.selection().current());
+        QTRY_VERIFY(fixture.find<QWidget>("closeLock")->isVisible());
+        VERIFY_UNMOVED(watch, "a lock that another program has opened");
     }
 
-    void theSnapshotsPageKeepsItsRestoreButton_data() { sizesAndLanguages(); }
+    void theSnapshotsPageKeepsItsRestoreButton_data() { addSizesAndLanguages(); }
     void theSnapshotsPageKeepsItsRestoreButton()
     {
         QFETCH(QString, language);
         QFETCH(QSize, size);
-        WindowBench bench(language);
-        bench.window->resize(size);
-        bench.page = QStringLiteral("snapshots");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        QVERIFY(takeSnapshotAndChange(bench));
+        MainWindowFixture fixture(language);
+        fixture.window->resize(size);
+        fixture.page = QStringLiteral("snapshots");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        QVERIFY(takeSnapshotAndChange(fixture));
         const QStringList names{QStringLiteral("restoreWrite"), QStringLiteral("restoreDryRun"),
                                 QStringLiteral("restoreSeveral"), QStringLiteral("snapshotTake"),
                                 QStringLiteral("restoreIdentity")};
-        Watch watch(bench, names);
+        LayoutObserver watch(fixture, names);
         QCOMPARE(watch.count(), std::size_t(5));
-        bench.find<ui::Banner>("snapshotsBanner")
-            ->present({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
-        VERIFY_STILL(watch, "a banner");
-        QCOMPARE(coveredBy(bench, "snapshotsBanner", names), QString());
-        bench.find<ui::Banner>("snapshotsBanner")->clear();
-        VERIFY_STILL(watch, "a banner that goes");
-        Watch buttons(bench, names.mid(0, 4));
-        bench.find<QLabel>("restoreOrder")
+        fixture.find<ui::Banner>("snapshotsBanner")
+            ->showMessage({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
+        VERIFY_UNMOVED(watch, "a banner");
+        QCOMPARE(coveredControls(fixture, "snapshotsBanner", names), QString());
+        fixture.find<ui::Banner>("snapshotsBanner")->hideMessage();
+        VERIFY_UNMOVED(watch, "a banner that goes");
+        LayoutObserver buttons(fixture, names.mid(0, 4));
+        fixture.find<QLabel>("restoreOrder")
             ->setText(QStringLiteral("one\ntwo\nthree\nfour\nfive\nsix"));
-        VERIFY_STILL(buttons, "more words above the buttons");
+        VERIFY_UNMOVED(buttons, "more words above the buttons");
     }
 
-    void theCommissioningPageKeepsItsButtons_data() { sizesAndLanguages(); }
+    void theCommissioningPageKeepsItsButtons_data() { addSizesAndLanguages(); }
     void theCommissioningPageKeepsItsButtons()
     {
         QFETCH(QString, language);
         QFETCH(QSize, size);
-        WindowBench bench(language);
-        bench.window->resize(size);
-        bench.page = QStringLiteral("commission");
-        QVERIFY(bench.connectTo(QStringLiteral("sim:line")));
-        QTRY_VERIFY(bench.find<QPushButton>("commissionStart")->isEnabled());
-        QTest::mouseClick(bench.find<QPushButton>("commissionStart"), Qt::LeftButton);
-        QTRY_VERIFY(bench.find<ui::CommissionPage>("commissionPage")->line().running());
-        QTest::mouseClick(bench.find<QPushButton>("commissionPlug"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QPushButton>("commissionContinue")->isVisible(),
+        MainWindowFixture fixture(language);
+        fixture.window->resize(size);
+        fixture.page = QStringLiteral("commission");
+        QVERIFY(fixture.connectTo(QStringLiteral("sim:line")));
+        QTRY_VERIFY(fixture.find<QPushButton>("commissionStart")->isEnabled());
+        QTest::mouseClick(fixture.find<QPushButton>("commissionStart"), Qt::LeftButton);
+        QTRY_VERIFY(
+            fixture.find<ui::CommissionPage>("commissionPage")->commissioning().isRunning());
+        QTest::mouseClick(fixture.find<QPushButton>("commissionPlug"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.find<QPushButton>("commissionContinue")->isVisible(),
                                  30'000);
         const QStringList names{QStringLiteral("commissionStart"), QStringLiteral("commissionStop"),
                                 QStringLiteral("commissionContinue"),
                                 QStringLiteral("commissionAside")};
-        Watch watch(bench, names);
+        LayoutObserver watch(fixture, names);
         QCOMPARE(watch.count(), std::size_t(4));
-        bench.find<ui::Banner>("commissionBanner")
-            ->present({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
-        VERIFY_STILL(watch, "a banner");
-        QCOMPARE(coveredBy(bench, "commissionBanner", names), QString());
-        bench.find<ui::Banner>("commissionBanner")->clear();
+        fixture.find<ui::Banner>("commissionBanner")
+            ->showMessage({base::ErrorCode::LinkLost, QStringLiteral("read"), QString()});
+        VERIFY_UNMOVED(watch, "a banner");
+        QCOMPARE(coveredControls(fixture, "commissionBanner", names), QString());
+        fixture.find<ui::Banner>("commissionBanner")->hideMessage();
         for (const char* words :
              {"commissionWhy", "commissionHeadline", "commissionDetail", "commissionSaved"}) {
-            auto* label = bench.find<QLabel>(words);
+            auto* label = fixture.find<QLabel>(words);
             const bool shown = label->isVisible();
             const QString before = label->text();
             label->setText(QStringLiteral("one two three four five six seven eight nine ten "
                                           "eleven"));
             label->show();
-            VERIFY_STILL(watch, words);
+            VERIFY_UNMOVED(watch, words);
             label->setText(before);
             label->setVisible(shown);
         }
-        bench.find<QWidget>("commissionDangerous")->show();
-        VERIFY_STILL(watch, "a template with dangerous rows");
-        QTest::mouseClick(bench.find<QPushButton>("commissionStop"), Qt::LeftButton);
-        QTRY_VERIFY(!bench.find<ui::CommissionPage>("commissionPage")->line().running());
+        fixture.find<QWidget>("commissionDangerous")->show();
+        VERIFY_UNMOVED(watch, "a template with dangerous rows");
+        QTest::mouseClick(fixture.find<QPushButton>("commissionStop"), Qt::LeftButton);
+        QTRY_VERIFY(
+            !fixture.find<ui::CommissionPage>("commissionPage")->commissioning().isRunning());
     }
 
-    void nothingIsWrittenRightAfterAShift_data()
+    void clicksRightAfterALayoutShiftWriteNothing_data()
     {
         QTest::addColumn<QString>("page");
         QTest::addColumn<QString>("button");
@@ -449,25 +453,25 @@ private Q_SLOTS:
         QTest::newRow("commissioning") << "commission"
                                        << "commissionStart";
     }
-    void nothingIsWrittenRightAfterAShift()
+    void clicksRightAfterALayoutShiftWriteNothing()
     {
         QFETCH(QString, page);
         QFETCH(QString, button);
-        WindowBench bench;
-        bench.page = page;
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        MainWindowFixture fixture;
+        fixture.page = page;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
         if (page == QLatin1String("memory"))
-            QVERIFY(chooseRow(bench, "position_p"));
+            QVERIFY(clickRow(fixture, "position_p"));
         if (page == QLatin1String("snapshots"))
-            QVERIFY(takeSnapshotAndChange(bench));
-        auto* pressed = bench.find<QPushButton>(qPrintable(button));
+            QVERIFY(takeSnapshotAndChange(fixture));
+        auto* pressed = fixture.find<QPushButton>(qPrintable(button));
         QTRY_VERIFY(pressed->isEnabled());
-        const Watch settledNow(bench, {button});
+        const LayoutObserver layoutAfter(fixture, {button});
         const auto acted = [&] {
-            return bench.desk().busy() || bench.find<QWidget>("question") != nullptr ||
-                   bench.find<ui::CommissionPage>("commissionPage")->line().running();
+            return fixture.desk().isBusy() || fixture.find<QWidget>("question") != nullptr ||
+                   fixture.find<ui::CommissionPage>("commissionPage")->commissioning().isRunning();
         };
-        gui::PressClock clock;
+        gui::ManualPressClock clock;
         clock.pass(1h);
         QSignalSpy clicked(pressed, &QPushButton::clicked);
         pressed->move(pressed->pos() + QPoint(0, 10));
@@ -480,67 +484,67 @@ private Q_SLOTS:
         QTRY_VERIFY(acted());
     }
 
-    void aPressRightAfterAShiftIsIgnored_data()
+    void aPressRightAfterALayoutShiftIsIgnored_data()
     {
         QTest::addColumn<QString>("control");
         for (const char* control : {"positionDial", "goalSlider", "setGoal"})
             QTest::newRow(control) << QString::fromLatin1(control);
     }
-    void aPressRightAfterAShiftIsIgnored()
+    void aPressRightAfterALayoutShiftIsIgnored()
     {
         QFETCH(QString, control);
-        WindowBench bench;
-        bench.settings.setChoice(QStringLiteral("operate/no_torque_hint"), true);
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        bench.bench.drive.setTorque(device::Torque::On);
-        QTRY_COMPARE(rawOf(bench, 1, "torque_switch"), 1);
-        auto* widget = bench.find<QWidget>(qPrintable(control));
+        MainWindowFixture fixture;
+        fixture.settings.setPageValue(QStringLiteral("operate/no_torque_hint"), true);
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        fixture.context.motion.setTorque(device::Torque::On);
+        QTRY_COMPARE(rawOf(fixture, 1, "torque_switch"), 1);
+        auto* widget = fixture.find<QWidget>(qPrintable(control));
         QTRY_VERIFY(widget->isEnabled());
         if (control == QLatin1String("setGoal")) {
-            auto* goal = bench.find<QAbstractSpinBox>("goal");
+            auto* goal = fixture.find<QAbstractSpinBox>("goal");
             goal->selectAll();
             QTest::keyClicks(goal, QStringLiteral("2600"));
         }
-        const Watch settledNow(bench, {control});
-        gui::PressClock clock;
+        const LayoutObserver layoutAfter(fixture, {control});
+        gui::ManualPressClock clock;
         clock.pass(1h);
-        const std::int64_t before = rawOf(bench, 1, "goal_position");
+        const std::int64_t before = rawOf(fixture, 1, "goal_position");
         const QPoint place = control == QLatin1String("setGoal")
                                  ? widget->rect().center()
                                  : QPoint(widget->width() * 4 / 5, widget->height() / 2);
 
-        pushDown(bench, 40);
+        shiftLayout(fixture, 40);
         QTest::mouseClick(widget, Qt::LeftButton, {}, place);
-        QVERIFY(bench.settled());
-        QCOMPARE(rawOf(bench, 1, "goal_position"), before);
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(rawOf(fixture, 1, "goal_position"), before);
         QTRY_VERIFY(QToolTip::text().contains(QLatin1String("moved just now")));
 
         clock.pass(499ms);
         QTest::mouseClick(widget, Qt::LeftButton, {}, place);
-        QVERIFY(bench.settled());
-        QCOMPARE(rawOf(bench, 1, "goal_position"), before);
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(rawOf(fixture, 1, "goal_position"), before);
 
         clock.pass(1ms);
         QTest::mouseClick(widget, Qt::LeftButton, {}, place);
-        QTRY_VERIFY(rawOf(bench, 1, "goal_position") > before + 200);
+        QTRY_VERIFY(rawOf(fixture, 1, "goal_position") > before + 200);
     }
 
-    void aModeIsNotAskedForRightAfterAShift()
+    void aModeIsNotRequestedRightAfterALayoutShift()
     {
-        WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
+        MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
         QToolButton* wheel = nullptr;
-        QTRY_VERIFY((wheel = bench.find<QToolButton>("mode_speed")) != nullptr);
+        QTRY_VERIFY((wheel = fixture.find<QToolButton>("mode_speed")) != nullptr);
         QTRY_VERIFY(wheel->isEnabled());
-        const Watch settledNow(bench, {QStringLiteral("mode_speed")});
-        gui::PressClock clock;
+        const LayoutObserver layoutAfter(fixture, {QStringLiteral("mode_speed")});
+        gui::ManualPressClock clock;
         clock.pass(1h);
-        QSignalSpy planned(&bench.bench.drive, &session::Drive::modePlanned);
-        pushDown(bench, 40);
+        QSignalSpy planned(&fixture.context.motion, &session::MotionController::modePreviewed);
+        shiftLayout(fixture, 40);
         QTest::mouseClick(wheel, Qt::LeftButton);
-        QVERIFY(bench.settled());
+        QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(planned.count(), 0);
         clock.pass(500ms);
         QTest::mouseClick(wheel, Qt::LeftButton);
@@ -548,51 +552,51 @@ private Q_SLOTS:
     }
 
     /// The pointer stays, the dial goes away under it: the next move of the pointer is no new goal.
-    void aDragEndsWhereTheControlMoves()
+    void aDragEndsWhenTheControlMoves()
     {
-        WindowBench bench;
-        bench.settings.setChoice(QStringLiteral("operate/no_torque_hint"), true);
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        auto* dial = bench.find<QWidget>("positionDial");
-        QTRY_VERIFY(bench.find<QWidget>("goalSlider")->isEnabled());
-        const Watch settledNow(bench, {QStringLiteral("positionDial")});
+        MainWindowFixture fixture;
+        fixture.settings.setPageValue(QStringLiteral("operate/no_torque_hint"), true);
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        auto* dial = fixture.find<QWidget>("positionDial");
+        QTRY_VERIFY(fixture.find<QWidget>("goalSlider")->isEnabled());
+        const LayoutObserver layoutAfter(fixture, {QStringLiteral("positionDial")});
         const QPoint right(dial->width() * 4 / 5, dial->height() / 2);
         QTest::mousePress(dial, Qt::LeftButton, {}, right);
-        QTRY_VERIFY(rawOf(bench, 1, "goal_position") > 2800);
-        QVERIFY(bench.settled());
-        const std::int64_t before = rawOf(bench, 1, "goal_position");
-        pushDown(bench, 110);
+        QTRY_VERIFY(rawOf(fixture, 1, "goal_position") > 2800);
+        QVERIFY(fixture.waitUntilIdle());
+        const std::int64_t before = rawOf(fixture, 1, "goal_position");
+        shiftLayout(fixture, 110);
         QTest::mouseMove(dial, right - QPoint(0, 60));
         QTest::mouseMove(dial, right - QPoint(0, 61));
-        QVERIFY(bench.settled());
-        QCOMPARE(rawOf(bench, 1, "goal_position"), before);
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(rawOf(fixture, 1, "goal_position"), before);
         QTest::mouseRelease(dial, Qt::LeftButton, {}, right);
         QTest::mousePress(dial, Qt::LeftButton, {}, right - QPoint(0, 60));
-        QTRY_VERIFY(rawOf(bench, 1, "goal_position") != before);
+        QTRY_VERIFY(rawOf(fixture, 1, "goal_position") != before);
         QTest::mouseRelease(dial, Qt::LeftButton, {}, right);
     }
 
     /// Whatever the pointer rests on, the latest result and Undo stay.
     void undoStaysUnderThePointer()
     {
-        WindowBench bench;
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        auto* undo = bench.find<QToolButton>("undoButton");
+        MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        auto* undo = fixture.find<QToolButton>("undoButton");
         QVERIFY(undo != nullptr && undo->isVisible() && !undo->isEnabled());
-        const QRect place = placeIn(*bench.window, *undo);
-        const std::int64_t before = rawOf(bench, 1, "position_p");
-        bench.desk().write(bench.selection().current(),
-                           {{{QStringLiteral("position_p"), before + 8}}});
-        QVERIFY(bench.settled());
-        QCOMPARE(rawOf(bench, 1, "position_p"), before + 8);
+        const QRect place = geometryIn(*fixture.window, *undo);
+        const std::int64_t before = rawOf(fixture, 1, "position_p");
+        fixture.desk().write(fixture.selection().current(),
+                             {{{QStringLiteral("position_p"), before + 8}}});
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(rawOf(fixture, 1, "position_p"), before + 8);
         QTRY_VERIFY(undo->isEnabled());
-        QCOMPARE(placeIn(*bench.window, *undo), place);
-        auto* line = bench.find<QLabel>("messageText");
+        QCOMPARE(geometryIn(*fixture.window, *undo), place);
+        auto* line = fixture.find<QLabel>("messageText");
         const QString result = line->text();
         QVERIFY(!result.isEmpty());
 
-        for (auto* button : bench.window->findChildren<QToolButton*>()) {
+        for (auto* button : fixture.window->findChildren<QToolButton*>()) {
             if (!button->isVisible())
                 continue;
             QTest::mouseMove(button, button->rect().center());
@@ -602,24 +606,24 @@ private Q_SLOTS:
             QVERIFY2(line->isVisible() && undo->isVisible(), qPrintable(button->objectName()));
             QCOMPARE(line->text(), result);
         }
-        for (QAction* menu : bench.window->menuBar()->actions()) {
+        for (QAction* menu : fixture.window->menuBar()->actions()) {
             for (QAction* action : menu->menu()->actions()) {
-                action->showStatusText(bench.window.get());
+                action->showStatusText(fixture.window.get());
                 QVERIFY2(line->isVisible() && undo->isVisible(), qPrintable(action->text()));
             }
         }
         QStatusTipEvent tip(QStringLiteral("something else"));
-        QApplication::sendEvent(bench.window.get(), &tip);
+        QApplication::sendEvent(fixture.window.get(), &tip);
         QVERIFY(line->isVisible() && undo->isVisible());
-        QCOMPARE(placeIn(*bench.window, *undo), place);
+        QCOMPARE(geometryIn(*fixture.window, *undo), place);
 
         QTest::mouseMove(undo, undo->rect().center());
         QTest::mouseClick(undo, Qt::LeftButton);
-        QVERIFY(bench.settled());
-        QTRY_COMPARE(rawOf(bench, 1, "position_p"), before);
+        QVERIFY(fixture.waitUntilIdle());
+        QTRY_COMPARE(rawOf(fixture, 1, "position_p"), before);
         QTRY_VERIFY(!undo->isEnabled() && undo->isVisible());
     }
 };
 
-QTEST_MAIN(TestStillControls)
+QTEST_MAIN(TestStableLayout)
 #include "tst_still_controls.moc"

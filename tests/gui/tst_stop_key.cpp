@@ -21,10 +21,10 @@
 
 namespace {
 /// Counts the stops that were sent.
-struct Stops {
-    explicit Stops(session::Desk& desk)
+struct StopCounter {
+    explicit StopCounter(session::Desk& desk)
     {
-        QObject::connect(&desk, &session::Desk::happened, &guard,
+        QObject::connect(&desk, &session::Desk::eventOccurred, &guard,
                          [this](const session::Event& event) {
                              if (event.kind == session::Event::Kind::Stopped)
                                  ++count;
@@ -35,9 +35,9 @@ struct Stops {
 };
 
 /// By another program.
-void setTurning(gui::WindowBench& bench, int id)
+void setTurning(gui::MainWindowFixture& fixture, int id)
 {
-    bench.desk().connection()->simulation()->with([id](sim::VirtualBus& bus) {
+    fixture.desk().connection()->simulation()->with([id](sim::VirtualBus& bus) {
         bus.servo(id)->poke(QStringLiteral("operating_mode"), 1);
         bus.servo(id)->poke(QStringLiteral("torque_switch"), 1);
         bus.servo(id)->poke(QStringLiteral("goal_speed"), 800);
@@ -45,14 +45,14 @@ void setTurning(gui::WindowBench& bench, int id)
 }
 
 /// A menu, or a question; null: it did not open.
-QWidget* openOver(gui::WindowBench& bench, bool menu)
+QWidget* openPopupOver(gui::MainWindowFixture& fixture, bool menu)
 {
-    QMenu* first = bench.window->menuBar()->actions().front()->menu();
+    QMenu* first = fixture.window->menuBar()->actions().front()->menu();
     if (menu)
-        first->popup(bench.window->mapToGlobal(QPoint(10, 40)));
+        first->popup(fixture.window->mapToGlobal(QPoint(10, 40)));
     else
-        ui::ask(bench.window.get(), {.title = QStringLiteral("?"), .yes = QStringLiteral("yes")},
-                [] {});
+        ui::ask(fixture.window.get(),
+                {.title = QStringLiteral("?"), .acceptText = QStringLiteral("yes")}, [] {});
     const auto shown = [&] { return menu ? first : QApplication::activeModalWidget(); };
     const bool opened =
         QTest::qWaitFor([&] { return shown() != nullptr && shown()->isVisible(); }, 30'000);
@@ -60,7 +60,7 @@ QWidget* openOver(gui::WindowBench& bench, bool menu)
 }
 } // namespace
 
-class TestStopKey : public QObject {
+class TestEscapeKey : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -68,34 +68,34 @@ private Q_SLOTS:
 
     void escTakesTorqueOff()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        bench.desk().write(bench.selection().current(),
-                           {{{QStringLiteral("torque_switch"), 1}}, false, true});
-        QVERIFY(bench.settled());
-        QCOMPARE(bench.raw("torque_switch"), std::optional<std::int64_t>(1));
-        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        fixture.desk().write(fixture.selection().current(),
+                             {{{QStringLiteral("torque_switch"), 1}}, false, true});
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(fixture.raw("torque_switch"), std::optional<std::int64_t>(1));
+        QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
         QTRY_VERIFY([&] {
-            bench.desk().readTable(bench.selection().current());
-            return bench.settled() && bench.raw("torque_switch") == 0;
+            fixture.desk().readTable(fixture.selection().current());
+            return fixture.waitUntilIdle() && fixture.raw("torque_switch") == 0;
         }());
     }
 
     void theButtonStops()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        Stops stops(bench.desk());
-        QTest::mouseClick(bench.find<QPushButton>("stopButton"), Qt::LeftButton);
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        StopCounter stops(fixture.desk());
+        QTest::mouseClick(fixture.find<QPushButton>("stopButton"), Qt::LeftButton);
         QCOMPARE(stops.count, 1);
     }
 
     void theFirstEscInACellEditorCancelsIt()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        Stops stops(bench.desk());
-        auto* table = bench.find<QTableView>("memoryTable");
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        StopCounter stops(fixture.desk());
+        auto* table = fixture.find<QTableView>("memoryTable");
         QVERIFY(table != nullptr);
         table->setFocus();
         QModelIndex cell;
@@ -118,44 +118,44 @@ private Q_SLOTS:
         QCOMPARE(stops.count, 0);
         QTRY_VERIFY(open.isNull() || !open->isVisible());
         QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget()
-                                                               : bench.window.get(),
+                                                               : fixture.window.get(),
                         Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
-        QVERIFY(bench.entry().writes.empty());
+        QVERIFY(fixture.entry().writes.empty());
     }
 
     void theFirstEscInAMenuClosesIt()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        Stops stops(bench.desk());
-        QMenu* menu = bench.window->menuBar()->actions().front()->menu();
-        menu->popup(bench.window->mapToGlobal(QPoint(10, 40)));
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        StopCounter stops(fixture.desk());
+        QMenu* menu = fixture.window->menuBar()->actions().front()->menu();
+        menu->popup(fixture.window->mapToGlobal(QPoint(10, 40)));
         QTRY_VERIFY(menu->isVisible());
         QTest::keyClick(menu, Qt::Key_Escape);
         QVERIFY(!menu->isVisible());
         QCOMPARE(stops.count, 0);
-        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
     }
 
     void theFirstEscInADialogClosesIt()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        Stops stops(bench.desk());
-        ui::ask(bench.window.get(), {.title = QStringLiteral("?"), .yes = QStringLiteral("yes")},
-                [] {});
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        StopCounter stops(fixture.desk());
+        ui::ask(fixture.window.get(),
+                {.title = QStringLiteral("?"), .acceptText = QStringLiteral("yes")}, [] {});
         QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
         QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Escape);
         QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
         QCOMPARE(stops.count, 0);
-        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
     }
 
     /// What the start of a test promises holds while a menu or a question is open.
-    void escStopsADrivenServoFromAMenuOrAQuestion_data()
+    void escStopsAMovingServoFromAMenuOrAQuestion_data()
     {
         QTest::addColumn<bool>("menu");
         QTest::addColumn<bool>("moves");
@@ -164,35 +164,35 @@ private Q_SLOTS:
         QTest::newRow("menu, holding") << true << false;
         QTest::newRow("question, holding") << false << false;
     }
-    void escStopsADrivenServoFromAMenuOrAQuestion()
+    void escStopsAMovingServoFromAMenuOrAQuestion()
     {
         QFETCH(bool, menu);
         QFETCH(bool, moves);
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1));
-        Stops stops(bench.desk());
-        session::Drive& drive = bench.bench.drive;
-        drive.setServos({bench.selection().current()});
-        const auto idle = [&] { return bench.settled() && !drive.busy(); };
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1));
+        StopCounter stops(fixture.desk());
+        session::MotionController& drive = fixture.context.motion;
+        drive.setServos({fixture.selection().current()});
+        const auto idle = [&] { return fixture.waitUntilIdle() && !drive.isBusy(); };
         drive.switchMode(QStringLiteral("speed"));
         QTRY_VERIFY(idle());
         drive.setTorque(device::Torque::On);
         QTRY_VERIFY(idle());
-        const device::Servo& servo = bench.entry().servo;
+        const device::Servo& servo = fixture.entry().servo;
         if (moves)
             drive.move(
-                {.goal = device::exactText(800, servo.meaning(*device::goalRegister(servo)))});
-        QTRY_COMPARE(bench.desk().driving(), moves);
+                {.goal = device::exactValueText(800, servo.meaning(*device::goalRegister(servo)))});
+        QTRY_COMPARE(fixture.desk().isMotionPossible(), moves);
         QTRY_VERIFY(idle());
-        const QPointer<QWidget> open = openOver(bench, menu);
+        const QPointer<QWidget> open = openPopupOver(fixture, menu);
         QVERIFY(open != nullptr);
         QTest::keyClick(open, Qt::Key_Escape);
         QCOMPARE(stops.count, moves ? 1 : 0);
         QTRY_VERIFY(open.isNull() || !open->isVisible());
         if (moves)
-            QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));
-        QTRY_VERIFY(!moves || !bench.desk().driving());
+            QTRY_COMPARE(fixture.raw("torque_switch"), std::int64_t(0));
+        QTRY_VERIFY(!moves || !fixture.desk().isMotionPossible());
     }
 
     /// It stands, but pushes against what is in its way.
@@ -211,47 +211,48 @@ private Q_SLOTS:
         QFETCH(bool, menu);
         QFETCH(bool, overloaded);
         QFETCH(int, limit);
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1+stop=200")));
-        Stops stops(bench.desk());
-        session::Drive& drive = bench.bench.drive;
-        drive.setServos({bench.selection().current()});
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1+stop=200")));
+        StopCounter stops(fixture.desk());
+        session::MotionController& drive = fixture.context.motion;
+        drive.setServos({fixture.selection().current()});
         drive.setTorqueLimit(limit);
-        QTRY_VERIFY(bench.settled() && !drive.busy());
+        QTRY_VERIFY(fixture.waitUntilIdle() && !drive.isBusy());
         drive.setTorque(device::Torque::On);
-        QTRY_VERIFY(bench.settled() && !drive.busy());
-        QTRY_VERIFY(!bench.desk().driving()); // it holds
-        QCOMPARE(bench.raw("torque_limit"), std::int64_t(limit));
-        const device::Servo& servo = bench.entry().servo;
-        drive.move({.goal = device::exactText(3000, servo.meaning(*device::goalRegister(servo)))});
-        QTRY_VERIFY(bench.settled() && !drive.busy());
+        QTRY_VERIFY(fixture.waitUntilIdle() && !drive.isBusy());
+        QTRY_VERIFY(!fixture.desk().isMotionPossible()); // it holds
+        QCOMPARE(fixture.raw("torque_limit"), std::int64_t(limit));
+        const device::Servo& servo = fixture.entry().servo;
+        drive.move(
+            {.goal = device::exactValueText(3000, servo.meaning(*device::goalRegister(servo)))});
+        QTRY_VERIFY(fixture.waitUntilIdle() && !drive.isBusy());
         const auto stands = [&] {
-            const auto place = bench.raw("present_position");
-            return place && *place > 2150 && *place < 2900 && bench.raw("moving") == 0 &&
-                   (!overloaded || bench.entry().servo.status != 0);
+            const auto place = fixture.raw("present_position");
+            return place && *place > 2150 && *place < 2900 && fixture.raw("moving") == 0 &&
+                   (!overloaded || fixture.entry().servo.status != 0);
         };
         QTRY_VERIFY_WITH_TIMEOUT(stands(), 30000);
-        QVERIFY(bench.desk().driving());
-        const QPointer<QWidget> open = openOver(bench, menu);
+        QVERIFY(fixture.desk().isMotionPossible());
+        const QPointer<QWidget> open = openPopupOver(fixture, menu);
         QVERIFY(open != nullptr);
         QTest::keyClick(open, Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
-        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));
-        QTRY_VERIFY(!bench.desk().driving());
+        QTRY_COMPARE(fixture.raw("torque_switch"), std::int64_t(0));
+        QTRY_VERIFY(!fixture.desk().isMotionPossible());
     }
 
     /// A servo that holds away from what its goal register says pushes against nothing.
-    void theFirstEscLeavesAServoThatHoldsWhereItWasHalted()
+    void theFirstEscKeepsAHaltedServoHolding()
     {
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(5, QStringLiteral("sim:lx")));
-        Stops stops(bench.desk());
-        session::Drive& drive = bench.bench.drive;
-        drive.setServos({bench.selection().current()});
-        const auto raw = [&](catalog::Role role) { return bench.entry().servo.raw(role); };
-        const auto idle = [&] { return bench.settled() && !drive.busy(); };
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(5, QStringLiteral("sim:lx")));
+        StopCounter stops(fixture.desk());
+        session::MotionController& drive = fixture.context.motion;
+        drive.setServos({fixture.selection().current()});
+        const auto raw = [&](catalog::Role role) { return fixture.entry().servo.raw(role); };
+        const auto idle = [&] { return fixture.waitUntilIdle() && !drive.isBusy(); };
         drive.setTorque(device::Torque::On);
         QTRY_VERIFY(idle());
         const auto start = raw(catalog::Role::PresentPosition);
@@ -260,195 +261,195 @@ private Q_SLOTS:
         drive.move({.goal = QString::number(goal), .time = QStringLiteral("30000")});
         QTRY_VERIFY(idle());
         QTRY_VERIFY(raw(catalog::Role::PresentPosition) != start);
-        QVERIFY(bench.desk().driving());
+        QVERIFY(fixture.desk().isMotionPossible());
         drive.halt();
         QTRY_VERIFY(idle());
         QTRY_VERIFY(std::abs(raw(catalog::Role::PresentPosition).value_or(goal) - goal) > 100);
         QCOMPARE(raw(catalog::Role::TorqueSwitch), std::int64_t(1));
-        QVERIFY(!bench.desk().driving());
-        const QPointer<QWidget> open = openOver(bench, true);
+        QVERIFY(!fixture.desk().isMotionPossible());
+        const QPointer<QWidget> open = openPopupOver(fixture, true);
         QVERIFY(open != nullptr);
         QTest::keyClick(open, Qt::Key_Escape);
         QCOMPARE(stops.count, 0);
         drive.move({.goal = QString::number(goal), .time = QStringLiteral("30000")});
         QTRY_VERIFY(idle());
-        QVERIFY(bench.desk().driving());
+        QVERIFY(fixture.desk().isMotionPossible());
     }
 
     /// Another program has switched its torque on and given it no goal.
-    void theFirstEscLeavesAServoThatHoldsWithoutAGoal()
+    void theFirstEscKeepsAServoWithoutGoalHolding()
     {
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        Stops stops(bench.desk());
-        bench.desk().connection()->simulation()->with(
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        StopCounter stops(fixture.desk());
+        fixture.desk().connection()->simulation()->with(
             [](sim::VirtualBus& bus) { bus.servo(1)->poke(QStringLiteral("torque_switch"), 1); });
-        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(1));
-        QTRY_COMPARE(bench.raw("moving"), std::int64_t(0));
+        QTRY_COMPARE(fixture.raw("torque_switch"), std::int64_t(1));
+        QTRY_COMPARE(fixture.raw("moving"), std::int64_t(0));
         const auto away =
-            bench.raw("present_position").value_or(0) - bench.raw("goal_position").value_or(0);
+            fixture.raw("present_position").value_or(0) - fixture.raw("goal_position").value_or(0);
         QVERIFY2(std::abs(away) > 200, qPrintable(QString::number(away)));
-        const QPointer<QWidget> open = openOver(bench, true);
+        const QPointer<QWidget> open = openPopupOver(fixture, true);
         QVERIFY(open != nullptr);
-        QTRY_VERIFY(!bench.desk().driving());
+        QTRY_VERIFY(!fixture.desk().isMotionPossible());
         QTest::keyClick(open, Qt::Key_Escape);
         QCOMPARE(stops.count, 0);
-        QCOMPARE(bench.raw("torque_switch"), std::int64_t(1));
+        QCOMPARE(fixture.raw("torque_switch"), std::int64_t(1));
     }
 
     /// Another program has set it turning.
-    void escStopsAServoThatIsSeenTurning()
+    void escStopsAServoSeenTurning()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        Stops stops(bench.desk());
-        setTurning(bench, 1);
-        bench.desk().readTable(bench.selection().current());
-        QVERIFY(bench.settled());
-        QTRY_COMPARE(bench.raw("goal_speed"), std::int64_t(800));
-        QVERIFY(bench.desk().driving());
-        QWidget* menu = openOver(bench, true);
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        StopCounter stops(fixture.desk());
+        setTurning(fixture, 1);
+        fixture.desk().readTable(fixture.selection().current());
+        QVERIFY(fixture.waitUntilIdle());
+        QTRY_COMPARE(fixture.raw("goal_speed"), std::int64_t(800));
+        QVERIFY(fixture.desk().isMotionPossible());
+        QWidget* menu = openPopupOver(fixture, true);
         QVERIFY(menu != nullptr);
         QTest::keyClick(menu, Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
-        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));
-        QTRY_VERIFY(!bench.desk().driving());
+        QTRY_COMPARE(fixture.raw("torque_switch"), std::int64_t(0));
+        QTRY_VERIFY(!fixture.desk().isMotionPossible());
     }
 
     /// Another program has set it turning before it was found; only its feedback is read.
-    void escStopsATurningServoThatIsNotChosen()
+    void escStopsAnUnselectedTurningServo()
     {
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
-        Stops stops(bench.desk());
-        setTurning(bench, 2);
-        QTRY_VERIFY(bench.desk().driving());
-        QWidget* menu = openOver(bench, true);
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1,sts3215@2")));
+        StopCounter stops(fixture.desk());
+        setTurning(fixture, 2);
+        QTRY_VERIFY(fixture.desk().isMotionPossible());
+        QWidget* menu = openPopupOver(fixture, true);
         QVERIFY(menu != nullptr);
         QTest::keyClick(menu, Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
-        QTRY_VERIFY(!bench.desk().driving());
+        QTRY_VERIFY(!fixture.desk().isMotionPossible());
     }
 
     /// It turns on: no servo has heard the stop, or another program switched it on again.
-    void escStopsAgainWhereTheServoStillTurns_data()
+    void escStopsAgainWhileTheServoTurns_data()
     {
         QTest::addColumn<bool>("lost");
         QTest::newRow("stop lost") << true;
         QTest::newRow("switched on by another program") << false;
     }
-    void escStopsAgainWhereTheServoStillTurns()
+    void escStopsAgainWhileTheServoTurns()
     {
         QFETCH(bool, lost);
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1, QStringLiteral("sim:sts3215@1")));
-        Stops stops(bench.desk());
-        QSignalSpy checked(&bench.desk(), &session::Desk::happened);
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1, QStringLiteral("sim:sts3215@1")));
+        StopCounter stops(fixture.desk());
+        QSignalSpy checked(&fixture.desk(), &session::Desk::eventOccurred);
         const auto isChecked = [&] {
             return std::any_of(checked.begin(), checked.end(), [](const auto& one) {
                 return one.front().template value<session::Event>().kind ==
-                       session::Event::Kind::StopChecked;
+                       session::Event::Kind::StopVerified;
             });
         };
         const auto loseRequests = [&](double part) {
-            bench.desk().connection()->simulation()->with(
+            fixture.desk().connection()->simulation()->with(
                 [part](sim::VirtualBus& bus) { bus.config().faults.dropRequest = part; });
         };
-        setTurning(bench, 1);
-        QTRY_VERIFY(bench.desk().driving());
+        setTurning(fixture, 1);
+        QTRY_VERIFY(fixture.desk().isMotionPossible());
         if (lost)
             loseRequests(1);
-        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
         QTRY_VERIFY_WITH_TIMEOUT(isChecked(), 30'000);
         if (lost)
             loseRequests(0);
         else
-            setTurning(bench, 1);
-        QTRY_COMPARE(bench.raw("moving"), std::int64_t(1));
-        auto* stopped = bench.find<QLabel>("controlStopped");
+            setTurning(fixture, 1);
+        QTRY_COMPARE(fixture.raw("moving"), std::int64_t(1));
+        auto* stopped = fixture.find<QLabel>("controlStopped");
         QTRY_VERIFY(stopped->text().contains(QLatin1String("torque is on")));
-        QWidget* menu = openOver(bench, true);
+        QWidget* menu = openPopupOver(fixture, true);
         QVERIFY(menu != nullptr);
         QTest::keyClick(menu, Qt::Key_Escape);
         QCOMPARE(stops.count, 2);
-        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(0));
-        QTRY_VERIFY(!bench.desk().driving());
+        QTRY_COMPARE(fixture.raw("torque_switch"), std::int64_t(0));
+        QTRY_VERIFY(!fixture.desk().isMotionPossible());
         QTRY_VERIFY(!stopped->text().contains(QLatin1String("torque is on")));
     }
 
     void theFirstEscInAListOfChoicesClosesIt()
     {
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1));
-        Stops stops(bench.desk());
-        auto* choices = bench.find<QComboBox>("trendWidth");
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1));
+        StopCounter stops(fixture.desk());
+        auto* choices = fixture.find<QComboBox>("trendWidth");
         choices->showPopup();
         QTRY_VERIFY(QApplication::activePopupWidget() != nullptr);
         QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
         QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
         QCOMPARE(stops.count, 0);
-        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
     }
 
     /// The list of curves stands beside the window, not before it.
-    void theFirstEscInADialogBesideClosesIt()
+    void theFirstEscInAModelessDialogClosesIt()
     {
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1));
-        Stops stops(bench.desk());
-        QTest::mouseClick(bench.find<QToolButton>("trendChannels"), Qt::LeftButton);
-        QPointer<QDialog> dialog = bench.find<QDialog>("channelsDialog");
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1));
+        StopCounter stops(fixture.desk());
+        QTest::mouseClick(fixture.find<QToolButton>("trendChannels"), Qt::LeftButton);
+        QPointer<QDialog> dialog = fixture.find<QDialog>("channelsDialog");
         QVERIFY(dialog != nullptr);
         QTest::keyClick(dialog, Qt::Key_Escape);
         QCOMPARE(stops.count, 0);
         QTRY_VERIFY(dialog == nullptr);
-        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
     }
 
     void escInTheMiddleOfASearch()
     {
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1));
-        bench.bench.drive.setTorque(device::Torque::On);
-        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(1));
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1));
+        fixture.context.motion.setTorque(device::Torque::On);
+        QTRY_COMPARE(fixture.raw("torque_switch"), std::int64_t(1));
         jobs::ScanSpec all;
         all.bauds = {1'000'000, 500'000, 115'200};
-        bench.desk().search(all);
-        QVERIFY(bench.desk().searching());
-        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        fixture.desk().search(all);
+        QVERIFY(fixture.desk().isSearching());
+        QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
         const auto torque = [&] {
             std::int64_t value = -1;
-            bench.desk().connection()->simulation()->with([&](sim::VirtualBus& bus) {
+            fixture.desk().connection()->simulation()->with([&](sim::VirtualBus& bus) {
                 value = bus.servo(1)->raw(QStringLiteral("torque_switch"));
             });
             return value;
         };
         QTRY_COMPARE(torque(), 0);
-        bench.desk().stopSearch();
-        QVERIFY(bench.settled());
+        fixture.desk().stopSearch();
+        QVERIFY(fixture.waitUntilIdle());
     }
 
     void escInTheMiddleOfADrag()
     {
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1));
-        bench.bench.drive.setTorque(device::Torque::On);
-        QTRY_COMPARE(bench.raw("torque_switch"), std::int64_t(1));
-        auto* slider = bench.find<QWidget>("goalSlider");
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1));
+        fixture.context.motion.setTorque(device::Torque::On);
+        QTRY_COMPARE(fixture.raw("torque_switch"), std::int64_t(1));
+        auto* slider = fixture.find<QWidget>("goalSlider");
         QTRY_VERIFY(slider->isEnabled());
         const auto servo = [&](const char* key) {
             std::int64_t value = -1;
-            bench.desk().connection()->simulation()->with(
+            fixture.desk().connection()->simulation()->with(
                 [&](sim::VirtualBus& bus) { value = bus.servo(1)->raw(QString::fromLatin1(key)); });
             return value;
         };
@@ -457,17 +458,17 @@ private Q_SLOTS:
         QTest::mouseMove(slider, middle + QPoint(30, 0));
         QTRY_VERIFY(servo("goal_position") > 2100);
         QTest::mouseMove(slider, middle + QPoint(60, 0));
-        QTest::keyClick(bench.window.get(), Qt::Key_Escape);
+        QTest::keyClick(fixture.window.get(), Qt::Key_Escape);
         QTRY_COMPARE(servo("torque_switch"), 0);
-        QVERIFY(bench.settled());
+        QVERIFY(fixture.waitUntilIdle());
         const auto goal = servo("goal_position");
         for (int x = 65; x < 90; x += 5)
             QTest::mouseMove(slider, middle + QPoint(x, 0));
         QTest::mouseRelease(slider, Qt::LeftButton, {}, middle + QPoint(90, 0));
-        QVERIFY(bench.settled());
+        QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(servo("torque_switch"), 0);
         QCOMPARE(servo("goal_position"), goal);
-        QVERIFY(bench.find<QLabel>("controlStopped")->isVisible());
+        QVERIFY(fixture.find<QLabel>("controlStopped")->isVisible());
     }
 
     /// The first one already, and what was typed is not sent by a later Enter.
@@ -480,12 +481,12 @@ private Q_SLOTS:
     void escInAFieldOfTheMotionPanelStopsAtOnce()
     {
         QFETCH(QString, field);
-        gui::WindowBench bench;
-        bench.page = QStringLiteral("operate");
-        QVERIFY(bench.ready(1));
-        Stops stops(bench.desk());
+        gui::MainWindowFixture fixture;
+        fixture.page = QStringLiteral("operate");
+        QVERIFY(fixture.ready(1));
+        StopCounter stops(fixture.desk());
         QAbstractSpinBox* box = nullptr;
-        QTRY_VERIFY((box = bench.find<QAbstractSpinBox>(qPrintable(field))) != nullptr);
+        QTRY_VERIFY((box = fixture.find<QAbstractSpinBox>(qPrintable(field))) != nullptr);
         // Shown only once it is filled; until then it has the text it was made with.
         QTRY_VERIFY(box->isVisible() && box->isEnabled() && !box->text().isEmpty());
         const QString before = box->text();
@@ -496,21 +497,21 @@ private Q_SLOTS:
         QTest::keyClick(box, Qt::Key_Escape);
         QCOMPARE(stops.count, 1);
         QTRY_COMPARE(box->text(), before);
-        QVERIFY(bench.settled());
+        QVERIFY(fixture.waitUntilIdle());
         QVERIFY(box->toolTip().contains(QLatin1String("Esc takes torque off the whole bus")));
     }
 
-    void escInThePanelOfARegisterStopsAtOnce()
+    void escInTheRegisterPanelStopsAtOnce()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        Stops stops(bench.desk());
-        auto* table = bench.find<QTableView>("memoryTable");
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        StopCounter stops(fixture.desk());
+        auto* table = fixture.find<QTableView>("memoryTable");
         for (int row = 0; row < table->model()->rowCount(); ++row) {
             if (table->model()->index(row, 0).data().toString() == QLatin1String("9"))
                 table->selectRow(row);
         }
-        auto* editor = bench.find<QWidget>("panelEditor");
+        auto* editor = fixture.find<QWidget>("panelEditor");
         QVERIFY(editor != nullptr);
         auto* box = editor->findChild<QAbstractSpinBox*>();
         QVERIFY(box != nullptr);
@@ -524,13 +525,13 @@ private Q_SLOTS:
         QVERIFY(box->toolTip().contains(QLatin1String("Esc takes torque off the whole bus")));
     }
 
-    void shiftEscStopsWhateverIsOpen()
+    void shiftEscStopsFromAnywhere()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        Stops stops(bench.desk());
-        ui::ask(bench.window.get(), {.title = QStringLiteral("?"), .yes = QStringLiteral("yes")},
-                [] {});
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        StopCounter stops(fixture.desk());
+        ui::ask(fixture.window.get(),
+                {.title = QStringLiteral("?"), .acceptText = QStringLiteral("yes")}, [] {});
         QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
         QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Escape, Qt::ShiftModifier);
         QCOMPARE(stops.count, 1);
@@ -538,5 +539,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestStopKey)
+QTEST_MAIN(TestEscapeKey)
 #include "tst_stop_key.moc"

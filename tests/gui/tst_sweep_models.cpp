@@ -67,10 +67,10 @@ record::SweepServo tested()
     return servo;
 }
 
-struct Shown {
-    explicit Shown(const std::vector<SweepLeg>& all)
+struct VerdictData {
+    explicit VerdictData(const std::vector<SweepLeg>& all)
         : metrics(jobs::sweepMetrics(all, {}, 25.0))
-        , lines(record::judge(tested(), metrics, record::SweepShape::Sweep))
+        , lines(record::evaluate(tested(), metrics, record::SweepShape::Sweep))
     {}
     std::vector<SweepMetric> metrics;
     std::vector<VerdictLine> lines;
@@ -107,31 +107,31 @@ private Q_SLOTS:
     }
     void cleanup() { text::installTranslator(q("en")); }
 
-    void everyJudgedFigureHasItsGradeAndReason();
-    void whatIsNotMeasuredKeepsItsPlace();
-    void allFiguresOnlyWhenWished();
-    void aLineNobodyMeasuredIsNotLost();
-    void onlyWhatChangedIsTold();
-    void figuresFollowTheLanguage();
-    void legsSayWhatWasMeasured();
-    void remarksNameWhatWentWrong();
+    void everyMetricHasItsGradeAndReason();
+    void unmeasuredMetricsKeepTheirRow();
+    void allMetricsOnlyOnRequest();
+    void anUnmeasuredLimitIsKept();
+    void onlyChangesAreSignaled();
+    void metricsFollowTheLanguage();
+    void legsShowTheirMeasurements();
+    void remarksNameTheProblem();
     void onlyTheLatestLegsStay();
-    void aFloodOfLegsIsCutAtOnce();
+    void manyLegsAreTrimmedAtOnce();
     void emptyColumnsAreKnown();
     void legsFollowTheLanguage();
 };
 
-void TestSweepModels::everyJudgedFigureHasItsGradeAndReason()
+void TestSweepModels::everyMetricHasItsGradeAndReason()
 {
     SweepVerdictModel model;
     const QAbstractItemModelTester tester(&model,
                                           QAbstractItemModelTester::FailureReportingMode::QtTest);
-    const Shown shown(legs(1, 4));
+    const VerdictData shown(legs(1, 4));
     model.show(shown.metrics, shown.lines);
     QCOMPARE(model.rowCount(), 5);
 
     const int error = rowOf(model, q("steady_error"));
-    QCOMPARE(cell(model, error, VerdictColumn::Figure), q("Steady error"));
+    QCOMPARE(cell(model, error, VerdictColumn::Metric), q("Steady error"));
     QCOMPARE(cell(model, error, VerdictColumn::Value), q("3 step"));
     QCOMPARE(cell(model, error, VerdictColumn::Warn), q("> 2"));
     QCOMPARE(cell(model, error, VerdictColumn::Fail), q("> 8"));
@@ -156,10 +156,10 @@ void TestSweepModels::everyJudgedFigureHasItsGradeAndReason()
              int(Grade::Pass));
 }
 
-void TestSweepModels::whatIsNotMeasuredKeepsItsPlace()
+void TestSweepModels::unmeasuredMetricsKeepTheirRow()
 {
     SweepVerdictModel model;
-    const Shown shown(legs(1, 4));
+    const VerdictData shown(legs(1, 4));
     model.show(shown.metrics, shown.lines);
     const int current = rowOf(model, q("current_peak"));
     QVERIFY(current > rowOf(model, q("steady_error")) && current < rowOf(model, q("voltage_min")));
@@ -171,12 +171,12 @@ void TestSweepModels::whatIsNotMeasuredKeepsItsPlace()
              int(Tone::Quiet));
 }
 
-void TestSweepModels::allFiguresOnlyWhenWished()
+void TestSweepModels::allMetricsOnlyOnRequest()
 {
     SweepVerdictModel model;
     const QAbstractItemModelTester tester(&model,
                                           QAbstractItemModelTester::FailureReportingMode::QtTest);
-    const Shown shown(legs(1, 4));
+    const VerdictData shown(legs(1, 4));
     model.show(shown.metrics, shown.lines);
     QCOMPARE(rowOf(model, q("mean_speed")), -1);
     model.setShowAll(true);
@@ -191,7 +191,7 @@ void TestSweepModels::allFiguresOnlyWhenWished()
     QCOMPARE(model.rowCount(), 0);
 }
 
-void TestSweepModels::aLineNobodyMeasuredIsNotLost()
+void TestSweepModels::anUnmeasuredLimitIsKept()
 {
     SweepVerdictModel model;
     VerdictLine line;
@@ -200,15 +200,15 @@ void TestSweepModels::aLineNobodyMeasuredIsNotLost()
     line.grade = Grade::Fail;
     model.show({}, {line});
     QCOMPARE(model.rowCount(), 1);
-    QCOMPARE(cell(model, 0, VerdictColumn::Figure), q("of_tomorrow"));
+    QCOMPARE(cell(model, 0, VerdictColumn::Metric), q("of_tomorrow"));
     QCOMPARE(cell(model, 0, VerdictColumn::Value), q("4 N"));
     QCOMPARE(cell(model, 0, VerdictColumn::Grade), q("✘ Out of limits"));
 }
 
-void TestSweepModels::onlyWhatChangedIsTold()
+void TestSweepModels::onlyChangesAreSignaled()
 {
     SweepVerdictModel model;
-    const Shown first(legs(1, 4));
+    const VerdictData first(legs(1, 4));
     model.show(first.metrics, first.lines);
     QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
     QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
@@ -216,7 +216,7 @@ void TestSweepModels::onlyWhatChangedIsTold()
     QCOMPARE(changed.size(), 0);
     auto more = legs(1, 4);
     more.front().voltageMin = 6.2;
-    const Shown second(more);
+    const VerdictData second(more);
     model.show(second.metrics, second.lines);
     QCOMPARE(changed.size(), 1);
     const auto row = changed.front().front().toModelIndex().row();
@@ -225,10 +225,10 @@ void TestSweepModels::onlyWhatChangedIsTold()
     QCOMPARE(reset.size(), 0);
 }
 
-void TestSweepModels::figuresFollowTheLanguage()
+void TestSweepModels::metricsFollowTheLanguage()
 {
     SweepVerdictModel model;
-    const Shown shown(legs(1, 4));
+    const VerdictData shown(legs(1, 4));
     model.show(shown.metrics, shown.lines);
     QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
     QSignalSpy headers(&model, &QAbstractItemModel::headerDataChanged);
@@ -237,13 +237,13 @@ void TestSweepModels::figuresFollowTheLanguage()
     QCOMPARE(changed.size(), 1);
     QCOMPARE(headers.size(), 1);
     const int error = rowOf(model, q("steady_error"));
-    QCOMPARE(cell(model, error, VerdictColumn::Figure), q("静差"));
+    QCOMPARE(cell(model, error, VerdictColumn::Metric), q("静差"));
     QCOMPARE(cell(model, error, VerdictColumn::Value), q("3 步"));
     QCOMPARE(model.headerData(int(VerdictColumn::Fail), Qt::Horizontal).toString(),
              q("不合格限值"));
 }
 
-void TestSweepModels::legsSayWhatWasMeasured()
+void TestSweepModels::legsShowTheirMeasurements()
 {
     SweepLegsModel model;
     const QAbstractItemModelTester tester(&model,
@@ -265,7 +265,7 @@ void TestSweepModels::legsSayWhatWasMeasured()
     QCOMPARE(model.total(), std::size_t(0));
 }
 
-void TestSweepModels::remarksNameWhatWentWrong()
+void TestSweepModels::remarksNameTheProblem()
 {
     SweepLegsModel model;
     SweepLeg bad = leg(1);
@@ -294,7 +294,7 @@ void TestSweepModels::onlyTheLatestLegsStay()
     QVERIFY(model.notice().isEmpty());
     model.append(legs(991, 30));
     QCOMPARE(inserted.size(), 2);
-    QCOMPARE(model.rowCount(), int(SweepLegsModel::mostLegs));
+    QCOMPARE(model.rowCount(), int(SweepLegsModel::maxLegs));
     QCOMPARE(model.leg(0).number, 21);
     QCOMPARE(model.leg(model.rowCount() - 1).number, 1020);
     QCOMPARE(model.total(), std::size_t(1020));
@@ -302,14 +302,14 @@ void TestSweepModels::onlyTheLatestLegsStay()
     QVERIFY(model.notice().contains(q("CSV")));
 }
 
-void TestSweepModels::aFloodOfLegsIsCutAtOnce()
+void TestSweepModels::manyLegsAreTrimmedAtOnce()
 {
     SweepLegsModel model;
     const QAbstractItemModelTester tester(&model,
                                           QAbstractItemModelTester::FailureReportingMode::QtTest);
     model.append(legs(1, 5));
     model.append(legs(6, 3000));
-    QCOMPARE(model.rowCount(), int(SweepLegsModel::mostLegs));
+    QCOMPARE(model.rowCount(), int(SweepLegsModel::maxLegs));
     QCOMPARE(model.leg(0).number, 2006);
     QCOMPARE(model.total(), std::size_t(3005));
 }
@@ -318,21 +318,21 @@ void TestSweepModels::emptyColumnsAreKnown()
 {
     SweepLegsModel model;
     QSignalSpy changed(&model, &SweepLegsModel::emptyColumnsChanged);
-    QVERIFY(!model.columnEmpty(LegColumn::Current)); // nothing is known yet
+    QVERIFY(!model.isColumnEmpty(LegColumn::Current)); // nothing is known yet
     model.append(legs(1, 3));
     QCOMPARE(changed.size(), 1);
-    QVERIFY(model.columnEmpty(LegColumn::Current));
-    QVERIFY(model.columnEmpty(LegColumn::Temperature));
-    QVERIFY(!model.columnEmpty(LegColumn::Load));
-    QVERIFY(!model.columnEmpty(LegColumn::Leg));
-    QVERIFY(!model.columnEmpty(LegColumn::Remarks));
+    QVERIFY(model.isColumnEmpty(LegColumn::Current));
+    QVERIFY(model.isColumnEmpty(LegColumn::Temperature));
+    QVERIFY(!model.isColumnEmpty(LegColumn::Load));
+    QVERIFY(!model.isColumnEmpty(LegColumn::Leg));
+    QVERIFY(!model.isColumnEmpty(LegColumn::Remarks));
     model.append(legs(4, 3));
     QCOMPARE(changed.size(), 1);
     SweepLeg warm = leg(7);
     warm.temperatureMax = 41;
     model.append(warm);
     QCOMPARE(changed.size(), 2);
-    QVERIFY(!model.columnEmpty(LegColumn::Temperature));
+    QVERIFY(!model.isColumnEmpty(LegColumn::Temperature));
 }
 
 void TestSweepModels::legsFollowTheLanguage()

@@ -20,14 +20,14 @@ private Q_SLOTS:
     void init();
 
     void csvQuotes();
-    void csvRunsNothing();
+    void csvInjectionIsPrevented();
     void htmlIsSelfContainedAndEscaped();
-    void tabbedKeepsOneLineARow();
-    void sheetHasEveryColumnOfTheTable();
+    void tabbedTextHasOneLinePerRow();
+    void exportHasEveryColumn();
     void unreadValuesStayEmpty();
-    void fileNamesAreHarmless();
-    void savesByTheEndOfTheName();
-    void tellsWhatCannotBeWritten();
+    void fileNamesAreSanitized();
+    void savesByFileSuffix();
+    void reportsWriteErrors();
 };
 
 namespace {
@@ -35,7 +35,7 @@ TableSheet small()
 {
     TableSheet sheet;
     sheet.title = QStringLiteral("A <b> & \"C\"");
-    sheet.about << QStringLiteral("port <x>");
+    sheet.captionLines << QStringLiteral("port <x>");
     sheet.headers << QStringLiteral("n") << QStringLiteral("name");
     sheet.numeric = {true};
     sheet.rows.push_back({QStringLiteral("-5"), QStringLiteral("a, \"b\"\nc")});
@@ -64,7 +64,7 @@ void TestTableExport::csvQuotes()
              QStringLiteral("n,name\r\n-5,\"a, \"\"b\"\"\nc\"\r\n7,<script>卸载</script>\r\n"));
 }
 
-void TestTableExport::csvRunsNothing()
+void TestTableExport::csvInjectionIsPrevented()
 {
     TableSheet sheet;
     sheet.headers << QStringLiteral("a") << QStringLiteral("b") << QStringLiteral("c");
@@ -84,13 +84,13 @@ void TestTableExport::htmlIsSelfContainedAndEscaped()
     QVERIFY(html.contains(QStringLiteral("port &lt;x&gt;")));
 }
 
-void TestTableExport::tabbedKeepsOneLineARow()
+void TestTableExport::tabbedTextHasOneLinePerRow()
 {
-    QCOMPARE(ui::toTabbed(small()),
+    QCOMPARE(ui::toTsv(small()),
              QStringLiteral("n\tname\n-5\ta, \"b\" c\n7\t<script>卸载</script>\n"));
 }
 
-void TestTableExport::sheetHasEveryColumnOfTheTable()
+void TestTableExport::exportHasEveryColumn()
 {
     auto entry = guitest::entryOf(guitest::sts3215);
     guitest::put(entry, QStringLiteral("position_p"), 40);
@@ -100,8 +100,8 @@ void TestTableExport::sheetHasEveryColumnOfTheTable()
     const QDateTime at(QDate(2026, 11, 21), QTime(9, 41, 7));
     const TableSheet sheet = ui::memorySheet(model, {row}, entry, at);
     QVERIFY(sheet.title.contains(QStringLiteral("STS3215")));
-    QVERIFY(sheet.about.join(u'\n').contains(QStringLiteral("3.10")));
-    QVERIFY(sheet.about.join(u'\n').contains(QStringLiteral("2026-11-21 09:41:07")));
+    QVERIFY(sheet.captionLines.join(u'\n').contains(QStringLiteral("3.10")));
+    QVERIFY(sheet.captionLines.join(u'\n').contains(QStringLiteral("2026-11-21 09:41:07")));
     QCOMPARE(sheet.headers.size(), ui::memoryColumns + 1);
     QCOMPARE(sheet.rows.size(), std::size_t(1));
     const QStringList cells = sheet.rows.front();
@@ -124,7 +124,7 @@ void TestTableExport::unreadValuesStayEmpty()
     QCOMPARE(sheet.rows.front().at(3), QString());
 }
 
-void TestTableExport::fileNamesAreHarmless()
+void TestTableExport::fileNamesAreSanitized()
 {
     auto entry = guitest::entryOf(guitest::sts3215);
     auto hostile = std::make_shared<catalog::Profile>(*entry.servo.profile);
@@ -136,7 +136,7 @@ void TestTableExport::fileNamesAreHarmless()
     QVERIFY(name.endsWith(QStringLiteral("-id1-2026-11-21")));
 }
 
-void TestTableExport::savesByTheEndOfTheName()
+void TestTableExport::savesByFileSuffix()
 {
     QTemporaryDir folder;
     const QString csv = folder.filePath(QStringLiteral("t.csv"));
@@ -147,7 +147,7 @@ void TestTableExport::savesByTheEndOfTheName()
     QCOMPARE(contents(html), ui::toHtml(small()));
 }
 
-void TestTableExport::tellsWhatCannotBeWritten()
+void TestTableExport::reportsWriteErrors()
 {
     QTemporaryDir folder;
     const auto missing =

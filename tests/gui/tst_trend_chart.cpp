@@ -18,7 +18,7 @@ double seconds(Duration span)
 }
 } // namespace
 
-class TrendChartTest : public QObject {
+class TestTrendChart : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -27,236 +27,236 @@ private Q_SLOTS:
     void pauseFreezesThePicture();
     void boxGivesItsTimesAndValues();
     void flatBoxLeavesTheValues();
-    void doubleClickIsTheWayBack();
+    void doubleClickResetsTheView();
     void wheelZoomsAroundTheMouse();
-    void wheelWhileFollowingKeepsNow();
+    void wheelWhileFollowingKeepsTheRightEdge();
     void shiftWheelZoomsValues();
     void ctrlDragPans();
-    void keysDoWhatTheMouseDoes();
+    void keysMatchTheMouse();
     void cursorsAreDraggedAndNudged();
-    void readingsAreThoseOfPlainArithmetic();
-    void legendAndDigitsHide();
+    void readoutsMatchPlainArithmetic();
+    void legendAndDigitKeysHideChannels();
     void overviewMovesTheView();
     void pinchZooms();
 };
 
-void TrendChartTest::followsTheNewest()
+void TestTrendChart::followsTheNewest()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 20s, [](double t) { return t; });
-    bench.chart.setWidth(5s);
-    bench.chart.advance(20s);
-    QVERIFY(bench.chart.following());
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{15s, 20s}));
-    bench.fill(0, 21s, [](double t) { return t; });
-    bench.chart.advance(21s);
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{16s, 21s}));
-    QCOMPARE(bench.chart.width(), Duration(5s));
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 20s, [](double t) { return t; });
+    fixture.chart.setWidth(5s);
+    fixture.chart.advance(20s);
+    QVERIFY(fixture.chart.isFollowing());
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{15s, 20s}));
+    fixture.fill(0, 21s, [](double t) { return t; });
+    fixture.chart.advance(21s);
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{16s, 21s}));
+    QCOMPARE(fixture.chart.width(), Duration(5s));
 }
 
-void TrendChartTest::pauseFreezesThePicture()
+void TestTrendChart::pauseFreezesThePicture()
 {
-    gui::TrendBench bench;
+    gui::TrendChartFixture fixture;
     const auto wave = [](double t) { return std::sin(t * 3); };
-    bench.fill(0, 10s, wave);
-    bench.chart.advance(10s);
-    bench.settle();
-    QTest::keyClick(bench.plot, Qt::Key_Space);
-    QVERIFY(!bench.chart.following());
-    const record::TimeSpan shown = bench.chart.shown();
-    bench.settle();
-    const QImage before = bench.picture();
+    fixture.fill(0, 10s, wave);
+    fixture.chart.advance(10s);
+    fixture.waitForFrames();
+    QTest::keyClick(fixture.plot, Qt::Key_Space);
+    QVERIFY(!fixture.chart.isFollowing());
+    const record::TimeSpan shown = fixture.chart.shown();
+    fixture.waitForFrames();
+    const QImage before = fixture.picture();
     for (int i = 1; i < 40; ++i) {
-        bench.fill(0, 10s + i * 33ms, wave);
-        bench.chart.advance(10s + i * 33ms);
+        fixture.fill(0, 10s + i * 33ms, wave);
+        fixture.chart.advance(10s + i * 33ms);
         QCoreApplication::processEvents();
     }
-    QCOMPARE(bench.store.latest(bench.ids[0])->at / 1s, Duration(11s) / 1s);
-    QCOMPARE(bench.chart.shown(), shown);
-    QVERIFY(bench.picture() == before);
-    QTest::keyClick(bench.plot, Qt::Key_Space);
-    QVERIFY(bench.chart.following());
-    QVERIFY(bench.chart.shown().to > shown.to);
+    QCOMPARE(fixture.store.latest(fixture.ids[0])->at / 1s, Duration(11s) / 1s);
+    QCOMPARE(fixture.chart.shown(), shown);
+    QVERIFY(fixture.picture() == before);
+    QTest::keyClick(fixture.plot, Qt::Key_Space);
+    QVERIFY(fixture.chart.isFollowing());
+    QVERIFY(fixture.chart.shown().to > shown.to);
 }
 
-void TrendChartTest::boxGivesItsTimesAndValues()
+void TestTrendChart::boxGivesItsTimesAndValues()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 100s, [](double t) { return t; });
-    bench.chart.show({0s, 100s});
-    bench.settle();
-    const QRectF area = bench.area();
-    bench.drag(Qt::LeftButton, Qt::NoModifier, {0.25, 0.25}, {0.75, 0.5});
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.show({0s, 100s});
+    fixture.waitForFrames();
+    const QRectF area = fixture.area();
+    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.25, 0.25}, {0.75, 0.5});
     const double pixel = 100.0 / area.width();
-    QVERIFY(!bench.chart.following());
-    QVERIFY(std::abs(seconds(bench.chart.shown().from) - 25) <= 1.5 * pixel);
-    QVERIFY(std::abs(seconds(bench.chart.shown().to) - 75) <= 1.5 * pixel);
-    bench.settle();
+    QVERIFY(!fixture.chart.isFollowing());
+    QVERIFY(std::abs(seconds(fixture.chart.shown().from) - 25) <= 1.5 * pixel);
+    QVERIFY(std::abs(seconds(fixture.chart.shown().to) - 75) <= 1.5 * pixel);
+    fixture.waitForFrames();
     // Of the values the lower middle was taken: at 0.375 of the new width the curve (37.5 + …)
     // stands where the old picture had it, so the middle of what is shown is on the plot.
-    QVERIFY(bench.paintedIn({0.05, 0, 0.4, 1}, 0));
-    QVERIFY(!bench.paintedIn({0.7, 0, 0.28, 1}, 0));
+    QVERIFY(fixture.paintedIn({0.05, 0, 0.4, 1}, 0));
+    QVERIFY(!fixture.paintedIn({0.7, 0, 0.28, 1}, 0));
 }
 
-void TrendChartTest::flatBoxLeavesTheValues()
+void TestTrendChart::flatBoxLeavesTheValues()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 100s, [](double t) { return t; });
-    bench.chart.show({0s, 100s});
-    bench.settle();
-    bench.drag(Qt::LeftButton, Qt::NoModifier, {0.4, 0.5}, {0.6, 0.5});
-    bench.settle();
-    QVERIFY(bench.paintedIn({0, 0, 0.1, 1}, 0)); // the axis fits what is in view
-    QVERIFY(bench.paintedIn({0.9, 0, 0.1, 1}, 0));
-    const record::TimeSpan shown = bench.chart.shown();
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.show({0s, 100s});
+    fixture.waitForFrames();
+    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.4, 0.5}, {0.6, 0.5});
+    fixture.waitForFrames();
+    QVERIFY(fixture.paintedIn({0, 0, 0.1, 1}, 0)); // the axis fits what is in view
+    QVERIFY(fixture.paintedIn({0.9, 0, 0.1, 1}, 0));
+    const record::TimeSpan shown = fixture.chart.shown();
     QVERIFY(shown.from > 38s && shown.from < 42s && shown.to > 58s && shown.to < 62s);
 }
 
-void TrendChartTest::doubleClickIsTheWayBack()
+void TestTrendChart::doubleClickResetsTheView()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 100s, [](double t) { return t; });
-    bench.chart.advance(100s);
-    bench.settle();
-    bench.drag(Qt::LeftButton, Qt::NoModifier, {0.2, 0.2}, {0.4, 0.8});
-    const record::TimeSpan first = bench.chart.shown();
-    bench.drag(Qt::LeftButton, Qt::NoModifier, {0.2, 0.2}, {0.4, 0.8});
-    QVERIFY(!(bench.chart.shown() == first));
-    QTest::mouseDClick(bench.plot->viewport(), Qt::LeftButton, Qt::NoModifier,
-                       bench.at({0.5, 0.5}));
-    QCOMPARE(bench.chart.shown(), first);
-    bench.chart.zoomBack();
-    QVERIFY(bench.chart.following());
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{90s, 100s}));
-    bench.chart.zoomBack(); // nothing before that
-    QVERIFY(bench.chart.following());
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.advance(100s);
+    fixture.waitForFrames();
+    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.2, 0.2}, {0.4, 0.8});
+    const record::TimeSpan first = fixture.chart.shown();
+    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.2, 0.2}, {0.4, 0.8});
+    QVERIFY(!(fixture.chart.shown() == first));
+    QTest::mouseDClick(fixture.plot->viewport(), Qt::LeftButton, Qt::NoModifier,
+                       fixture.at({0.5, 0.5}));
+    QCOMPARE(fixture.chart.shown(), first);
+    fixture.chart.zoomBack();
+    QVERIFY(fixture.chart.isFollowing());
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{90s, 100s}));
+    fixture.chart.zoomBack(); // nothing before that
+    QVERIFY(fixture.chart.isFollowing());
 }
 
-void TrendChartTest::wheelZoomsAroundTheMouse()
+void TestTrendChart::wheelZoomsAroundTheMouse()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 100s, [](double t) { return t; });
-    bench.chart.show({0s, 100s});
-    bench.settle();
-    bench.wheel({0.25, 0.5}, 120);
-    const record::TimeSpan shown = bench.chart.shown();
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.show({0s, 100s});
+    fixture.waitForFrames();
+    fixture.wheel({0.25, 0.5}, 120);
+    const record::TimeSpan shown = fixture.chart.shown();
     QVERIFY(std::abs(seconds(shown.to - shown.from) - 80) < 0.01);
     const double under = seconds(shown.from) + 0.25 * seconds(shown.to - shown.from);
     QVERIFY(std::abs(under - 25) < 0.3);
-    bench.wheel({0.25, 0.5}, -120);
-    QVERIFY(std::abs(seconds(bench.chart.width()) - 100) < 0.01);
+    fixture.wheel({0.25, 0.5}, -120);
+    QVERIFY(std::abs(seconds(fixture.chart.width()) - 100) < 0.01);
 }
 
-void TrendChartTest::wheelWhileFollowingKeepsNow()
+void TestTrendChart::wheelWhileFollowingKeepsTheRightEdge()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 100s, [](double t) { return t; });
-    bench.chart.advance(100s);
-    bench.settle();
-    bench.wheel({0.25, 0.5}, 120);
-    QVERIFY(bench.chart.following());
-    QCOMPARE(bench.chart.shown().to, Duration(100s));
-    QCOMPARE(bench.chart.width(), Duration(8s));
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.advance(100s);
+    fixture.waitForFrames();
+    fixture.wheel({0.25, 0.5}, 120);
+    QVERIFY(fixture.chart.isFollowing());
+    QCOMPARE(fixture.chart.shown().to, Duration(100s));
+    QCOMPARE(fixture.chart.width(), Duration(8s));
 }
 
-void TrendChartTest::shiftWheelZoomsValues()
+void TestTrendChart::shiftWheelZoomsValues()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 100s, [](double t) { return t; });
-    bench.chart.show({0s, 100s});
-    bench.settle();
-    QVERIFY(bench.paintedIn({0.9, 0, 0.1, 1}, 0));
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.show({0s, 100s});
+    fixture.waitForFrames();
+    QVERIFY(fixture.paintedIn({0.9, 0, 0.1, 1}, 0));
     for (int i = 0; i < 4; ++i)
-        bench.wheel({0.5, 0.1}, 120, Qt::ShiftModifier);
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{0s, 100s}));
-    bench.settle();
-    QVERIFY(!bench.paintedIn({0.9, 0, 0.1, 1}, 0)); // its end has left the plot at the top
-    QVERIFY(bench.paintedIn({0.05, 0, 0.1, 1}, 0));
-    bench.chart.fit();
-    bench.settle();
-    QVERIFY(bench.paintedIn({0.9, 0, 0.1, 1}, 0));
+        fixture.wheel({0.5, 0.1}, 120, Qt::ShiftModifier);
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{0s, 100s}));
+    fixture.waitForFrames();
+    QVERIFY(!fixture.paintedIn({0.9, 0, 0.1, 1}, 0)); // its end has left the plot at the top
+    QVERIFY(fixture.paintedIn({0.05, 0, 0.1, 1}, 0));
+    fixture.chart.zoomToFit();
+    fixture.waitForFrames();
+    QVERIFY(fixture.paintedIn({0.9, 0, 0.1, 1}, 0));
 }
 
-void TrendChartTest::ctrlDragPans()
+void TestTrendChart::ctrlDragPans()
 {
     for (const bool middle : {false, true}) {
-        gui::TrendBench bench;
-        bench.fill(0, 100s, [](double t) { return t; });
-        bench.chart.show({40s, 60s});
-        bench.settle();
-        bench.drag(middle ? Qt::MiddleButton : Qt::LeftButton,
-                   middle ? Qt::NoModifier : Qt::ControlModifier, {0.2, 0.5}, {0.7, 0.5});
-        QVERIFY(std::abs(seconds(bench.chart.shown().from) - 30) < 0.2);
-        QVERIFY(std::abs(seconds(bench.chart.width()) - 20) < 0.001);
+        gui::TrendChartFixture fixture;
+        fixture.fill(0, 100s, [](double t) { return t; });
+        fixture.chart.show({40s, 60s});
+        fixture.waitForFrames();
+        fixture.drag(middle ? Qt::MiddleButton : Qt::LeftButton,
+                     middle ? Qt::NoModifier : Qt::ControlModifier, {0.2, 0.5}, {0.7, 0.5});
+        QVERIFY(std::abs(seconds(fixture.chart.shown().from) - 30) < 0.2);
+        QVERIFY(std::abs(seconds(fixture.chart.width()) - 20) < 0.001);
     }
 }
 
-void TrendChartTest::keysDoWhatTheMouseDoes()
+void TestTrendChart::keysMatchTheMouse()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 100s, [](double t) { return t; });
-    bench.chart.advance(100s);
-    bench.chart.setFocus(Qt::TabFocusReason);
-    QTRY_COMPARE(QApplication::focusWidget(), bench.plot);
-    QTest::keyClick(bench.plot, Qt::Key_Left);
-    QVERIFY(!bench.chart.following());
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{89s, 99s}));
-    QTest::keyClick(bench.plot, Qt::Key_Right);
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{90s, 100s}));
-    QTest::keyClick(bench.plot, Qt::Key_PageUp);
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{80s, 90s}));
-    QTest::keyClick(bench.plot, Qt::Key_Plus);
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{81s, 89s}));
-    QTest::keyClick(bench.plot, Qt::Key_Minus);
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{80s, 90s}));
-    QTest::keyClick(bench.plot, Qt::Key_Home);
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{0s, 10s}));
-    QTest::keyClick(bench.plot, Qt::Key_End);
-    QVERIFY(bench.chart.following());
-    QTest::keyClick(bench.plot, Qt::Key_F);
-    QVERIFY(bench.chart.shown().from <= 0s && bench.chart.shown().to >= 99s);
-    QTest::keyClick(bench.plot, Qt::Key_Backspace);
-    QVERIFY(bench.chart.following());
-    QTest::keyClick(bench.plot, Qt::Key_C);
-    QVERIFY(bench.chart.cursorsShown());
-    QTest::keyClick(bench.plot, Qt::Key_C);
-    QVERIFY(!bench.chart.cursorsShown());
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.advance(100s);
+    fixture.chart.setFocus(Qt::TabFocusReason);
+    QTRY_COMPARE(QApplication::focusWidget(), fixture.plot);
+    QTest::keyClick(fixture.plot, Qt::Key_Left);
+    QVERIFY(!fixture.chart.isFollowing());
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{89s, 99s}));
+    QTest::keyClick(fixture.plot, Qt::Key_Right);
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{90s, 100s}));
+    QTest::keyClick(fixture.plot, Qt::Key_PageUp);
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{80s, 90s}));
+    QTest::keyClick(fixture.plot, Qt::Key_Plus);
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{81s, 89s}));
+    QTest::keyClick(fixture.plot, Qt::Key_Minus);
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{80s, 90s}));
+    QTest::keyClick(fixture.plot, Qt::Key_Home);
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{0s, 10s}));
+    QTest::keyClick(fixture.plot, Qt::Key_End);
+    QVERIFY(fixture.chart.isFollowing());
+    QTest::keyClick(fixture.plot, Qt::Key_F);
+    QVERIFY(fixture.chart.shown().from <= 0s && fixture.chart.shown().to >= 99s);
+    QTest::keyClick(fixture.plot, Qt::Key_Backspace);
+    QVERIFY(fixture.chart.isFollowing());
+    QTest::keyClick(fixture.plot, Qt::Key_C);
+    QVERIFY(fixture.chart.areCursorsVisible());
+    QTest::keyClick(fixture.plot, Qt::Key_C);
+    QVERIFY(!fixture.chart.areCursorsVisible());
 }
 
-void TrendChartTest::cursorsAreDraggedAndNudged()
+void TestTrendChart::cursorsAreDraggedAndNudged()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 100s, [](double t) { return t; });
-    bench.chart.show({0s, 100s});
-    bench.chart.setCursors(20s, 80s);
-    bench.settle();
-    QSignalSpy changed(&bench.chart, &ui::TrendChart::cursorsChanged);
-    bench.drag(Qt::LeftButton, Qt::NoModifier, {0.2, 0.5}, {0.4, 0.5});
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.show({0s, 100s});
+    fixture.chart.setCursors(20s, 80s);
+    fixture.waitForFrames();
+    QSignalSpy changed(&fixture.chart, &ui::TrendChart::cursorsChanged);
+    fixture.drag(Qt::LeftButton, Qt::NoModifier, {0.2, 0.5}, {0.4, 0.5});
     QVERIFY(changed.count() > 0);
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{0s, 100s})); // no box
-    const double pixel = 100.0 / bench.area().width();
-    QVERIFY(std::abs(seconds(bench.chart.cursors()->from) - 40) < 1.5 * pixel);
-    QCOMPARE(bench.chart.cursors()->to, Duration(80s));
-    bench.chart.setCursors(20s, 80s);
-    QTest::keyClick(bench.plot, Qt::Key_BracketRight);
-    QVERIFY(std::abs(seconds(bench.chart.cursors()->from) - 20 - pixel) < 1e-3);
-    QTest::keyClick(bench.plot, Qt::Key_BraceLeft, Qt::ShiftModifier);
-    QVERIFY(std::abs(seconds(bench.chart.cursors()->to) - 80 + pixel) < 1e-3);
-    QTest::keyClick(bench.plot, Qt::Key_BracketLeft, Qt::ControlModifier);
-    QVERIFY(std::abs(seconds(bench.chart.cursors()->from) - 20 + 9 * pixel) < 1e-3);
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{0s, 100s})); // no box
+    const double pixel = 100.0 / fixture.area().width();
+    QVERIFY(std::abs(seconds(fixture.chart.cursors()->from) - 40) < 1.5 * pixel);
+    QCOMPARE(fixture.chart.cursors()->to, Duration(80s));
+    fixture.chart.setCursors(20s, 80s);
+    QTest::keyClick(fixture.plot, Qt::Key_BracketRight);
+    QVERIFY(std::abs(seconds(fixture.chart.cursors()->from) - 20 - pixel) < 1e-3);
+    QTest::keyClick(fixture.plot, Qt::Key_BraceLeft, Qt::ShiftModifier);
+    QVERIFY(std::abs(seconds(fixture.chart.cursors()->to) - 80 + pixel) < 1e-3);
+    QTest::keyClick(fixture.plot, Qt::Key_BracketLeft, Qt::ControlModifier);
+    QVERIFY(std::abs(seconds(fixture.chart.cursors()->from) - 20 + 9 * pixel) < 1e-3);
 }
 
-void TrendChartTest::readingsAreThoseOfPlainArithmetic()
+void TestTrendChart::readoutsMatchPlainArithmetic()
 {
-    gui::TrendBench bench;
+    gui::TrendChartFixture fixture;
     const auto value = [](double t) { return 3 * t + std::sin(t * 7); };
-    bench.fill(0, 60s, value);
-    bench.chart.show({0s, 60s});
-    bench.chart.setCursors(41003ms, 12s); // B before A
+    fixture.fill(0, 60s, value);
+    fixture.chart.show({0s, 60s});
+    fixture.chart.setCursors(41003ms, 12s); // B before A
     double sum = 0, squares = 0, tt = 0, ty = 0, tSum = 0;
     double min = 1e9, max = -1e9;
     int n = 0;
-    for (const record::SamplePoint& p : bench.sent[0]) {
+    for (const record::SamplePoint& p : fixture.sent[0]) {
         if (p.at < 12s || p.at > 41003ms)
             continue;
         const double t = seconds(p.at);
@@ -266,7 +266,7 @@ void TrendChartTest::readingsAreThoseOfPlainArithmetic()
         min = std::min(min, p.value);
         max = std::max(max, p.value);
     }
-    for (const record::SamplePoint& p : bench.sent[0]) {
+    for (const record::SamplePoint& p : fixture.sent[0]) {
         if (p.at < 12s || p.at > 41003ms)
             continue;
         const double t = seconds(p.at) - tSum / n;
@@ -274,7 +274,7 @@ void TrendChartTest::readingsAreThoseOfPlainArithmetic()
         tt += t * t;
         ty += t * (p.value - sum / n);
     }
-    const auto readings = bench.chart.cursorReadings();
+    const auto readings = fixture.chart.cursorReadings();
     QCOMPARE(readings.size(), std::size_t(2));
     const ui::CursorReading& r = readings[0];
     QCOMPARE(r.channel, QStringLiteral("1/a"));
@@ -290,77 +290,77 @@ void TrendChartTest::readingsAreThoseOfPlainArithmetic()
     QVERIFY(!readings[1].a && readings[1].between.count == 0);
 }
 
-void TrendChartTest::legendAndDigitsHide()
+void TestTrendChart::legendAndDigitKeysHideChannels()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 10s, [](double t) { return t; });
-    bench.fill(1, 10s, [](double t) { return 10 - t; });
-    bench.chart.show({0s, 10s});
-    bench.settle();
-    QSignalSpy changed(&bench.chart, &ui::TrendChart::channelsChanged);
-    QLegendMarker* const marker = bench.plot->chart()->legend()->markers().front();
-    QVERIFY(!bench.plot->chart()->legend()->childItems().isEmpty());
-    const QRectF legend = bench.plot->chart()->legend()->geometry();
-    QTest::mouseClick(bench.plot->viewport(), Qt::LeftButton, {},
-                      bench.plot->mapFromScene(legend.left() + 30, legend.top() + 12));
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return t; });
+    fixture.fill(1, 10s, [](double t) { return 10 - t; });
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
+    QSignalSpy changed(&fixture.chart, &ui::TrendChart::channelsChanged);
+    QLegendMarker* const marker = fixture.plot->chart()->legend()->markers().front();
+    QVERIFY(!fixture.plot->chart()->legend()->childItems().isEmpty());
+    const QRectF legend = fixture.plot->chart()->legend()->geometry();
+    QTest::mouseClick(fixture.plot->viewport(), Qt::LeftButton, {},
+                      fixture.plot->mapFromScene(legend.left() + 30, legend.top() + 12));
     QCOMPARE(changed.count(), 1);
-    QVERIFY(!bench.chart.channels()[0].visible);
-    bench.settle();
-    QVERIFY(!bench.paintedIn({0, 0, 1, 1}, 0));
-    QVERIFY(bench.paintedIn({0, 0, 1, 1}, 1));
+    QVERIFY(!fixture.chart.channels()[0].visible);
+    fixture.waitForFrames();
+    QVERIFY(!fixture.paintedIn({0, 0, 1, 1}, 0));
+    QVERIFY(fixture.paintedIn({0, 0, 1, 1}, 1));
     QVERIFY(marker->isVisible()); // to bring it back
-    QTest::keyClick(bench.plot, Qt::Key_2);
-    QVERIFY(!bench.chart.channels()[1].visible);
-    QTest::keyClick(bench.plot, Qt::Key_1);
-    bench.settle();
-    QVERIFY(bench.paintedIn({0, 0, 1, 1}, 0));
-    QVERIFY(!bench.paintedIn({0, 0, 1, 1}, 1));
+    QTest::keyClick(fixture.plot, Qt::Key_2);
+    QVERIFY(!fixture.chart.channels()[1].visible);
+    QTest::keyClick(fixture.plot, Qt::Key_1);
+    fixture.waitForFrames();
+    QVERIFY(fixture.paintedIn({0, 0, 1, 1}, 0));
+    QVERIFY(!fixture.paintedIn({0, 0, 1, 1}, 1));
 }
 
-void TrendChartTest::overviewMovesTheView()
+void TestTrendChart::overviewMovesTheView()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 100s, [](double t) { return t; });
-    bench.chart.show({0s, 20s});
-    bench.settle();
-    auto* const strip = bench.chart.findChild<QWidget*>(QStringLiteral("trendOverview"));
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.show({0s, 20s});
+    fixture.waitForFrames();
+    auto* const strip = fixture.chart.findChild<QWidget*>(QStringLiteral("trendOverview"));
     const auto at = [&](double share) { return QPoint(int(share * strip->width()), 20); };
     const auto drag = [&](double from, double to) {
         QTest::mousePress(strip, Qt::LeftButton, {}, at(from));
-        gui::TrendBench::moveTo(strip, at(to), Qt::LeftButton);
+        gui::TrendChartFixture::moveTo(strip, at(to), Qt::LeftButton);
         QTest::mouseRelease(strip, Qt::LeftButton, {}, at(to));
-        bench.settle();
+        fixture.waitForFrames();
     };
     drag(0.1, 0.5);
-    QVERIFY(std::abs(seconds(bench.chart.shown().from) - 40) < 0.5);
-    QVERIFY(std::abs(seconds(bench.chart.width()) - 20) < 0.01);
+    QVERIFY(std::abs(seconds(fixture.chart.shown().from) - 40) < 0.5);
+    QVERIFY(std::abs(seconds(fixture.chart.width()) - 20) < 0.01);
     drag(0.6, 0.8); // the right edge
-    QVERIFY(std::abs(seconds(bench.chart.shown().from) - 40) < 0.5);
-    QVERIFY(std::abs(seconds(bench.chart.shown().to) - 80) < 0.7);
+    QVERIFY(std::abs(seconds(fixture.chart.shown().from) - 40) < 0.5);
+    QVERIFY(std::abs(seconds(fixture.chart.shown().to) - 80) < 0.7);
     QTest::mouseClick(strip, Qt::LeftButton, {}, at(0.2)); // beside the handle
-    QVERIFY(std::abs(seconds(bench.chart.shown().from) - 0) < 0.7);
-    bench.chart.zoomBack();
-    QVERIFY(std::abs(seconds(bench.chart.shown().from) - 40) < 0.5);
+    QVERIFY(std::abs(seconds(fixture.chart.shown().from) - 0) < 0.7);
+    fixture.chart.zoomBack();
+    QVERIFY(std::abs(seconds(fixture.chart.shown().from) - 40) < 0.5);
 }
 
 /// Two fingers that part: closer, and the box of the first one is forgotten.
-void TrendChartTest::pinchZooms()
+void TestTrendChart::pinchZooms()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 100s, [](double t) { return t; });
-    bench.chart.show({0s, 100s});
-    bench.settle();
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 100s, [](double t) { return t; });
+    fixture.chart.show({0s, 100s});
+    fixture.waitForFrames();
     const std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
-    QWidget* const view = bench.plot->viewport();
-    const auto left = [&](double by) { return bench.at({0.45 - by, 0.5}); };
-    const auto right = [&](double by) { return bench.at({0.55 + by, 0.5}); };
+    QWidget* const view = fixture.plot->viewport();
+    const auto left = [&](double by) { return fixture.at({0.45 - by, 0.5}); };
+    const auto right = [&](double by) { return fixture.at({0.55 + by, 0.5}); };
     QTest::touchEvent(view, screen.get()).press(0, left(0), view).press(1, right(0), view);
     for (double by = 0.02; by < 0.21; by += 0.02)
         QTest::touchEvent(view, screen.get()).move(0, left(by), view).move(1, right(by), view);
     QTest::touchEvent(view, screen.get()).release(0, left(0.2), view).release(1, right(0.2), view);
-    QVERIFY(bench.chart.width() < 60s);
-    QVERIFY(bench.chart.shown().from < 50s && bench.chart.shown().to > 50s);
+    QVERIFY(fixture.chart.width() < 60s);
+    QVERIFY(fixture.chart.shown().from < 50s && fixture.chart.shown().to > 50s);
 }
 
-QTEST_MAIN(TrendChartTest)
+QTEST_MAIN(TestTrendChart)
 #include "tst_trend_chart.moc"

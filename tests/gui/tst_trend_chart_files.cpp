@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the trend chart leaves outside of its window: picture files, presets, copied readings; and
-// the rules it draws by: colours, ticks, ranges.
+// the rules it draws by: colors, ticks, ranges.
 #include "gui/trend_bench.h"
 #include "ui/charts/auto_range.h"
 #include "ui/charts/axis_ticks.h"
@@ -26,48 +26,48 @@ QString q(const char* text)
 }
 } // namespace
 
-class TrendFilesTest : public QObject {
+class TestTrendChartFiles : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(q("^(?!This plugin)"))); }
-    void pictureFiles();
-    void pictureFailsWithAMessage();
-    void fullDiskLeavesTheOldPicture();
+    void savesImages();
+    void imageExportFailsWithAMessage();
+    void fullDiskKeepsTheOldImage();
     void presets();
     void brokenPresets();
     void cursorTable();
-    void coloursStandOut();
+    void colorsAreDistinct();
     void timeTexts_data();
     void timeTexts();
     void roundRanges_data();
     void roundRanges();
-    void axisIsCalm();
+    void axisDoesNotJitter();
 };
 
-void TrendFilesTest::pictureFiles()
+void TestTrendChartFiles::savesImages()
 {
     const QTemporaryDir folder;
-    gui::TrendBench bench;
-    bench.fill(0, 10s, [](double t) { return t; });
-    bench.chart.show({0s, 10s});
-    bench.settle();
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return t; });
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
     QString trouble;
     const QString png = folder.filePath(q("a.png"));
-    QVERIFY2(bench.chart.savePng(png, {900, 500}, &trouble), qPrintable(trouble));
+    QVERIFY2(fixture.chart.savePng(png, {900, 500}, &trouble), qPrintable(trouble));
     const QImage image(png);
     QCOMPARE(image.size(), QSize(900, 500));
     QCOMPARE(image.pixelColor(2, 2), QColor(Qt::white));
-    const QRgb blue = ui::trendColour(0, Qt::white).rgb();
+    const QRgb blue = ui::trendColor(0, Qt::white).rgb();
     int painted = 0;
     for (int y = 60; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x)
-            painted += gui::TrendBench::near(image.pixel(x, y), blue) ? 1 : 0;
+            painted += gui::TrendChartFixture::near(image.pixel(x, y), blue) ? 1 : 0;
     }
     QVERIFY(painted > 500);
 
     const QString svg = folder.filePath(q("a.svg"));
-    QVERIFY2(bench.chart.saveSvg(svg, {900, 500}, &trouble), qPrintable(trouble));
+    QVERIFY2(fixture.chart.saveSvg(svg, {900, 500}, &trouble), qPrintable(trouble));
     QFile file(svg);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QXmlStreamReader xml(&file);
@@ -85,35 +85,35 @@ void TrendFilesTest::pictureFiles()
     QVERIFY(lines >= 1);
 }
 
-void TrendFilesTest::pictureFailsWithAMessage()
+void TestTrendChartFiles::imageExportFailsWithAMessage()
 {
-    gui::TrendBench bench;
+    gui::TrendChartFixture fixture;
     QString trouble;
-    QVERIFY(!bench.chart.savePng(q("/nonexistent-folder/a.png"), {400, 300}, &trouble));
+    QVERIFY(!fixture.chart.savePng(q("/nonexistent-folder/a.png"), {400, 300}, &trouble));
     QVERIFY(trouble.contains(q("/nonexistent-folder/a.png")));
     trouble.clear();
-    QVERIFY(!bench.chart.saveSvg(q("/nonexistent-folder/a.svg"), {400, 300}, &trouble));
+    QVERIFY(!fixture.chart.saveSvg(q("/nonexistent-folder/a.svg"), {400, 300}, &trouble));
     QVERIFY(!trouble.isEmpty());
     trouble.clear();
-    QVERIFY(!bench.chart.saveSvg(QString(), {400, 300}, &trouble));
+    QVERIFY(!fixture.chart.saveSvg(QString(), {400, 300}, &trouble));
     QVERIFY(!trouble.isEmpty());
 }
 
 /// As a full disk has it, without one: no file may grow beyond a few bytes.
-void TrendFilesTest::fullDiskLeavesTheOldPicture()
+void TestTrendChartFiles::fullDiskKeepsTheOldImage()
 {
     const QTemporaryDir folder;
-    gui::TrendBench bench;
+    gui::TrendChartFixture fixture;
     const QString path = folder.filePath(q("a.svg"));
     QString trouble;
-    QVERIFY(bench.chart.saveSvg(path, {400, 300}, &trouble));
+    QVERIFY(fixture.chart.saveSvg(path, {400, 300}, &trouble));
     const qint64 size = QFileInfo(path).size();
     rlimit before{};
     getrlimit(RLIMIT_FSIZE, &before);
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     const rlimit small{1000, before.rlim_max};
     setrlimit(RLIMIT_FSIZE, &small);
-    const bool saved = bench.chart.saveSvg(path, {400, 300}, &trouble);
+    const bool saved = fixture.chart.saveSvg(path, {400, 300}, &trouble);
     setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
     QVERIFY(!saved);
@@ -121,7 +121,7 @@ void TrendFilesTest::fullDiskLeavesTheOldPicture()
     QCOMPARE(QFileInfo(path).size(), size);
 }
 
-void TrendFilesTest::presets()
+void TestTrendChartFiles::presets()
 {
     const QTemporaryDir folder;
     const QString file = folder.filePath(q("s.ini"));
@@ -138,21 +138,21 @@ void TrendFilesTest::presets()
     QCOMPARE(ui::presetNames(settings), QStringList({q("Alone"), q("夹持 grip")}));
     QVERIFY(ui::loadPreset(settings, q("夹持 grip")) == preset);
     QVERIFY(!ui::loadPreset(settings, q("other")));
-    // A colour by its place stays so.
-    QVERIFY(!ui::loadPreset(settings, q("Alone"))->channels.front().colour.isValid());
+    // A color by its place stays so.
+    QVERIFY(!ui::loadPreset(settings, q("Alone"))->channels.front().color.isValid());
     ui::deletePreset(settings, q("Alone"));
     QCOMPARE(ui::presetNames(settings), QStringList({q("夹持 grip")}));
 }
 
-void TrendFilesTest::brokenPresets()
+void TestTrendChartFiles::brokenPresets()
 {
     const QTemporaryDir folder;
     session::Settings settings(folder.filePath(q("s.ini")));
-    settings.setChoice(q("trend/presets"), q("{\"a\":{\"width_us\":-5,\"channels\":[{\"key\":7},"
-                                             "{\"key\":\"1/a\",\"scale\":0}]},\"b\":3"));
+    settings.setPageValue(q("trend/presets"), q("{\"a\":{\"width_us\":-5,\"channels\":[{\"key\":7},"
+                                                "{\"key\":\"1/a\",\"scale\":0}]},\"b\":3"));
     QVERIFY(ui::presetNames(settings).isEmpty());
-    settings.setChoice(q("trend/presets"), q("{\"a\":{\"width_us\":-5,\"channels\":[{\"key\":7},"
-                                             "{\"key\":\"1/a\",\"scale\":0}]},\"b\":3}"));
+    settings.setPageValue(q("trend/presets"), q("{\"a\":{\"width_us\":-5,\"channels\":[{\"key\":7},"
+                                                "{\"key\":\"1/a\",\"scale\":0}]},\"b\":3}"));
     const auto preset = ui::loadPreset(settings, q("a"));
     QVERIFY(preset);
     QCOMPARE(preset->width, base::Duration(10s));
@@ -161,15 +161,15 @@ void TrendFilesTest::brokenPresets()
     QVERIFY(!ui::loadPreset(settings, q("b")));
 }
 
-void TrendFilesTest::cursorTable()
+void TestTrendChartFiles::cursorTable()
 {
-    gui::TrendBench bench;
-    ui::CursorTable table(&bench.chart);
+    gui::TrendChartFixture fixture;
+    ui::CursorTable table(&fixture.chart);
     auto* const cells = table.findChild<QTableWidget*>(q("cursorTable"));
     QCOMPARE(cells->rowCount(), 0);
-    bench.fill(0, 10s, [](double t) { return 2 * t; });
-    bench.chart.show({0s, 10s});
-    bench.chart.setCursors(2s, 6s);
+    fixture.fill(0, 10s, [](double t) { return 2 * t; });
+    fixture.chart.show({0s, 10s});
+    fixture.chart.setCursors(2s, 6s);
     QCOMPARE(cells->rowCount(), 2);
     QCOMPARE(cells->item(0, 0)->text(), q("Alpha"));
     QCOMPARE(cells->item(0, 1)->text().toDouble(), 4.0);
@@ -185,33 +185,33 @@ void TrendFilesTest::cursorTable()
     const QString copied = QGuiApplication::clipboard()->text();
     QVERIFY(copied.contains(q("4.000 s")));
     QVERIFY(copied.contains(q("Alpha\t")));
-    bench.chart.setChannelVisible(0, false);
+    fixture.chart.setChannelVisible(0, false);
     QCOMPARE(cells->rowCount(), 1);
-    bench.chart.setCursorsShown(false);
+    fixture.chart.setCursorsShown(false);
     QCOMPARE(cells->rowCount(), 0);
 }
 
-void TrendFilesTest::coloursStandOut()
+void TestTrendChartFiles::colorsAreDistinct()
 {
     for (const QColor& ground : {QColor(Qt::white), QColor(0x2d, 0x31, 0x38)}) {
-        for (int i = 0; i < ui::trendColourCount; ++i) {
-            const QColor colour = ui::trendColour(i, ground);
-            QVERIFY2(ui::contrast(colour, ground) >= 3.0, qPrintable(colour.name()));
+        for (int i = 0; i < ui::trendColorCount; ++i) {
+            const QColor color = ui::trendColor(i, ground);
+            QVERIFY2(ui::contrast(color, ground) >= 3.0, qPrintable(color.name()));
             for (int k = 0; k < i; ++k)
-                QVERIFY(colour != ui::trendColour(k, ground));
+                QVERIFY(color != ui::trendColor(k, ground));
         }
         for (const QColor& wanted : {QColor(Qt::yellow), QColor(0, 0, 60), QColor(Qt::white),
                                      QColor(Qt::black), QColor(0x30, 0x34, 0x38), QColor()})
-            QVERIFY(ui::contrast(ui::trendColourOn(wanted, ground), ground) >= 3.0);
+            QVERIFY(ui::contrast(ui::trendColorOn(wanted, ground), ground) >= 3.0);
     }
-    const QColor light = ui::trendColour(2, Qt::white);
-    const QColor dark = ui::trendColour(2, QColor(0x2d, 0x31, 0x38));
-    QCOMPARE(ui::trendColourOn(light, QColor(0x2d, 0x31, 0x38)), dark);
-    QCOMPARE(ui::trendColourOn(dark, Qt::white), light);
+    const QColor light = ui::trendColor(2, Qt::white);
+    const QColor dark = ui::trendColor(2, QColor(0x2d, 0x31, 0x38));
+    QCOMPARE(ui::trendColorOn(light, QColor(0x2d, 0x31, 0x38)), dark);
+    QCOMPARE(ui::trendColorOn(dark, Qt::white), light);
     QCOMPARE(ui::contrast(Qt::white, Qt::black), 21.0);
 }
 
-void TrendFilesTest::timeTexts_data()
+void TestTrendChartFiles::timeTexts_data()
 {
     QTest::addColumn<double>("low");
     QTest::addColumn<double>("high");
@@ -227,7 +227,7 @@ void TrendFilesTest::timeTexts_data()
     QTest::newRow("close, late") << 3600.0 << 3600.05 << 3600.01 << q("1:00:00.010");
 }
 
-void TrendFilesTest::timeTexts()
+void TestTrendChartFiles::timeTexts()
 {
     QFETCH(double, low);
     QFETCH(double, high);
@@ -240,7 +240,7 @@ void TrendFilesTest::timeTexts()
     QVERIFY(places.size() >= 4 && places.size() <= 11);
 }
 
-void TrendFilesTest::roundRanges_data()
+void TestTrendChartFiles::roundRanges_data()
 {
     QTest::addColumn<double>("min");
     QTest::addColumn<double>("max");
@@ -254,7 +254,7 @@ void TrendFilesTest::roundRanges_data()
     QTest::newRow("far away") << 1e9 << 1e9 + 1 << QString();
 }
 
-void TrendFilesTest::roundRanges()
+void TestTrendChartFiles::roundRanges()
 {
     QFETCH(double, min);
     QFETCH(double, max);
@@ -268,32 +268,32 @@ void TrendFilesTest::roundRanges()
         QVERIFY((max - min) / range.size() > 0.3); // not lost in an empty plot
 }
 
-void TrendFilesTest::axisIsCalm()
+void TestTrendChartFiles::axisDoesNotJitter()
 {
     ui::AutoRange axis(q("°"));
-    axis.take(0, 300, 0s);
-    const ui::AxisRange first = axis.shown();
-    axis.take(20, 250, 1s);
-    QCOMPARE(axis.shown().high, first.high);
-    axis.take(0, 700, 2s); // grows at once
-    QVERIFY(axis.shown().high > 700);
-    const ui::AxisRange grown = axis.shown();
-    axis.take(0, 100, 3s);
-    axis.take(0, 100, 4s);
-    QCOMPARE(axis.shown().high, grown.high);
-    axis.take(0, 600, 4500ms);
-    axis.take(0, 100, 6s); // needed again in between: the patience starts anew
-    QCOMPARE(axis.shown().high, grown.high);
-    axis.take(0, 100, 9s);
-    QVERIFY(axis.shown().high < grown.high);
-    axis.fix({1, 2});
-    axis.take(-1000, 1000, 10s);
-    QCOMPARE(axis.shown().high, 2.0);
-    axis.take(qQNaN(), 1, 11s);
-    axis.release();
-    axis.take(0, 10, 12s);
-    QVERIFY(axis.shown().high >= 10 && axis.shown().high < 20);
+    axis.update(0, 300, 0s);
+    const ui::AxisRange first = axis.paddedRange();
+    axis.update(20, 250, 1s);
+    QCOMPARE(axis.paddedRange().high, first.high);
+    axis.update(0, 700, 2s); // grows at once
+    QVERIFY(axis.paddedRange().high > 700);
+    const ui::AxisRange samplesAdded = axis.paddedRange();
+    axis.update(0, 100, 3s);
+    axis.update(0, 100, 4s);
+    QCOMPARE(axis.paddedRange().high, samplesAdded.high);
+    axis.update(0, 600, 4500ms);
+    axis.update(0, 100, 6s); // needed again in between: the patience starts anew
+    QCOMPARE(axis.paddedRange().high, samplesAdded.high);
+    axis.update(0, 100, 9s);
+    QVERIFY(axis.paddedRange().high < samplesAdded.high);
+    axis.setFixed({1, 2});
+    axis.update(-1000, 1000, 10s);
+    QCOMPARE(axis.paddedRange().high, 2.0);
+    axis.update(qQNaN(), 1, 11s);
+    axis.setAutomatic();
+    axis.update(0, 10, 12s);
+    QVERIFY(axis.paddedRange().high >= 10 && axis.paddedRange().high < 20);
 }
 
-QTEST_MAIN(TrendFilesTest)
+QTEST_MAIN(TestTrendChartFiles)
 #include "tst_trend_chart_files.moc"

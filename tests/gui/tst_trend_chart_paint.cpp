@@ -7,7 +7,7 @@
 using namespace std::chrono_literals;
 using base::Duration;
 
-class TrendPaintTest : public QObject {
+class TestTrendChartPaint : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -15,91 +15,91 @@ private Q_SLOTS:
     void gapIsNotPainted();
     void stepsStayLevel();
     void curveIsWhereItsValueIs();
-    void movingPictureIsAsAFreshOne();
-    void hastyPictureLosesNothing();
-    void finePictureFollows();
+    void scrolledImageMatchesAFreshOne();
+    void quickRenderLosesNothing();
+    void fullRenderFollows();
     void themeRepaints();
     void nothingToShow();
     void constantSignal();
     void oddNumbers();
     void clockJump();
-    void marksAreSeen();
+    void marksAreVisible();
     void languageChange();
 };
 
-void TrendPaintTest::gapIsNotPainted()
+void TestTrendChartPaint::gapIsNotPainted()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 4s, [](double) { return 5.0; });
-    bench.store.gap(bench.ids[0]);
-    bench.fillFrom(0, 6s, 10s, [](double) { return 5.0; });
-    bench.chart.show({0s, 10s});
-    bench.settle();
-    QVERIFY(bench.paintedIn({0.05, 0, 0.3, 1}, 0));
-    QVERIFY(!bench.paintedIn({0.42, 0, 0.16, 1}, 0));
-    QVERIFY(bench.paintedIn({0.65, 0, 0.3, 1}, 0));
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 4s, [](double) { return 5.0; });
+    fixture.store.gap(fixture.ids[0]);
+    fixture.fillFrom(0, 6s, 10s, [](double) { return 5.0; });
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
+    QVERIFY(fixture.paintedIn({0.05, 0, 0.3, 1}, 0));
+    QVERIFY(!fixture.paintedIn({0.42, 0, 0.16, 1}, 0));
+    QVERIFY(fixture.paintedIn({0.65, 0, 0.3, 1}, 0));
 }
 
-void TrendPaintTest::stepsStayLevel()
+void TestTrendChartPaint::stepsStayLevel()
 {
-    gui::TrendBench bench;
-    bench.channels[0].steps = true;
-    bench.chart.setChannels(bench.channels);
-    bench.put(0, 0s, 0);
-    bench.put(0, 5s, 100);
-    bench.put(0, 10s, 100);
-    bench.chart.show({0s, 10s});
-    bench.settle();
-    QVERIFY(!bench.paintedIn({0.1, 0.3, 0.35, 0.4}, 0)); // a slanted line would cross here
-    QVERIFY(bench.paintedIn({0.48, 0.3, 0.04, 0.4}, 0)); // the step
-    bench.channels[0].steps = false;
-    bench.chart.setChannels(bench.channels);
-    bench.settle();
-    QVERIFY(bench.paintedIn({0.1, 0.3, 0.35, 0.4}, 0));
+    gui::TrendChartFixture fixture;
+    fixture.channels[0].steps = true;
+    fixture.chart.setChannels(fixture.channels);
+    fixture.put(0, 0s, 0);
+    fixture.put(0, 5s, 100);
+    fixture.put(0, 10s, 100);
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
+    QVERIFY(!fixture.paintedIn({0.1, 0.3, 0.35, 0.4}, 0)); // a slanted line would cross here
+    QVERIFY(fixture.paintedIn({0.48, 0.3, 0.04, 0.4}, 0)); // the step
+    fixture.channels[0].steps = false;
+    fixture.chart.setChannels(fixture.channels);
+    fixture.waitForFrames();
+    QVERIFY(fixture.paintedIn({0.1, 0.3, 0.35, 0.4}, 0));
 }
 
-void TrendPaintTest::curveIsWhereItsValueIs()
+void TestTrendChartPaint::curveIsWhereItsValueIs()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 10s, [](double t) { return t < 5 ? 0.0 : 100.0; });
-    bench.chart.show({0s, 10s});
-    bench.settle();
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return t < 5 ? 0.0 : 100.0; });
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
     // 0 … 100 is a round range, shown with 2.5 % above and below.
     const double margin = 0.025 / 1.05;
-    QVERIFY(bench.paintedIn({0.1, margin - 0.012, 0.3, 0.024}, 0));
-    QVERIFY(bench.paintedIn({0.6, 1 - margin - 0.012, 0.3, 0.024}, 0));
-    QVERIFY(!bench.paintedIn({0.1, 0.1, 0.3, 0.8}, 0));
-    bench.chart.setChannelScale(0, -1, 100);
-    bench.settle();
-    QVERIFY(bench.paintedIn({0.6, margin - 0.012, 0.3, 0.024}, 0));
-    QCOMPARE(bench.chart.channels()[0].scale, -1.0);
+    QVERIFY(fixture.paintedIn({0.1, margin - 0.012, 0.3, 0.024}, 0));
+    QVERIFY(fixture.paintedIn({0.6, 1 - margin - 0.012, 0.3, 0.024}, 0));
+    QVERIFY(!fixture.paintedIn({0.1, 0.1, 0.3, 0.8}, 0));
+    fixture.chart.setChannelScale(0, -1, 100);
+    fixture.waitForFrames();
+    QVERIFY(fixture.paintedIn({0.6, margin - 0.012, 0.3, 0.024}, 0));
+    QCOMPARE(fixture.chart.channels()[0].scale, -1.0);
 }
 
 /// Following shifts the picture and paints what is new; that must not be seen.
-void TrendPaintTest::movingPictureIsAsAFreshOne()
+void TestTrendChartPaint::scrolledImageMatchesAFreshOne()
 {
     const auto wave = [](double t) { return std::sin(t * 2) * 50 + std::sin(t * 41) * 3; };
     const auto steps = [](double t) { return std::floor(t) * 3; };
-    gui::TrendBench moving;
-    gui::TrendBench fresh;
-    for (gui::TrendBench* bench : {&moving, &fresh}) {
-        bench->fill(0, 20s, wave);
-        bench->fill(1, 20s, steps);
+    gui::TrendChartFixture moving;
+    gui::TrendChartFixture fresh;
+    for (gui::TrendChartFixture* fixture : {&moving, &fresh}) {
+        fixture->fill(0, 20s, wave);
+        fixture->fill(1, 20s, steps);
     }
     moving.chart.advance(20s);
-    moving.settle();
+    moving.waitForFrames();
     Duration now = 20s;
     for (int i = 0; i < 12; ++i) {
         now += Duration(33000 + i * 700);
         moving.fill(0, now, wave);
         moving.fill(1, now, steps);
         moving.chart.advance(now);
-        moving.settle();
+        moving.waitForFrames();
     }
     fresh.fill(0, now, wave);
     fresh.fill(1, now, steps);
     fresh.chart.advance(now);
-    fresh.settle();
+    fresh.waitForFrames();
     const QImage a = moving.picture();
     const QImage b = fresh.picture();
     QCOMPARE(a.size(), b.size());
@@ -113,79 +113,79 @@ void TrendPaintTest::movingPictureIsAsAFreshOne()
 
 /// While the wheel turns curves are coarse; a single sample far out and a gap are seen all the
 /// same.
-void TrendPaintTest::hastyPictureLosesNothing()
+void TestTrendChartPaint::quickRenderLosesNothing()
 {
-    gui::TrendBench bench;
+    gui::TrendChartFixture fixture;
     for (int i = 0; i < 60000; ++i) {
         if (i == 20000)
-            bench.store.gap(bench.ids[0]);
+            fixture.store.gap(fixture.ids[0]);
         if (i < 20000 || i > 24000)
-            bench.put(0, i * 10ms, i == 37001 ? 100 : std::abs(std::sin(i * 0.01)));
+            fixture.put(0, i * 10ms, i == 37001 ? 100 : std::abs(std::sin(i * 0.01)));
     }
-    bench.chart.show({0s, 600s});
+    fixture.chart.show({0s, 600s});
     for (const int turn : {120, -120, 240, -360}) {
-        bench.settle();
-        QVERIFY(!bench.plot->picture().coarse());
-        bench.wheel({0.5, 0.5}, turn);
-        QTRY_VERIFY(bench.plot->picture().coarse());
-        const record::TimeSpan shown = bench.chart.shown();
+        fixture.waitForFrames();
+        QVERIFY(!fixture.plot->picture().isCoarse());
+        fixture.wheel({0.5, 0.5}, turn);
+        QTRY_VERIFY(fixture.plot->picture().isCoarse());
+        const record::TimeSpan shown = fixture.chart.shown();
         const auto share = [&](Duration at) {
             return double((at - shown.from).count()) / double((shown.to - shown.from).count());
         };
         const double spike = share(370010ms);
-        QVERIFY(bench.paintedIn({spike - 0.005, 0.9, 0.01, 0.09}, 0)); // its tip
-        QVERIFY(bench.paintedIn({spike - 0.005, 0.3, 0.01, 0.4}, 0));  // and the way there
-        QVERIFY(!bench.paintedIn({spike + 0.01, 0.3, 0.2, 0.69}, 0));
-        QVERIFY(!bench.paintedIn({share(203s), 0, share(237s) - share(203s), 1}, 0));
-        QVERIFY(bench.paintedIn({share(195s), 0, share(199s) - share(195s), 0.2}, 0));
+        QVERIFY(fixture.paintedIn({spike - 0.005, 0.9, 0.01, 0.09}, 0)); // its tip
+        QVERIFY(fixture.paintedIn({spike - 0.005, 0.3, 0.01, 0.4}, 0));  // and the way there
+        QVERIFY(!fixture.paintedIn({spike + 0.01, 0.3, 0.2, 0.69}, 0));
+        QVERIFY(!fixture.paintedIn({share(203s), 0, share(237s) - share(203s), 1}, 0));
+        QVERIFY(fixture.paintedIn({share(195s), 0, share(199s) - share(195s), 0.2}, 0));
     }
 }
 
-void TrendPaintTest::finePictureFollows()
+void TestTrendChartPaint::fullRenderFollows()
 {
     const auto wave = [](double t) { return std::sin(t) * 50 + std::sin(t * 41) * 3; };
-    gui::TrendBench zoomed;
-    gui::TrendBench fresh;
-    for (gui::TrendBench* bench : {&zoomed, &fresh})
-        bench->fill(0, 300s, wave);
+    gui::TrendChartFixture zoomed;
+    gui::TrendChartFixture fresh;
+    for (gui::TrendChartFixture* fixture : {&zoomed, &fresh})
+        fixture->fill(0, 300s, wave);
     zoomed.chart.show({0s, 300s});
-    zoomed.settle();
+    zoomed.waitForFrames();
     for (int i = 0; i < 5; ++i)
         zoomed.wheel({0.4, 0.5}, 120);
-    QTRY_VERIFY(zoomed.plot->picture().coarse());
+    QTRY_VERIFY(zoomed.plot->picture().isCoarse());
     fresh.chart.show(zoomed.chart.shown());
-    fresh.settle();
+    fresh.waitForFrames();
     QVERIFY(zoomed.picture() != fresh.picture());
-    QTRY_VERIFY(!zoomed.plot->picture().coarse()); // by itself, once the wheel rests
+    QTRY_VERIFY(!zoomed.plot->picture().isCoarse()); // by itself, once the wheel rests
     QCOMPARE(zoomed.picture(), fresh.picture());
 }
 
-void TrendPaintTest::themeRepaints()
+void TestTrendChartPaint::themeRepaints()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 10s, [](double t) { return t; });
-    bench.chart.advance(10s);
-    bench.settle();
-    const QColor light = bench.picture().pixelColor(bench.at({0.03, 0.93}));
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return t; });
+    fixture.chart.advance(10s);
+    fixture.waitForFrames();
+    const QColor light = fixture.picture().pixelColor(fixture.at({0.03, 0.93}));
     QVERIFY(light.lightness() > 200);
-    QPalette dark = bench.chart.palette();
+    QPalette dark = fixture.chart.palette();
     dark.setColor(QPalette::Window, QColor(0x26, 0x29, 0x2f));
     dark.setColor(QPalette::Base, QColor(0x2d, 0x31, 0x38));
     dark.setColor(QPalette::Text, QColor(0xe6, 0xe8, 0xec));
-    bench.chart.setPalette(dark);
-    bench.settle();
-    QCOMPARE(bench.picture().pixelColor(bench.at({0.03, 0.93})), QColor(0x2d, 0x31, 0x38));
-    QVERIFY(bench.paintedIn({0, 0, 1, 1}, 0)); // in the dark twin of its colour
+    fixture.chart.setPalette(dark);
+    fixture.waitForFrames();
+    QCOMPARE(fixture.picture().pixelColor(fixture.at({0.03, 0.93})), QColor(0x2d, 0x31, 0x38));
+    QVERIFY(fixture.paintedIn({0, 0, 1, 1}, 0)); // in the dark twin of its color
 }
 
-void TrendPaintTest::nothingToShow()
+void TestTrendChartPaint::nothingToShow()
 {
     ui::TrendChart chart;
     chart.resize(700, 400);
     chart.show();
     QVERIFY(QTest::qWaitForWindowExposed(&chart));
     chart.advance(5s);
-    chart.fit();
+    chart.zoomToFit();
     chart.zoomBack();
     chart.setCursorsShown(true);
     QVERIFY(chart.cursorReadings().empty());
@@ -194,80 +194,80 @@ void TrendPaintTest::nothingToShow()
          {Qt::Key_Home, Qt::Key_End, Qt::Key_Left, Qt::Key_Plus, Qt::Key_1, Qt::Key_F})
         QTest::keyClick(plot, Qt::Key(key));
     QVERIFY(!chart.grab().isNull());
-    gui::TrendBench bench; // channels without a sample
-    bench.chart.advance(5s);
-    bench.chart.fit();
-    bench.settle();
-    QVERIFY(!bench.paintedIn({0, 0, 1, 1}, 0));
-    bench.chart.setStore(nullptr);
-    bench.settle();
-    QVERIFY(bench.chart.cursorReadings().empty());
-    bench.chart.resize(30, 20); // no room for a plot
-    bench.settle();
+    gui::TrendChartFixture fixture; // channels without a sample
+    fixture.chart.advance(5s);
+    fixture.chart.zoomToFit();
+    fixture.waitForFrames();
+    QVERIFY(!fixture.paintedIn({0, 0, 1, 1}, 0));
+    fixture.chart.setStore(nullptr);
+    fixture.waitForFrames();
+    QVERIFY(fixture.chart.cursorReadings().empty());
+    fixture.chart.resize(30, 20); // no room for a plot
+    fixture.waitForFrames();
 }
 
-void TrendPaintTest::constantSignal()
+void TestTrendChartPaint::constantSignal()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 10s, [](double t) { return 7.4 + 0.01 * std::sin(t * 99); });
-    bench.chart.advance(10s);
-    bench.settle();
-    QVERIFY(bench.paintedIn({0.2, 0.15, 0.6, 0.7}, 0)); // away from the edges
-    QVERIFY(!bench.paintedIn({0.2, 0, 0.6, 0.15}, 0));
-    QVERIFY(!bench.paintedIn({0.2, 0.85, 0.6, 0.15}, 0));
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 10s, [](double t) { return 7.4 + 0.01 * std::sin(t * 99); });
+    fixture.chart.advance(10s);
+    fixture.waitForFrames();
+    QVERIFY(fixture.paintedIn({0.2, 0.15, 0.6, 0.7}, 0)); // away from the edges
+    QVERIFY(!fixture.paintedIn({0.2, 0, 0.6, 0.15}, 0));
+    QVERIFY(!fixture.paintedIn({0.2, 0.85, 0.6, 0.15}, 0));
 }
 
-void TrendPaintTest::oddNumbers()
+void TestTrendChartPaint::oddNumbers()
 {
-    gui::TrendBench bench;
+    gui::TrendChartFixture fixture;
     for (int i = 0; i < 100; ++i) {
         const double odd[] = {1, qQNaN(), qInf(), -qInf(), 2};
-        bench.store.append(bench.ids[0], i * 100ms, odd[i % 5]);
-        bench.store.append(bench.ids[1], i * 100ms, i % 2 ? 1e300 : -1e300);
+        fixture.store.append(fixture.ids[0], i * 100ms, odd[i % 5]);
+        fixture.store.append(fixture.ids[1], i * 100ms, i % 2 ? 1e300 : -1e300);
     }
-    bench.chart.advance(10s);
-    bench.chart.setCursors(1s, 9s);
-    bench.settle();
-    bench.chart.fit();
-    bench.settle();
-    bench.chart.setChannelScale(1, 1e300, 0);
-    bench.settle();
-    QVERIFY(!bench.picture().isNull());
+    fixture.chart.advance(10s);
+    fixture.chart.setCursors(1s, 9s);
+    fixture.waitForFrames();
+    fixture.chart.zoomToFit();
+    fixture.waitForFrames();
+    fixture.chart.setChannelScale(1, 1e300, 0);
+    fixture.waitForFrames();
+    QVERIFY(!fixture.picture().isNull());
 }
 
-void TrendPaintTest::clockJump()
+void TestTrendChartPaint::clockJump()
 {
-    gui::TrendBench bench;
-    bench.fill(0, 5s, [](double) { return 1.0; });
-    bench.store.gap(bench.ids[0]);
-    bench.fillFrom(0, 9h, 9h + 5s, [](double) { return 2.0; });
-    bench.chart.advance(5s);
-    bench.settle();
-    bench.chart.advance(9h + 5s);
-    bench.settle();
-    QCOMPARE(bench.chart.shown(), (record::TimeSpan{9h - 5s, 9h + 5s}));
-    QVERIFY(!bench.paintedIn({0.02, 0, 0.45, 1}, 0));
-    QVERIFY(bench.paintedIn({0.55, 0, 0.4, 1}, 0));
-    bench.chart.fit();
-    bench.settle();
-    QVERIFY(bench.chart.width() > 9h);
-    bench.chart.advance(1s); // and back: another clock
-    bench.chart.setFollowing(true);
-    bench.settle();
-    QCOMPARE(bench.chart.shown().to, Duration(1s));
+    gui::TrendChartFixture fixture;
+    fixture.fill(0, 5s, [](double) { return 1.0; });
+    fixture.store.gap(fixture.ids[0]);
+    fixture.fillFrom(0, 9h, 9h + 5s, [](double) { return 2.0; });
+    fixture.chart.advance(5s);
+    fixture.waitForFrames();
+    fixture.chart.advance(9h + 5s);
+    fixture.waitForFrames();
+    QCOMPARE(fixture.chart.shown(), (record::TimeSpan{9h - 5s, 9h + 5s}));
+    QVERIFY(!fixture.paintedIn({0.02, 0, 0.45, 1}, 0));
+    QVERIFY(fixture.paintedIn({0.55, 0, 0.4, 1}, 0));
+    fixture.chart.zoomToFit();
+    fixture.waitForFrames();
+    QVERIFY(fixture.chart.width() > 9h);
+    fixture.chart.advance(1s); // and back: another clock
+    fixture.chart.setFollowing(true);
+    fixture.waitForFrames();
+    QCOMPARE(fixture.chart.shown().to, Duration(1s));
 }
 
-void TrendPaintTest::marksAreSeen()
+void TestTrendChartPaint::marksAreVisible()
 {
-    gui::TrendBench bench;
-    bench.chart.show({0s, 10s});
-    bench.settle();
-    const QImage without = bench.picture();
+    gui::TrendChartFixture fixture;
+    fixture.chart.show({0s, 10s});
+    fixture.waitForFrames();
+    const QImage without = fixture.picture();
     std::vector<record::Mark> marks{{5s, record::MarkKind::Fault, 1, QStringLiteral("overload")}};
-    bench.chart.setMarks(&marks);
-    bench.settle();
-    const QImage with = bench.picture();
-    const QPoint on = bench.at({0.5, 0.5});
+    fixture.chart.setMarks(&marks);
+    fixture.waitForFrames();
+    const QImage with = fixture.picture();
+    const QPoint on = fixture.at({0.5, 0.5});
     int changed = 0;
     for (int x = on.x() - 2; x <= on.x() + 2; ++x)
         changed += with.pixel(x, on.y()) != without.pixel(x, on.y()) ? 1 : 0;
@@ -275,25 +275,25 @@ void TrendPaintTest::marksAreSeen()
     marks.clear();
     for (int i = 0; i < 20000; ++i) // dense ones are merged
         marks.push_back({i * 500us, record::MarkKind::Write, 1, QStringLiteral("w")});
-    bench.chart.setMarks(nullptr);
-    bench.chart.setMarks(&marks);
-    bench.settle();
+    fixture.chart.setMarks(nullptr);
+    fixture.chart.setMarks(&marks);
+    fixture.waitForFrames();
     int lines = 0;
-    const int y = bench.at({0.5, 0.5}).y();
-    for (int x = int(bench.area().left()); x < int(bench.area().right()); ++x)
-        lines += bench.picture().pixel(x, y) != without.pixel(x, y) ? 1 : 0;
-    QVERIFY(lines > 10 && lines < int(bench.area().width()) / 15);
+    const int y = fixture.at({0.5, 0.5}).y();
+    for (int x = int(fixture.area().left()); x < int(fixture.area().right()); ++x)
+        lines += fixture.picture().pixel(x, y) != without.pixel(x, y) ? 1 : 0;
+    QVERIFY(lines > 10 && lines < int(fixture.area().width()) / 15);
 }
 
-void TrendPaintTest::languageChange()
+void TestTrendChartPaint::languageChange()
 {
-    gui::TrendBench bench;
-    bench.plot->setAccessibleName({});
+    gui::TrendChartFixture fixture;
+    fixture.plot->setAccessibleName({});
     QEvent change(QEvent::LanguageChange);
-    QCoreApplication::sendEvent(&bench.chart, &change);
-    QVERIFY(!bench.plot->accessibleName().isEmpty());
-    QVERIFY(!bench.plot->toolTip().isEmpty());
+    QCoreApplication::sendEvent(&fixture.chart, &change);
+    QVERIFY(!fixture.plot->accessibleName().isEmpty());
+    QVERIFY(!fixture.plot->toolTip().isEmpty());
 }
 
-QTEST_MAIN(TrendPaintTest)
+QTEST_MAIN(TestTrendChartPaint)
 #include "tst_trend_chart_paint.moc"

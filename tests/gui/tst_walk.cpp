@@ -13,28 +13,29 @@
 using device::WriteOutcome;
 
 namespace {
-std::optional<WriteOutcome> outcomeOf(gui::WindowBench& bench, const QString& key)
+std::optional<WriteOutcome> outcomeOf(gui::MainWindowFixture& fixture, const QString& key)
 {
-    const auto& writes = bench.entry().writes;
+    const auto& writes = fixture.entry().writes;
     return writes.count(key) > 0 ? writes.at(key).outcome : std::nullopt;
 }
 
-bool write(gui::WindowBench& bench, const QString& key, std::int64_t raw, bool temporary = false)
+bool write(gui::MainWindowFixture& fixture, const QString& key, std::int64_t raw,
+           bool temporary = false)
 {
-    bench.desk().write(bench.selection().current(), {{{key, raw}}, temporary, true});
-    return bench.settled();
+    fixture.desk().write(fixture.selection().current(), {{{key, raw}}, temporary, true});
+    return fixture.waitUntilIdle();
 }
 
-QString keyOf(gui::WindowBench& bench, catalog::Role role)
+QString keyOf(gui::MainWindowFixture& fixture, catalog::Role role)
 {
-    const catalog::Register* reg = bench.entry().servo.profile->byRole(role);
+    const catalog::Register* reg = fixture.entry().servo.profile->byRole(role);
     return reg != nullptr ? reg->key : QString();
 }
 
 /// The code of the rate register that stands for another rate than the present one.
-std::optional<std::int64_t> anotherRate(gui::WindowBench& bench)
+std::optional<std::int64_t> anotherRate(gui::MainWindowFixture& fixture)
 {
-    const catalog::Register* reg = bench.entry().servo.profile->byRole(catalog::Role::BaudRate);
+    const catalog::Register* reg = fixture.entry().servo.profile->byRole(catalog::Role::BaudRate);
     if (reg == nullptr || !reg->writable())
         return std::nullopt;
     for (const catalog::NamedValue& value : reg->values) {
@@ -45,7 +46,7 @@ std::optional<std::int64_t> anotherRate(gui::WindowBench& bench)
 }
 } // namespace
 
-class TestWalk : public QObject {
+class TestFamilyWalkthrough : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -76,137 +77,139 @@ private Q_SLOTS:
         QFETCH(QString, setting);
         QFETCH(int, value);
         QFETCH(bool, canBeTemporary);
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1, port));
-        const session::ServoRef ref = bench.selection().current();
-        QStringList told; // for whoever has to find out what went wrong
-        connect(&bench.desk(), &session::Desk::happened, &bench.desk(),
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1, port));
+        const session::ServoRef ref = fixture.selection().current();
+        QStringList log; // for whoever has to find out what went wrong
+        connect(&fixture.desk(), &session::Desk::eventOccurred, &fixture.desk(),
                 [&](const session::Event& event) {
-                    const ui::EventWords words = ui::describe(event, bench.desk());
-                    told << words.line + QLatin1Char(' ') + words.more.join(QLatin1Char(' '));
+                    const ui::EventText words = ui::describe(event, fixture.desk());
+                    log << words.message + QLatin1Char(' ') + words.details.join(QLatin1Char(' '));
                 });
-        const auto before = bench.entry().servo.raw(setting);
+        const auto before = fixture.entry().servo.raw(setting);
         QVERIFY2(before, qPrintable(setting));
         QVERIFY(*before != value);
 
-        QVERIFY(write(bench, setting, value));
-        QCOMPARE(outcomeOf(bench, setting), std::optional(WriteOutcome::Kept));
-        QVERIFY(!bench.entry().lockOpen().value_or(false));
-        QVERIFY(QFile::exists(bench.entry().snapshotPath));
-        bench.desk().powerCycle();
-        bench.desk().readTable(ref);
-        QVERIFY(bench.settled());
-        QCOMPARE(bench.entry().servo.raw(setting), std::optional<std::int64_t>(value));
+        QVERIFY(write(fixture, setting, value));
+        QCOMPARE(outcomeOf(fixture, setting), std::optional(WriteOutcome::Kept));
+        QVERIFY(!fixture.entry().isLockOpen().value_or(false));
+        QVERIFY(QFile::exists(fixture.entry().snapshotPath));
+        fixture.desk().powerCycle();
+        fixture.desk().readTable(ref);
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(fixture.entry().servo.raw(setting), std::optional<std::int64_t>(value));
 
         if (canBeTemporary) {
-            QVERIFY(write(bench, setting, value - 1, true));
-            QCOMPARE(outcomeOf(bench, setting), std::optional(WriteOutcome::Temporary));
-            QCOMPARE(bench.entry().servo.raw(setting), std::optional<std::int64_t>(value - 1));
-            bench.action(ui::Command::PowerCycle)->trigger();
-            QVERIFY(bench.settled());
-            QCOMPARE(bench.entry().servo.raw(setting), std::optional<std::int64_t>(value));
-            bench.action(ui::Command::Undo)->trigger(); // of the temporary write
-            QVERIFY(bench.settled());
+            QVERIFY(write(fixture, setting, value - 1, true));
+            QCOMPARE(outcomeOf(fixture, setting), std::optional(WriteOutcome::Temporary));
+            QCOMPARE(fixture.entry().servo.raw(setting), std::optional<std::int64_t>(value - 1));
+            fixture.action(ui::Command::PowerCycle)->trigger();
+            QVERIFY(fixture.waitUntilIdle());
+            QCOMPARE(fixture.entry().servo.raw(setting), std::optional<std::int64_t>(value));
+            fixture.action(ui::Command::Undo)->trigger(); // of the temporary write
+            QVERIFY(fixture.waitUntilIdle());
         }
-        bench.action(ui::Command::Undo)->trigger();
-        QVERIFY(bench.settled());
-        QVERIFY2(bench.entry().servo.raw(setting) == before,
-                 qPrintable(told.join(QLatin1Char('\n'))));
+        fixture.action(ui::Command::Undo)->trigger();
+        QVERIFY(fixture.waitUntilIdle());
+        QVERIFY2(fixture.entry().servo.raw(setting) == before,
+                 qPrintable(log.join(QLatin1Char('\n'))));
 
-        QVERIFY(write(bench, keyOf(bench, catalog::Role::Id), 9));
-        QCOMPARE(bench.entry().servo.id, 9);
-        QCOMPARE(bench.selection().current(), ref);
-        if (const auto rate = anotherRate(bench)) {
-            const int baudBefore = bench.entry().servo.baud;
-            QVERIFY(write(bench, keyOf(bench, catalog::Role::BaudRate), *rate));
-            QVERIFY(bench.entry().servo.baud != baudBefore);
-            QCOMPARE(bench.selection().current(), ref);
+        QVERIFY(write(fixture, keyOf(fixture, catalog::Role::Id), 9));
+        QCOMPARE(fixture.entry().servo.id, 9);
+        QCOMPARE(fixture.selection().current(), ref);
+        if (const auto rate = anotherRate(fixture)) {
+            const int baudBefore = fixture.entry().servo.baud;
+            QVERIFY(write(fixture, keyOf(fixture, catalog::Role::BaudRate), *rate));
+            QVERIFY(fixture.entry().servo.baud != baudBefore);
+            QCOMPARE(fixture.selection().current(), ref);
         }
-        bench.desk().readTable(ref);
-        QVERIFY(bench.settled());
-        QVERIFY(!bench.entry().readError);
-        QVERIFY(bench.session.journal().open()->empty());
+        fixture.desk().readTable(ref);
+        QVERIFY(fixture.waitUntilIdle());
+        QVERIFY(!fixture.entry().readError);
+        QVERIFY(fixture.session.journal().open()->empty());
     }
 
     void themesAndLanguagesSwitchWhileItRuns()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        const QImage light = bench.window->grab().toImage();
-        bench.themes.apply(session::Theme::Dark);
-        const QImage dark = bench.window->grab().toImage();
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        const QImage light = fixture.window->grab().toImage();
+        fixture.themes.apply(session::Theme::Dark);
+        const QImage dark = fixture.window->grab().toImage();
         QVERIFY(light.pixelColor(5, 300).lightness() > dark.pixelColor(5, 300).lightness() + 100);
-        QCOMPARE(bench.action(ui::Command::Search)->text().remove(u'&'), QStringLiteral("Search"));
-        bench.speak(QStringLiteral("zh_CN"));
-        QVERIFY(bench.action(ui::Command::Search)->text().contains(QStringLiteral("搜索")));
-        QCOMPARE(bench.settings.language(), QStringLiteral("zh_CN"));
-        QCOMPARE(bench.settings.theme(), session::Theme::Dark);
-        QVERIFY(bench.entry().tableRead); // nothing was forgotten
+        QCOMPARE(fixture.action(ui::Command::Search)->text().remove(u'&'),
+                 QStringLiteral("Search"));
+        fixture.setLanguage(QStringLiteral("zh_CN"));
+        QVERIFY(fixture.action(ui::Command::Search)->text().contains(QStringLiteral("搜索")));
+        QCOMPARE(fixture.settings.language(), QStringLiteral("zh_CN"));
+        QCOMPARE(fixture.settings.theme(), session::Theme::Dark);
+        QVERIFY(fixture.entry().hasFullTable); // nothing was forgotten
     }
 
-    void theCableIsPulledDuringAWrite()
+    void theCableIsUnpluggedDuringAWrite()
     {
         support::SimProgram simulator(support::words("--servos sts3215@1 --baud 1000000"));
         auto cable = std::make_unique<support::CutCable>(simulator.port(), false);
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1, cable->port()));
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1, cable->port()));
         cable->cutAtWrite(2); // the first one opens the lock
-        bench.desk().write(bench.selection().current(),
-                           {{{QStringLiteral("position_p"), 40}}, false, false});
-        QTRY_COMPARE(bench.desk().state(), session::LinkState::Lost);
-        QTRY_VERIFY(!bench.entry().writing());
+        fixture.desk().write(fixture.selection().current(),
+                             {{{QStringLiteral("position_p"), 40}}, false, false});
+        QTRY_COMPARE(fixture.desk().state(), session::LinkState::Lost);
+        QTRY_VERIFY(!fixture.entry().writing());
         // Nobody knows whether the servo took it.
-        QCOMPARE(outcomeOf(bench, QStringLiteral("position_p")),
+        QCOMPARE(outcomeOf(fixture, QStringLiteral("position_p")),
                  std::optional(WriteOutcome::Unknown));
-        QVERIFY(bench.window->isVisible());
-        const auto open = bench.session.journal().open();
+        QVERIFY(fixture.window->isVisible());
+        const auto open = fixture.session.journal().open();
         QVERIFY(open);
         QCOMPARE(open->size(), std::size_t(1));
 
         // At another port it is named all the same.
         cable.reset();
-        QSignalSpy named(&bench.desk(), &session::Desk::openIntents);
-        QVERIFY(bench.connectTo(simulator.port()));
+        QSignalSpy named(&fixture.desk(), &session::Desk::openIntentsFound);
+        QVERIFY(fixture.connectTo(simulator.port()));
         QTRY_COMPARE(named.count(), 1);
-        const auto elsewhere = named.front().at(1).value<std::vector<base::Intent>>();
-        QCOMPARE(elsewhere.size(), std::size_t(1));
-        QCOMPARE(elsewhere.front().uuid, open->front().uuid);
+        const auto otherPortIntents = named.front().at(1).value<std::vector<base::Intent>>();
+        QCOMPARE(otherPortIntents.size(), std::size_t(1));
+        QCOMPARE(otherPortIntents.front().uuid, open->front().uuid);
     }
 
     void closingDuringAWriteFinishesIt()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        bench.desk().write(bench.selection().current(),
-                           {{{QStringLiteral("position_p"), 40}}, false, false});
-        bench.window->close();
-        QVERIFY(bench.window->isVisible()); // not before the lock is closed
-        QTRY_VERIFY(!bench.window->isVisible());
-        QCOMPARE(outcomeOf(bench, QStringLiteral("position_p")), std::optional(WriteOutcome::Kept));
-        QVERIFY(bench.session.journal().open()->empty());
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        fixture.desk().write(fixture.selection().current(),
+                             {{{QStringLiteral("position_p"), 40}}, false, false});
+        fixture.window->close();
+        QVERIFY(fixture.window->isVisible()); // not before the lock is closed
+        QTRY_VERIFY(!fixture.window->isVisible());
+        QCOMPARE(outcomeOf(fixture, QStringLiteral("position_p")),
+                 std::optional(WriteOutcome::Kept));
+        QVERIFY(fixture.session.journal().open()->empty());
     }
 
     void dropsAndNoiseLoseNothing()
     {
-        gui::WindowBench bench;
-        QVERIFY(bench.ready(1));
-        bench.desk().connection()->simulation()->with([](sim::VirtualBus& bus) {
+        gui::MainWindowFixture fixture;
+        QVERIFY(fixture.ready(1));
+        fixture.desk().connection()->simulation()->with([](sim::VirtualBus& bus) {
             bus.config().faults.drop = 0.1;
             bus.config().faults.corrupt = 0.1;
         });
         int kept = 0;
         for (int value = 40; value < 50; ++value) {
-            QVERIFY(write(bench, QStringLiteral("position_p"), value));
-            const auto outcome = outcomeOf(bench, QStringLiteral("position_p"));
+            QVERIFY(write(fixture, QStringLiteral("position_p"), value));
+            const auto outcome = outcomeOf(fixture, QStringLiteral("position_p"));
             QVERIFY(outcome.has_value());
             if (outcome == WriteOutcome::Kept) {
                 ++kept;
-                QCOMPARE(bench.raw("position_p"), std::optional<std::int64_t>(value));
+                QCOMPARE(fixture.raw("position_p"), std::optional<std::int64_t>(value));
             }
         }
         QVERIFY(kept > 0);
     }
 };
 
-QTEST_MAIN(TestWalk)
+QTEST_MAIN(TestFamilyWalkthrough)
 #include "tst_walk.moc"

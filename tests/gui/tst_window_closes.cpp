@@ -29,16 +29,16 @@ using support::CliProgram;
 using support::SimProgram;
 
 namespace {
-constexpr int longTime = 60'000;
+constexpr int longTimeoutMs = 60'000;
 constexpr int factoryId = 1;
 constexpr int newId = 7; ///< given by commissioning
 
-struct Bench : gui::WindowBench {
-    Bench()
+struct Fixture : gui::MainWindowFixture {
+    Fixture()
         : simulator(support::words("--servos sts3215@1 --baud 1000000 --latency-ms 10"))
         , cable(std::make_unique<support::CutCable>(simulator.port(), false))
     {
-        settings.setChoice(QStringLiteral("operate/no_torque_hint"), true);
+        settings.setPageValue(QStringLiteral("operate/no_torque_hint"), true);
     }
     /// `cutAt`: the cable is cut where that frame which changes something would have gone through;
     /// 0: it is not cut.
@@ -53,7 +53,7 @@ struct Bench : gui::WindowBench {
         // On a busy machine its answer may come later than a search waits.
         for (int tries = 0; tries < 5 && desk().servos().empty(); ++tries) {
             desk().search({.firstId = factoryId, .lastId = factoryId, .bauds = {}});
-            if (!settled())
+            if (!waitUntilIdle())
                 return false;
         }
         if (!choose(factoryId))
@@ -66,7 +66,10 @@ struct Bench : gui::WindowBench {
             return commission(cutAt);
         return what == QLatin1String("restore") ? restore(cutAt) : record();
     }
-    session::Commissioning& line() { return find<ui::CommissionPage>("commissionPage")->line(); }
+    session::Commissioning& line()
+    {
+        return find<ui::CommissionPage>("commissionPage")->commissioning();
+    }
     QString bannerText()
     {
         QString all;
@@ -87,7 +90,7 @@ struct Bench : gui::WindowBench {
             }
             return !window->isVisible();
         };
-        return QTest::qWaitFor(answered, longTime);
+        return QTest::qWaitFor(answered, longTimeoutMs);
     }
     /// Of the servo, asked by another program after this one has let go of the port; -1: nobody
     /// answers under that ID.
@@ -96,10 +99,12 @@ struct Bench : gui::WindowBench {
         cable.reset();
         CliProgram other;
         other.setPort(simulator.port());
-        const support::Ran ran =
+        const support::ProgramResult result =
             other.json(qPrintable(QStringLiteral("read %1 %2").arg(id).arg(QLatin1String(key))));
-        return ran.json()[QStringLiteral("registers")].toArray().at(0)[QStringLiteral("raw")].toInt(
-            -1);
+        return result.json()[QStringLiteral("registers")]
+            .toArray()
+            .at(0)[QStringLiteral("raw")]
+            .toInt(-1);
     }
 
     QString question;
@@ -123,36 +128,40 @@ private:
         find<QComboBox>("sweepAfterwards")->setCurrentIndex(released ? 1 : 0);
         return press("sweepRun") && QTest::qWaitFor(
                                         [this] {
-                                            const record::SweepRun* run = bench.sweep.run();
+                                            const record::SweepRun* run = context.sweepTest.run();
                                             return run != nullptr && !run->servos[0].legs.empty();
                                         },
-                                        longTime);
+                                        longTimeoutMs);
     }
     bool step()
     {
         find<QSpinBox>("stepRepeats")->setValue(20);
         return press("stepRun") &&
                QTest::qWaitFor(
-                   [this] { return !find<ui::StepPage>("stepPage")->test().live().empty(); },
-                   longTime);
+                   [this] {
+                       return !find<ui::StepPage>("stepPage")->test().liveResponses().empty();
+                   },
+                   longTimeoutMs);
     }
     bool restore(int cutAt)
     {
-        auto* shelf = find<QTreeWidget>("shelfTree");
-        const int before = shelf->topLevelItemCount();
+        auto* snapshotTree = find<QTreeWidget>("shelfTree");
+        const int before = snapshotTree->topLevelItemCount();
         if (!press("snapshotTake") ||
-            !QTest::qWaitFor([&] { return shelf->topLevelItemCount() > before; }, longTime))
+            !QTest::qWaitFor([&] { return snapshotTree->topLevelItemCount() > before; },
+                             longTimeoutMs))
             return false;
         desk().write(selection().current(), {{{QStringLiteral("position_p"), 50},
                                               {QStringLiteral("position_d"), 50},
                                               {QStringLiteral("min_angle_limit"), 100},
                                               {QStringLiteral("max_angle_limit"), 3000}}});
-        shelf->setCurrentItem(shelf->topLevelItem(shelf->topLevelItemCount() - 1));
-        if (!settled())
+        snapshotTree->setCurrentItem(
+            snapshotTree->topLevelItem(snapshotTree->topLevelItemCount() - 1));
+        if (!waitUntilIdle())
             return false;
         if (cutAt > 0)
             cable->cutAtWrite(cutAt);
-        return press("restoreWrite") && desk().busy();
+        return press("restoreWrite") && desk().isBusy();
     }
     bool commission(int cutAt)
     {
@@ -160,13 +169,13 @@ private:
         find<QSpinBox>("commissionFirstId")->setValue(newId);
         auto* go = find<QPushButton>("commissionContinue");
         if (!press("commissionStart") ||
-            !QTest::qWaitFor([&] { return go->isVisible(); }, longTime))
+            !QTest::qWaitFor([&] { return go->isVisible(); }, longTimeoutMs))
             return false;
         if (cutAt > 0)
             cable->cutAtWrite(cutAt);
         const int before = cable->writes();
         QTest::mouseClick(go, Qt::LeftButton);
-        return QTest::qWaitFor([&] { return cable->writes() > before; }, longTime);
+        return QTest::qWaitFor([&] { return cable->writes() > before; }, longTimeoutMs);
     }
     bool record()
     {
@@ -176,7 +185,7 @@ private:
             return std::any_of(channels.begin(), channels.end(),
                                [](const auto& one) { return one.visible && one.id >= 0; });
         };
-        if (!QTest::qWaitFor(hasCurves, longTime))
+        if (!QTest::qWaitFor(hasCurves, longTimeoutMs))
             return false;
         action(ui::Command::Record)->trigger();
         auto* path = find<QLineEdit>("recordPath");
@@ -184,8 +193,8 @@ private:
             return false;
         path->setText(file());
         return press("recordStart") &&
-               QTest::qWaitFor([this] { return bench.scope.recordingStatus().rows > 20; },
-                               longTime);
+               QTest::qWaitFor([this] { return context.liveData.recordingStatus().rows > 20; },
+                               longTimeoutMs);
     }
 
 public:
@@ -203,7 +212,7 @@ bool hasOpen(qint64 program, const QString& port)
                        [&](const QFileInfo& one) { return one.symLinkTarget() == port; });
 }
 
-void whatLasts()
+void addLongOperations()
 {
     QTest::addColumn<QString>("what");
     for (const char* what :
@@ -212,39 +221,39 @@ void whatLasts()
 }
 } // namespace
 
-class TestWindowCloses : public QObject {
+class TestWindowClose : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void closingEndsSafely_data() { whatLasts(); }
+    void closingEndsSafely_data() { addLongOperations(); }
     void closingEndsSafely()
     {
         QFETCH(QString, what);
-        Bench bench;
-        QVERIFY(bench.begins(what));
-        QVERIFY(bench.closed());
-        const int id = bench.raw("lock") >= 0 ? factoryId : newId;
-        QCOMPARE(bench.raw("lock", id), 1);
-        const auto open = bench.session.journal().open();
+        Fixture fixture;
+        QVERIFY(fixture.begins(what));
+        QVERIFY(fixture.closed());
+        const int id = fixture.raw("lock") >= 0 ? factoryId : newId;
+        QCOMPARE(fixture.raw("lock", id), 1);
+        const auto open = fixture.session.journal().open();
         QVERIFY(open && open->empty());
-        const int place = bench.raw("present_position", id);
-        QVERIFY(std::abs(bench.raw("present_position", id) - place) <= 2); // it does not go on
+        const int place = fixture.raw("present_position", id);
+        QVERIFY(std::abs(fixture.raw("present_position", id) - place) <= 2); // it does not go on
         const bool holds = what == QLatin1String("sweep") || what == QLatin1String("step");
-        QCOMPARE(bench.raw("torque_switch", id), holds ? 1 : 0);
+        QCOMPARE(fixture.raw("torque_switch", id), holds ? 1 : 0);
         // Torque was off before, and what becomes of it was said.
         const bool tests = holds || what.startsWith(QLatin1String("sweep"));
-        QCOMPARE(bench.question.contains(QLatin1String("hold their position with torque on")),
+        QCOMPARE(fixture.question.contains(QLatin1String("hold their position with torque on")),
                  holds);
-        QCOMPARE(bench.question.contains(QLatin1String("have no torque")), tests && !holds);
+        QCOMPARE(fixture.question.contains(QLatin1String("have no torque")), tests && !holds);
         if (what == QLatin1String("commission")) { // it had begun, and the batch knows it
-            QCOMPARE(bench.line().batch().rows.size() + bench.line().batch().pending.size(),
+            QCOMPARE(fixture.line().batch().rows.size() + fixture.line().batch().pending.size(),
                      std::size_t(1));
-            QVERIFY(id == newId || bench.line().batch().rows.empty());
+            QVERIFY(id == newId || fixture.line().batch().rows.empty());
         }
         if (what == QLatin1String("restore"))
-            QCOMPARE(bench.raw("position_p"), 32);
+            QCOMPARE(fixture.raw("position_p"), 32);
         if (what == QLatin1String("recording")) {
-            QFile file(bench.file());
+            QFile file(fixture.file());
             QVERIFY(file.open(QIODevice::ReadOnly));
             QVERIFY(file.readAll().endsWith('\n')); // to the last reading
         }
@@ -252,82 +261,82 @@ private Q_SLOTS:
 
     /// The second frame that changes something is cut off: the lock is open by then, the row or the
     /// ID not written.
-    void aCutInTheMiddleOfAChangeStaysOpen_data()
+    void anInterruptedChangeStaysOpen_data()
     {
         QTest::addColumn<QString>("what");
         QTest::newRow("restore") << QStringLiteral("restore");
         QTest::newRow("commission") << QStringLiteral("commission");
     }
-    void aCutInTheMiddleOfAChangeStaysOpen()
+    void anInterruptedChangeStaysOpen()
     {
         QFETCH(QString, what);
-        Bench bench;
-        QVERIFY(bench.begins(what, 2));
-        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().state(), session::LinkState::Lost, longTime);
-        QTRY_VERIFY(bench.find<ui::Banner>("banner")->isVisible());
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.desk().busy(), longTime);
-        const auto open = bench.session.journal().open();
+        Fixture fixture;
+        QVERIFY(fixture.begins(what, 2));
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.desk().state(), session::LinkState::Lost, longTimeoutMs);
+        QTRY_VERIFY(fixture.find<ui::Banner>("banner")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture.desk().isBusy(), longTimeoutMs);
+        const auto open = fixture.session.journal().open();
         QVERIFY(open);
         QCOMPARE(open->size(), std::size_t(1));
         QCOMPARE(open->front().servo.id, factoryId);
         if (what == QLatin1String("commission")) {
-            QCOMPARE(bench.line().batch().pending.size(), std::size_t(1));
-            QTRY_VERIFY(bench.find<QLabel>("commissionDetail")
+            QCOMPARE(fixture.line().batch().pending.size(), std::size_t(1));
+            QTRY_VERIFY(fixture.find<QLabel>("commissionDetail")
                             ->text()
                             .contains(QLatin1String("Unfinished")));
         }
-        QVERIFY(bench.closed());
-        QVERIFY(bench.question.contains(QLatin1String("the journal still holds")));
-        QCOMPARE(bench.raw("lock"), 0);
+        QVERIFY(fixture.closed());
+        QVERIFY(fixture.question.contains(QLatin1String("the journal still holds")));
+        QCOMPARE(fixture.raw("lock"), 0);
         QVERIFY2(what != QLatin1String("commission") ||
-                     bench.question.contains(QLatin1String("EPROM lock")),
-                 qPrintable(bench.question));
+                     fixture.question.contains(QLatin1String("EPROM lock")),
+                 qPrintable(fixture.question));
     }
 
-    void unpluggingIsSaidAndTheWindowStays_data() { whatLasts(); }
-    void unpluggingIsSaidAndTheWindowStays()
+    void unpluggingIsReportedAndTheWindowStays_data() { addLongOperations(); }
+    void unpluggingIsReportedAndTheWindowStays()
     {
         QFETCH(QString, what);
-        Bench bench;
-        QVERIFY(bench.begins(what, 1)); // what writes is cut off at the first frame that does
+        Fixture fixture;
+        QVERIFY(fixture.begins(what, 1)); // what writes is cut off at the first frame that does
         if (what != QLatin1String("restore"))
-            bench.cable->cut();
-        QTRY_COMPARE_WITH_TIMEOUT(bench.desk().state(), session::LinkState::Lost, longTime);
-        QTRY_VERIFY(bench.find<ui::Banner>("banner")->isVisible());
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.desk().busy(), longTime);
+            fixture.cable->cut();
+        QTRY_COMPARE_WITH_TIMEOUT(fixture.desk().state(), session::LinkState::Lost, longTimeoutMs);
+        QTRY_VERIFY(fixture.find<ui::Banner>("banner")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture.desk().isBusy(), longTimeoutMs);
         if (what.startsWith(QLatin1String("sweep"))) {
-            QTRY_VERIFY(!bench.bench.sweep.running());
-            QCOMPARE(record::sweepEndName(bench.bench.sweep.run()->end),
+            QTRY_VERIFY(!fixture.context.sweepTest.isRunning());
+            QCOMPARE(record::sweepEndName(fixture.context.sweepTest.run()->end),
                      record::sweepEndName(record::SweepEnd::LinkLost));
-            QCOMPARE(bench.bench.sweep.run()->verdict(), record::Grade::NotMeasured);
+            QCOMPARE(fixture.context.sweepTest.run()->verdict(), record::Grade::NotMeasured);
         }
         if (what == QLatin1String("restore")) {
             // What is unfinished stays in the journal; what has ended was not sent, row by row.
-            const auto all = bench.session.journal().entries();
+            const auto all = fixture.session.journal().entries();
             QVERIFY(all && !all->empty());
             if (const auto& end = all->back().end) {
                 QCOMPARE(end->outcome, QStringLiteral("failed"));
                 QVERIFY(!end->items.empty());
-                for (const base::ItemEnd& item : end->items)
+                for (const base::ItemResult& item : end->items)
                     QCOMPARE(item.outcome, QStringLiteral("not-sent"));
             }
         }
-        QVERIFY(bench.window->isVisible());
-        QVERIFY(bench.closed());
+        QVERIFY(fixture.window->isVisible());
+        QVERIFY(fixture.closed());
     }
 
-    void aSecondWindowOnThePortSaysWhoHoldsIt_data()
+    void aSecondWindowShowsWhoHoldsThePort_data()
     {
         QTest::addColumn<QString>("program");
         QTest::newRow("command line") << QStringLiteral("servodesk-cli");
         QTest::newRow("window") << QStringLiteral("servodesk");
     }
-    void aSecondWindowOnThePortSaysWhoHoldsIt()
+    void aSecondWindowShowsWhoHoldsThePort()
     {
         QFETCH(QString, program);
-        Bench bench;
-        const QString port = bench.simulator.port();
-        bench.cable.reset();
+        Fixture fixture;
+        const QString port = fixture.simulator.port();
+        fixture.cable.reset();
         const QTemporaryDir data;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(QStringLiteral("SERVODESK_DATA_DIR"), data.path());
@@ -340,18 +349,18 @@ private Q_SLOTS:
                         : QStringList{QStringLiteral("--port"), port, QStringLiteral("watch"),
                                       QStringLiteral("1")});
         QVERIFY(first.waitForStarted());
-        QTRY_VERIFY_WITH_TIMEOUT(hasOpen(first.processId(), port), longTime);
-        bench.window->start({.port = session::PortRequest{.name = port}, .page = bench.page});
-        QTRY_VERIFY_WITH_TIMEOUT(bench.find<ui::Banner>("banner")->isVisible(), longTime);
-        const QString words = bench.bannerText();
+        QTRY_VERIFY_WITH_TIMEOUT(hasOpen(first.processId(), port), longTimeoutMs);
+        fixture.window->start({.port = session::PortRequest{.name = port}, .page = fixture.page});
+        QTRY_VERIFY_WITH_TIMEOUT(fixture.find<ui::Banner>("banner")->isVisible(), longTimeoutMs);
+        const QString words = fixture.bannerText();
         QVERIFY2(words.contains(program), qPrintable(words));
         QVERIFY2(words.contains(QString::number(first.processId())), qPrintable(words));
-        QVERIFY(bench.desk().state() != session::LinkState::Open);
+        QVERIFY(fixture.desk().state() != session::LinkState::Open);
         QCOMPARE(first.state(), QProcess::Running); // it was not disturbed
         first.kill();
         QVERIFY(first.waitForFinished());
     }
 };
 
-QTEST_MAIN(TestWindowCloses)
+QTEST_MAIN(TestWindowClose)
 #include "tst_window_closes.moc"

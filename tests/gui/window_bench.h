@@ -24,30 +24,30 @@ inline void failOnWarnings()
     QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
 }
 
-/// For a machine on which the program's own font is not what it gets: what every WindowBench made
-/// from now on uses in its place.
-inline std::optional<QFont> otherFont;
+/// For a machine on which the program's own font is not what it gets: what every MainWindowFixture
+/// made from now on uses in its place.
+inline std::optional<QFont> fontOverride;
 
-class WindowBench {
+class MainWindowFixture {
 public:
-    explicit WindowBench(const QString& language = QStringLiteral("en"),
-                         session::Theme look = session::Theme::Light)
+    explicit MainWindowFixture(const QString& language = QStringLiteral("en"),
+                               session::Theme look = session::Theme::Light)
     {
         ui::initProgram();
-        if (otherFont)
-            QApplication::setFont(*otherFont);
-        settings.setChoice(QStringLiteral("search/last_id"), 10); // where the simulated ones are
+        if (fontOverride)
+            QApplication::setFont(*fontOverride);
+        settings.setPageValue(QStringLiteral("search/last_id"), 10); // where the simulated ones are
         languages.apply(language);
-        bench.commands.retranslate(); // the program speaks the language before it has commands
+        context.commands.retranslate(); // the program speaks the language before it has commands
         themes.apply(look);
-        window = std::make_unique<ui::MainWindow>(bench, settings, themes, languages);
+        window = std::make_unique<ui::MainWindow>(context, settings, themes, languages);
         window->resize(1280, 800);
         window->show();
     }
 
-    session::Desk& desk() { return bench.desk; }
-    ui::Selection& selection() { return bench.selection; }
-    QAction* action(ui::Command command) { return bench.commands.action(command); }
+    session::Desk& desk() { return context.desk; }
+    ui::Selection& selection() { return context.selection; }
+    QAction* action(ui::Command command) { return context.commands.action(command); }
 
     QString page = QStringLiteral("memory"); ///< shown after connecting
 
@@ -60,7 +60,7 @@ public:
     {
         window->start({.port = session::PortRequest{.name = port}, .page = page});
         return QTest::qWaitFor(
-            [this] { return desk().lastSearch().has_value() && !desk().searching(); }, 30000);
+            [this] { return desk().lastSearch().has_value() && !desk().isSearching(); }, 30000);
     }
     bool choose(int id)
     {
@@ -68,11 +68,11 @@ public:
             if (desk().servo(ref)->servo.id == id)
                 selection().select(ref);
         }
-        return selection().current() != 0 && settled() && entry().tableRead;
+        return selection().current() != 0 && waitUntilIdle() && entry().hasFullTable;
     }
-    bool settled()
+    bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !desk().busy() && !desk().searching(); }, 20000);
+        return QTest::qWaitFor([this] { return !desk().isBusy() && !desk().isSearching(); }, 20000);
     }
     const session::ServoEntry& entry() { return *desk().servo(selection().current()); }
     std::optional<std::int64_t> raw(const char* key)
@@ -81,10 +81,10 @@ public:
     }
 
     /// Switches the language; widgets hear of it through the event loop.
-    void speak(const QString& language)
+    void setLanguage(const QString& language)
     {
         languages.apply(language);
-        bench.commands.retranslate(); // the program speaks the language before it has commands
+        context.commands.retranslate(); // the program speaks the language before it has commands
         QCoreApplication::processEvents();
     }
 
@@ -106,15 +106,15 @@ public:
     }
 
 private:
-    SteadyClock m_steady; ///< nothing has just moved
-    support::OwnDataFolder m_place;
+    AdvancingClock m_pressClock; ///< nothing has just moved
+    support::TemporaryDataFolder m_place;
 
 public:
     session::Settings settings{m_place.folder.filePath(QStringLiteral("servodesk.ini"))};
     ui::LanguageSwitch languages;
     ui::ThemeSwitch themes;
     session::Session session;
-    ui::Bench bench{session};
+    ui::AppContext context{session};
     std::unique_ptr<ui::MainWindow> window; ///< goes first
 };
 } // namespace gui

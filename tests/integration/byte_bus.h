@@ -19,7 +19,7 @@
 #include <thread>
 
 namespace bytes {
-enum class Restart { Ignored, AcknowledgedOnly, TooQuickToSee };
+enum class RestartBehavior { Ignored, AcknowledgedOnly, TooFastToDetect };
 
 class Bus {
 public:
@@ -27,7 +27,7 @@ public:
     using Table = std::array<unsigned char, 256>;
 
     Bus(std::initializer_list<int> ids, std::chrono::milliseconds latency,
-        Restart restart = Restart::Ignored)
+        RestartBehavior restart = RestartBehavior::Ignored)
         : m_latency(latency)
         , m_restart(restart)
     {
@@ -50,16 +50,16 @@ public:
 
     QString port() const { return m_name; }
     /// The next `count` WRITEs of this address are lost on their way to the servo.
-    void loseWrites(int id, int address, int count)
+    void dropWrites(int id, int address, int count)
     {
         const std::lock_guard lock(m_mutex);
         m_lost[{id, address}] = count;
     }
     /// The next `count` PINGs are lost on their way to the servo.
-    void losePings(int id, int count)
+    void dropPings(int id, int count)
     {
         const std::lock_guard lock(m_mutex);
-        m_lostPings[id] = count;
+        m_pingsToDrop[id] = count;
     }
     int writes() const { return m_writes; }
     /// What the host has sent, in order.
@@ -90,7 +90,7 @@ private:
     static Table factoryTable(int id)
     {
         Table table{};
-        const base::Bytes sts = support::byteSts(id).table;
+        const base::Bytes sts = support::rawSts3215(id).table;
         std::copy(sts.begin(), sts.end(), table.begin());
         return table;
     }
@@ -140,14 +140,14 @@ private:
         const auto at = [&frame](int place) { return static_cast<unsigned char>(frame[place]); };
         const int id = at(2);
         if (id == 254 && at(4) == 0x83)
-            writeTogether(frame);
+            syncWrite(frame);
         const auto servo = m_servos.find(id);
         if (servo == m_servos.end())
             return;
         switch (at(4)) {
         case 0x01:
-            if (m_lostPings[id] > 0)
-                --m_lostPings[id];
+            if (m_pingsToDrop[id] > 0)
+                --m_pingsToDrop[id];
             else
                 reply(id, {});
             break;
@@ -176,9 +176,9 @@ private:
             break;
         case 0x08:
             ++m_restarts;
-            if (m_restart == Restart::AcknowledgedOnly)
+            if (m_restart == RestartBehavior::AcknowledgedOnly)
                 reply(id, {});
-            if (m_restart == Restart::TooQuickToSee) {
+            if (m_restart == RestartBehavior::TooFastToDetect) {
                 servo->second[48] = servo->second[16];
                 servo->second[49] = servo->second[17];
             }
@@ -189,7 +189,7 @@ private:
     }
 
     /// SYNC WRITE: address, count, then an ID and its data for each servo.
-    void writeTogether(const QByteArray& frame)
+    void syncWrite(const QByteArray& frame)
     {
         const auto at = [&frame](int place) { return static_cast<unsigned char>(frame[place]); };
         const int count = at(6);
@@ -206,14 +206,14 @@ private:
     }
 
     const std::chrono::milliseconds m_latency;
-    const Restart m_restart;
+    const RestartBehavior m_restart;
     int m_master = -1;
     QString m_name;
     std::mutex m_mutex; ///< guards the tables and the frames
     std::map<int, Table> m_servos;
     std::vector<QByteArray> m_frames;
     std::map<std::pair<int, int>, int> m_lost;                      ///< WRITEs by ID and address
-    std::map<int, int> m_lostPings;                                 ///< by ID
+    std::map<int, int> m_pingsToDrop;                               ///< by ID
     std::deque<std::pair<Clock::time_point, QByteArray>> m_replies; ///< the thread's
     std::atomic<int> m_writes{0};
     std::atomic<int> m_restarts{0};

@@ -18,16 +18,16 @@
 namespace support {
 class FloodCable {
 public:
-    enum class Front { Terminal, Tcp };
+    enum class Endpoint { Terminal, Tcp };
 
     /// `terminal` empty: no servos behind it.
-    FloodCable(Front front, const QString& terminal)
+    FloodCable(Endpoint front, const QString& terminal)
     {
         if (!terminal.isEmpty()) {
-            m_back = open(qPrintable(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
-            makeRaw(m_back);
+            m_servoFd = open(qPrintable(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
+            makeRaw(m_servoFd);
         }
-        if (front == Front::Terminal)
+        if (front == Endpoint::Terminal)
             openTerminal();
         else
             listenOnTcp();
@@ -37,7 +37,7 @@ public:
     {
         m_over = true;
         m_thread.join();
-        for (const int side : {m_back, m_front, m_slave, m_listener}) {
+        for (const int side : {m_servoFd, m_hostFd, m_slave, m_listener}) {
             if (side >= 0)
                 close(side);
         }
@@ -57,7 +57,7 @@ public:
         m_from = Clock::now();
     }
     /// Begins by itself with the first frame of the program that contains these bytes.
-    void floodAt(const QByteArray& trigger, const QByteArray& unit, double bytesPerSecond)
+    void floodOnFrame(const QByteArray& trigger, const QByteArray& unit, double bytesPerSecond)
     {
         const std::lock_guard lock(m_mutex);
         m_trigger = trigger;
@@ -82,7 +82,7 @@ private:
     void openTerminal()
     {
         const Terminal terminal = makeTerminal(O_NONBLOCK);
-        m_front = terminal.master;
+        m_hostFd = terminal.master;
         m_slave = terminal.slave; // held open, so that no program that leaves hangs it up
         m_port = terminal.port;
     }
@@ -97,7 +97,8 @@ private:
     void serve()
     {
         while (!m_over) {
-            pollfd states[3] = {{m_front, POLLIN, 0}, {m_back, POLLIN, 0}, {m_listener, POLLIN, 0}};
+            pollfd states[3] = {
+                {m_hostFd, POLLIN, 0}, {m_servoFd, POLLIN, 0}, {m_listener, POLLIN, 0}};
             poll(states, 3, 1);
             if ((states[2].revents & POLLIN) != 0)
                 accept();
@@ -111,12 +112,12 @@ private:
 
     void accept()
     {
-        const int came = accept4(m_listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-        if (came < 0)
+        const int accepted = accept4(m_listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+        if (accepted < 0)
             return;
-        if (m_front >= 0)
-            close(m_front);
-        m_front = came;
+        if (m_hostFd >= 0)
+            close(m_hostFd);
+        m_hostFd = accepted;
         const std::lock_guard lock(m_mutex);
         m_sent = 0; // for this one from its beginning
         m_from = Clock::now();
@@ -125,18 +126,18 @@ private:
     void fromHost()
     {
         char chunk[4096];
-        const ssize_t got = read(m_front, chunk, sizeof chunk);
+        const ssize_t got = read(m_hostFd, chunk, sizeof chunk);
         if (got == 0 && m_listener >= 0) { // hung up
-            close(std::exchange(m_front, -1));
+            close(std::exchange(m_hostFd, -1));
             return;
         }
         if (got <= 0)
             return;
         if (isCut(QByteArray(chunk, int(got)))) {
-            close(std::exchange(m_front, -1));
+            close(std::exchange(m_hostFd, -1));
             return;
         }
-        if (m_back >= 0 && write(m_back, chunk, std::size_t(got)) != got)
+        if (m_servoFd >= 0 && write(m_servoFd, chunk, std::size_t(got)) != got)
             return;
         const std::lock_guard lock(m_mutex);
         if (m_trigger.isEmpty() || !QByteArray(chunk, int(got)).contains(m_trigger))
@@ -148,10 +149,10 @@ private:
         m_from = Clock::now();
     }
 
-    bool isCut(const QByteArray& said)
+    bool isCut(const QByteArray& received)
     {
         const std::lock_guard lock(m_mutex);
-        if (m_cutTrigger.isEmpty() || !said.contains(m_cutTrigger))
+        if (m_cutTrigger.isEmpty() || !received.contains(m_cutTrigger))
             return false;
         m_cutTrigger.clear();
         return true;
@@ -160,15 +161,15 @@ private:
     void fromServos()
     {
         char chunk[4096];
-        const ssize_t got = read(m_back, chunk, sizeof chunk);
-        if (got > 0 && m_front >= 0)
+        const ssize_t got = read(m_servoFd, chunk, sizeof chunk);
+        if (got > 0 && m_hostFd >= 0)
             put(chunk, std::size_t(got));
     }
 
     void sendFlood()
     {
         const std::lock_guard lock(m_mutex);
-        if (m_rate <= 0 || m_front < 0)
+        if (m_rate <= 0 || m_hostFd < 0)
             return;
         const double passed = std::chrono::duration<double>(Clock::now() - m_from).count();
         const double due = passed * m_rate;
@@ -186,12 +187,12 @@ private:
 
     ssize_t put(const char* bytes, std::size_t size)
     {
-        return m_listener >= 0 ? send(m_front, bytes, size, MSG_NOSIGNAL)
-                               : write(m_front, bytes, size);
+        return m_listener >= 0 ? send(m_hostFd, bytes, size, MSG_NOSIGNAL)
+                               : write(m_hostFd, bytes, size);
     }
 
-    int m_back = -1;
-    int m_front = -1;
+    int m_servoFd = -1;
+    int m_hostFd = -1;
     int m_slave = -1;
     int m_listener = -1;
     QString m_port;

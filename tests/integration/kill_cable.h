@@ -2,8 +2,8 @@
 // A cable between a program and the simulator's terminal, as a terminal of its own: what is said on
 // one side is heard on the other, at the rate it was said at. Kills the program (SIGKILL) at the
 // WRITE of one register, before the servo has heard it or after; or interrupts it there as Ctrl-C
-// does. A thread of its own; killAt(), interruptAt(), killed() and connectAnew() from the test's,
-// the last while no program is at it. POSIX only.
+// does. A thread of its own; killAt(), interruptAt(), killed() and resetConnection() from the
+// test's, the last while no program is at it. POSIX only.
 #pragma once
 
 #include "support/cable_end.h"
@@ -20,7 +20,7 @@
 namespace support {
 struct KillPoint {
     int address = -1; ///< first one of the frame
-    bool heard = false;
+    bool delivered = false;
 };
 
 /// Ctrl-C at a WRITE of this register that the servo hears; `times`: again at the frames after it.
@@ -76,7 +76,7 @@ public:
         return m_killed;
     }
     /// For the next program: nothing of the one before is left in it.
-    void connectAnew()
+    void resetConnection()
     {
         const std::lock_guard lock(m_mutex);
         ioctl(m_slave, TIOCNXCL); // a killed program has not given this back
@@ -124,7 +124,7 @@ private:
             got > 5 && frame[0] == 0xFF && frame[1] == 0xFF && frame[4] == writeInstruction;
         interrupt(writes ? frame[5] : -1);
         const bool here = m_point && writes && frame[5] == m_point->address;
-        if ((!here || m_point->heard) && write(m_terminal, frame, std::size_t(got)) != got)
+        if ((!here || m_point->delivered) && write(m_terminal, frame, std::size_t(got)) != got)
             qFatal("terminal");
         if (!here)
             return;

@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 namespace raw {
-constexpr int patienceMs = 20'000;
+constexpr int timeoutMs = 20'000;
 
 inline QByteArray bytes(const char* hex)
 {
@@ -51,7 +51,7 @@ public:
         tcsetattr(m_port, TCSANOW, &settings);
     }
 
-    void say(const QByteArray& frame) const
+    void send(const QByteArray& frame) const
     {
         if (write(m_port, frame.constData(), static_cast<std::size_t>(frame.size())) !=
             frame.size())
@@ -65,7 +65,7 @@ public:
     }
 
     /// Exactly `count` bytes, or what there is when patience ends: nothing new for so long.
-    QByteArray hear(qsizetype count, int waitMs = patienceMs) const
+    QByteArray receive(qsizetype count, int waitMs = timeoutMs) const
     {
         QByteArray all;
         while (all.size() < count && readable(waitMs)) {
@@ -82,18 +82,18 @@ public:
 
     QByteArray ask(const char* requestHex, qsizetype replyBytes) const
     {
-        say(bytes(requestHex));
-        return hear(replyBytes);
+        send(bytes(requestHex));
+        return receive(replyBytes);
     }
 
     /// Repeats a harmless request while nobody answers: a servo is deaf while it starts.
-    QByteArray askUntilAnswered(const char* requestHex, qsizetype replyBytes) const
+    QByteArray requestUntilReply(const char* requestHex, qsizetype replyBytes) const
     {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(patienceMs);
+        const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(timeoutMs);
         while (std::chrono::steady_clock::now() < end) {
-            say(bytes(requestHex));
+            send(bytes(requestHex));
             if (readable(200))
-                return hear(replyBytes);
+                return receive(replyBytes);
         }
         return {};
     }
@@ -106,9 +106,9 @@ class Simulator {
 public:
     explicit Simulator(const QStringList& arguments)
     {
-        support::putFirst(m_process);
+        support::raisePriority(m_process);
         m_process.start(QStringLiteral(BIN_DIR "/servodesk-sim"), arguments);
-        while (m_process.waitForReadyRead(patienceMs) && !m_process.canReadLine()) {
+        while (m_process.waitForReadyRead(timeoutMs) && !m_process.canReadLine()) {
         }
         m_firstLine = QString::fromLocal8Bit(m_process.readLine());
     }
@@ -127,12 +127,12 @@ public:
     }
     int wait()
     {
-        if (m_process.state() != QProcess::NotRunning && !m_process.waitForFinished(patienceMs))
+        if (m_process.state() != QProcess::NotRunning && !m_process.waitForFinished(timeoutMs))
             return -1;
         return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
     }
     /// A line for its standard input.
-    void tell(const char* line)
+    void sendLine(const char* line)
     {
         m_process.write(line);
         m_process.write("\n");
@@ -140,7 +140,7 @@ public:
     /// The next line it says after the first; empty when patience ends.
     QString nextLine()
     {
-        while (!m_process.canReadLine() && m_process.waitForReadyRead(patienceMs)) {
+        while (!m_process.canReadLine() && m_process.waitForReadyRead(timeoutMs)) {
         }
         return QString::fromUtf8(m_process.readLine()).trimmed();
     }

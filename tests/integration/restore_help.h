@@ -26,19 +26,19 @@ inline constexpr std::array restoreFamilies{
     Family{"Modbus", "smsmb@1", 115'200},   Family{"LX", "lx16a@1", 115'200},
 };
 
-inline BenchOptions atBaud(int baud)
+inline SimFixtureOptions atBaud(int baud)
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.baud = baud;
     return options;
 }
 
 /// Whoever answers, with its whole table read.
-inline device::Servo wholeServo(SimBench& bench, int id = 1)
+inline device::Servo identifyWithTable(SimFixture& fixture, int id = 1)
 {
     const std::vector<base::Protocol> all(base::allProtocols.begin(), base::allProtocols.end());
-    auto found = device::identifyAmong(bench.context(), id, all);
-    if (!found || !device::readAll(bench.context(), *found))
+    auto found = device::identifyAmong(fixture.context(), id, all);
+    if (!found || !device::readAll(fixture.context(), *found))
         qFatal("servo %d does not answer", id);
     return *found;
 }
@@ -46,20 +46,20 @@ inline device::Servo wholeServo(SimBench& bench, int id = 1)
 using TableValues = std::map<QString, std::int64_t>;
 
 /// What a restore may bring back: writable, not of the moment, not lost at power-off.
-inline bool restorable(const catalog::Register& reg)
+inline bool isRestorable(const catalog::Register& reg)
 {
-    const auto nature = jobs::natureOf(reg);
+    const auto nature = jobs::registerReasons(reg);
     return reg.writable() && !nature.testFlag(jobs::RestoreReason::Live) &&
-           !nature.testFlag(jobs::RestoreReason::OffUnlessAsked) && !reg.identity;
+           !nature.testFlag(jobs::RestoreReason::OptIn) && !reg.identity;
 }
 
-inline TableValues held(SimBench& bench, int id = 1)
+inline TableValues held(SimFixture& fixture, int id = 1)
 {
-    return bench.withWire([&](sim::VirtualBus& wire) {
+    return fixture.withBus([&](sim::VirtualBus& wire) {
         TableValues values;
         sim::VirtualServo& servo = *wire.servo(id);
         for (const catalog::Register& reg : servo.profile().registers) {
-            if (restorable(reg))
+            if (isRestorable(reg))
                 values[reg.key] = servo.raw(reg.key);
         }
         return values;
@@ -67,27 +67,27 @@ inline TableValues held(SimBench& bench, int id = 1)
 }
 
 /// As after a write with the lock open: it survives a power-off.
-inline void pokeKept(SimBench& bench, const QString& key, std::int64_t raw, int id = 1)
+inline void pokePersistent(SimFixture& fixture, const QString& key, std::int64_t raw, int id = 1)
 {
     const catalog::Profile profile =
-        bench.withWire([&](sim::VirtualBus& wire) { return wire.servo(id)->profile(); });
+        fixture.withBus([&](sim::VirtualBus& wire) { return wire.servo(id)->profile(); });
     const catalog::Register* lock = profile.byRole(catalog::Role::Lock);
     if (lock != nullptr)
-        bench.poke(id, lock->key, device::openFor(profile.find(key)->area));
-    bench.poke(id, key, raw);
+        fixture.poke(id, lock->key, device::unlockValue(profile.find(key)->area));
+    fixture.poke(id, key, raw);
     if (lock != nullptr)
-        bench.poke(id, lock->key, device::lockClosed);
+        fixture.poke(id, lock->key, device::lockClosed);
 }
 
-inline void pokeAll(SimBench& bench, const TableValues& values, int id = 1)
+inline void pokeAllPersistent(SimFixture& fixture, const TableValues& values, int id = 1)
 {
     for (const auto& [key, raw] : values)
-        pokeKept(bench, key, raw, id);
+        pokePersistent(fixture, key, raw, id);
 }
 
-inline bool lockIsOpen(SimBench& bench, int id = 1)
+inline bool isLockOpen(SimFixture& fixture, int id = 1)
 {
-    return bench.withWire([&](sim::VirtualBus& wire) {
+    return fixture.withBus([&](sim::VirtualBus& wire) {
         sim::VirtualServo& servo = *wire.servo(id);
         const catalog::Register* lock = servo.profile().byRole(catalog::Role::Lock);
         return lock != nullptr && servo.raw(lock->key) != 1;
@@ -97,14 +97,14 @@ inline bool lockIsOpen(SimBench& bench, int id = 1)
 class RandomTable {
 public:
     explicit RandomTable(unsigned seed)
-        : m_dice(seed)
+        : m_random(seed)
     {}
 
     TableValues make(const device::Servo& servo)
     {
         TableValues values;
         for (const catalog::Register& reg : servo.profile->registers) {
-            if (restorable(reg))
+            if (isRestorable(reg))
                 values[reg.key] = valueFor(reg, servo.meaning(reg));
         }
         order(servo, values, catalog::Role::MinAngle, catalog::Role::MaxAngle);
@@ -115,16 +115,16 @@ public:
 private:
     std::int64_t between(std::int64_t low, std::int64_t high)
     {
-        return std::uniform_int_distribution<std::int64_t>(low, high)(m_dice);
+        return std::uniform_int_distribution<std::int64_t>(low, high)(m_random);
     }
 
-    std::int64_t valueFor(const catalog::Register& reg, const catalog::Meaning& meaning)
+    std::int64_t valueFor(const catalog::Register& reg, const catalog::ValueFormat& meaning)
     {
         if (meaning.encoding == catalog::Encoding::Enum && !reg.values.empty()) {
             const auto which = between(0, std::int64_t(reg.values.size()) - 1);
             return reg.values[std::size_t(which)].value;
         }
-        const auto range = catalog::representable(reg.size, meaning.encoding, meaning.signBit);
+        const auto range = catalog::representableRange(reg.size, meaning.encoding, meaning.signBit);
         return between(std::max(range.min, meaning.min.value_or(range.min)),
                        std::min(range.max, meaning.max.value_or(range.max)));
     }
@@ -150,6 +150,6 @@ private:
             ++b, a -= b > high->max.value_or(b) ? 1 : 0, b -= b > high->max.value_or(b) ? 1 : 0;
     }
 
-    std::mt19937 m_dice;
+    std::mt19937 m_random;
 };
 } // namespace support

@@ -7,7 +7,7 @@
 #include "jobs/snapshot.h"
 
 namespace support {
-inline const TableValues& twentyRows()
+inline const TableValues& twentyRegisters()
 {
     static const TableValues rows{
         {QStringLiteral("min_angle_limit"), 200},
@@ -35,11 +35,12 @@ inline const TableValues& twentyRows()
 }
 
 /// Of a servo that has them.
-inline record::Snapshot snapshotOfTwentyRows()
+inline record::Snapshot twentyRegisterSnapshot()
 {
-    SimBench bench(QStringLiteral("sts3215@1"));
-    pokeAll(bench, twentyRows());
-    record::Snapshot snapshot = jobs::snapshotOf(wholeServo(bench), QStringLiteral("test 1"));
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    pokeAllPersistent(fixture, twentyRegisters());
+    record::Snapshot snapshot =
+        jobs::snapshotOf(identifyWithTable(fixture), QStringLiteral("test 1"));
     snapshot.at = QDateTime({2026, 1, 2}, {3, 4, 5}, Qt::UTC);
     return snapshot;
 }

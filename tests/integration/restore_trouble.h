@@ -7,15 +7,15 @@
 
 namespace support {
 /// Seven rows that differ, far enough apart for frames of their own.
-inline void disturb(SimBench& bench)
+inline void changeSevenRegisters(SimFixture& fixture)
 {
-    pokeKept(bench, QStringLiteral("max_temperature"), 60);
-    pokeKept(bench, QStringLiteral("max_torque"), 900);
-    pokeKept(bench, QStringLiteral("position_p"), 50);
-    pokeKept(bench, QStringLiteral("position_i"), 5);
-    pokeKept(bench, QStringLiteral("cw_dead_zone"), 3);
-    pokeKept(bench, QStringLiteral("protection_torque"), 33);
-    pokeKept(bench, QStringLiteral("speed_p"), 77);
+    pokePersistent(fixture, QStringLiteral("max_temperature"), 60);
+    pokePersistent(fixture, QStringLiteral("max_torque"), 900);
+    pokePersistent(fixture, QStringLiteral("position_p"), 50);
+    pokePersistent(fixture, QStringLiteral("position_i"), 5);
+    pokePersistent(fixture, QStringLiteral("cw_dead_zone"), 3);
+    pokePersistent(fixture, QStringLiteral("protection_torque"), 33);
+    pokePersistent(fixture, QStringLiteral("speed_p"), 77);
 }
 
 inline bool isWrite(const base::Bytes& frame)
@@ -24,33 +24,34 @@ inline bool isWrite(const base::Bytes& frame)
 }
 
 /// As if somebody else wrote this register right after we did, every time.
-inline void meddle(SimBench& bench, std::uint8_t address, const QString& key, std::int64_t raw,
-                   int times)
+inline void overwriteAfterWrite(SimFixture& fixture, std::uint8_t address, const QString& key,
+                                std::int64_t raw, int times)
 {
-    bench.tap().onWrite = [&bench, address, key, raw, times,
-                           pending = false](const base::Bytes& frame) mutable {
+    fixture.tap().onWrite = [&fixture, address, key, raw, times,
+                             pending = false](const base::Bytes& frame) mutable {
         if (pending && times-- > 0)
-            bench.poke(1, key, raw);
+            fixture.poke(1, key, raw);
         pending = isWrite(frame) && frame[5] == address;
     };
 }
 
-inline bool lockGivenUp(SimBench& bench)
+inline bool isLockAbandoned(SimFixture& fixture)
 {
-    const auto& notices = bench.notices();
+    const auto& notices = fixture.notices();
     return std::any_of(notices.begin(), notices.end(), [](const device::Notice& notice) {
         return notice.code == device::NoticeCode::LockLeftOpen;
     });
 }
 
 /// From its `from`th WRITE on it obeys without a word, until all hope for the lock is given up.
-inline void fallSilent(SimBench& bench, int from, std::function<void(const base::Bytes&)> then = {})
+inline void muteFromWrite(SimFixture& fixture, int from,
+                          std::function<void(const base::Bytes&)> then = {})
 {
-    bench.tap().onWrite = [&bench, from, then = std::move(then),
-                           count = 0](const base::Bytes& frame) mutable {
+    fixture.tap().onWrite = [&fixture, from, then = std::move(then),
+                             count = 0](const base::Bytes& frame) mutable {
         count += isWrite(frame) ? 1 : 0;
-        const bool givenUp = lockGivenUp(bench);
-        bench.wireConfig().faults.muteIds =
+        const bool givenUp = isLockAbandoned(fixture);
+        fixture.wireConfig().faults.muteIds =
             count >= from && !givenUp ? std::vector<int>{1} : std::vector<int>{};
         if (givenUp && then)
             then(frame);
@@ -58,11 +59,11 @@ inline void fallSilent(SimBench& bench, int from, std::function<void(const base:
 }
 
 /// Ends the link when the `count`th WRITE frame goes out.
-inline void cutAtWrite(SimBench& bench, int count)
+inline void cutAtWrite(SimFixture& fixture, int count)
 {
-    bench.tap().onWrite = [&bench, count](const base::Bytes& frame) mutable {
+    fixture.tap().onWrite = [&fixture, count](const base::Bytes& frame) mutable {
         if (isWrite(frame) && --count == 0)
-            bench.cutLink();
+            fixture.cutLink();
     };
 }
 } // namespace support

@@ -9,29 +9,29 @@
 
 #include <algorithm>
 
-namespace scan_help {
+namespace scan_support {
 constexpr int fast = 1'000'000;
 
 inline QList<int> idsOf(const jobs::ScanReport& report)
 {
     QList<int> ids;
-    for (const jobs::Found& found : report.found)
+    for (const jobs::FoundServo& found : report.found)
         ids.append(found.servo.id);
     return ids;
 }
 
-inline const jobs::Found* find(const jobs::ScanReport& report, int id)
+inline const jobs::FoundServo* find(const jobs::ScanReport& report, int id)
 {
     const auto found = std::find_if(report.found.begin(), report.found.end(),
-                                    [id](const jobs::Found& f) { return f.servo.id == id; });
+                                    [id](const jobs::FoundServo& f) { return f.servo.id == id; });
     return found == report.found.end() ? nullptr : &*found;
 }
 
 /// A USB adapter that hands bytes on 16 ms late.
-inline support::BenchOptions slowAdapter()
+inline support::SimFixtureOptions slowAdapterOptions()
 {
-    support::BenchOptions options;
+    support::SimFixtureOptions options;
     options.wire.adapterLatency = std::chrono::milliseconds(16);
     return options;
 }
-} // namespace scan_help
+} // namespace scan_support

@@ -5,13 +5,13 @@
 
 #include "jobs/sweep.h"
 
-namespace sweep_help {
+namespace sweep_support {
 inline base::Result<record::SweepRun> run(const device::Context& context,
                                           std::vector<device::Servo>& servos,
                                           const record::SweepSpec& spec,
-                                          const jobs::SweepWatch& watch = {})
+                                          const jobs::SweepCallbacks& watch = {})
 {
-    jobs::SweepOrder order;
+    jobs::SweepRequest order;
     order.spec = spec;
     for (const device::Servo& servo : servos)
         order.limits.push_back(
@@ -27,4 +27,4 @@ inline std::optional<double> metric(const record::SweepServo& servo, const char*
     }
     return std::nullopt;
 }
-} // namespace sweep_help
+} // namespace sweep_support

@@ -11,8 +11,8 @@
 
 using namespace std::chrono_literals;
 using base::Protocol;
-using jobs::RecoverAction;
-using support::SimBench;
+using jobs::RecoveryAction;
+using support::SimFixture;
 
 namespace {
 QString text(const char* latin)
@@ -20,17 +20,17 @@ QString text(const char* latin)
     return QString::fromLatin1(latin);
 }
 
-bool ledOn(SimBench& bench)
+bool ledOn(SimFixture& fixture)
 {
-    return bench.withWire([](sim::VirtualBus& wire) { return wire.servos().front()->ledOn(); });
+    return fixture.withBus([](sim::VirtualBus& wire) { return wire.servos().front()->ledOn(); });
 }
 
 /// How often the LED was seen to change, looking whenever the host says something.
-struct Witness {
-    explicit Witness(SimBench& bench)
+struct LedObserver {
+    explicit LedObserver(SimFixture& fixture)
     {
-        bench.tap().onWrite = [this, &bench](const base::Bytes&) {
-            const bool on = ledOn(bench);
+        fixture.tap().onWrite = [this, &fixture](const base::Bytes&) {
+            const bool on = ledOn(fixture);
             changes += known && on != was ? 1 : 0;
             known = true;
             was = on;
@@ -48,19 +48,19 @@ class TestBlink : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void blinksAndPutsBack_data();
-    void blinksAndPutsBack();
-    void notWithout_data();
-    void notWithout();
-    void nothingIsKeptWhereALockIsOpen();
+    void blinksAndRestoresTheLed_data();
+    void blinksAndRestoresTheLed();
+    void blinkingNeedsAnLed_data();
+    void blinkingNeedsAnLed();
+    void nothingIsSavedWithAnOpenLock();
     void stopEndsItAtOnce();
-    void stopBeforehandWritesNothing();
-    void cutAtEveryByte_data();
-    void cutAtEveryByte();
+    void stopBeforeStartWritesNothing();
+    void linkLostAtEveryByte_data();
+    void linkLostAtEveryByte();
     void fullDiskWritesNothing();
 };
 
-void TestBlink::blinksAndPutsBack_data()
+void TestBlink::blinksAndRestoresTheLed_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<int>("protocol");
@@ -83,34 +83,34 @@ void TestBlink::blinksAndPutsBack_data()
     row("lx16a@1", Protocol::Lx, 115'200, "led", 1);
 }
 
-void TestBlink::blinksAndPutsBack()
+void TestBlink::blinksAndRestoresTheLed()
 {
     QFETCH(QString, servo);
     QFETCH(int, protocol);
     QFETCH(int, baud);
     QFETCH(QString, key);
     QFETCH(int, before);
-    SimBench bench(servo, {baud});
-    bench.poke(1, key, before);
-    bench.powerCycle();
-    auto one = bench.servo(1, Protocol(protocol));
-    const std::int64_t written = bench.raw(1, key);
-    Witness witness(bench);
-    const auto report = jobs::blink(bench.context(), one);
+    SimFixture fixture(servo, {baud});
+    fixture.poke(1, key, before);
+    fixture.powerCycle();
+    auto one = fixture.servo(1, Protocol(protocol));
+    const std::int64_t written = fixture.raw(1, key);
+    LedObserver observer(fixture);
+    const auto report = jobs::blink(fixture.context(), one);
     QVERIFY(report);
     QCOMPARE(report->key, key);
     QVERIFY(report->blinks >= 3);
-    QVERIFY2(witness.changes >= 5, qPrintable(QString::number(witness.changes)));
-    QCOMPARE(bench.raw(1, key), written);
+    QVERIFY2(observer.changes >= 5, qPrintable(QString::number(observer.changes)));
+    QCOMPARE(fixture.raw(1, key), written);
     QVERIFY(!report->stopped);
-    QVERIFY(bench.journal().open()->empty());
-    QCOMPARE(bench.journal().entries()->size(), std::size_t(1));
-    bench.tap().onWrite = nullptr;
-    bench.powerCycle();
-    QCOMPARE(bench.raw(1, key), written);
+    QVERIFY(fixture.journal().open()->empty());
+    QCOMPARE(fixture.journal().entries()->size(), std::size_t(1));
+    fixture.tap().onWrite = nullptr;
+    fixture.powerCycle();
+    QCOMPARE(fixture.raw(1, key), written);
 }
 
-void TestBlink::notWithout_data()
+void TestBlink::blinkingNeedsAnLed_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<int>("protocol");
@@ -118,86 +118,86 @@ void TestBlink::notWithout_data()
     QTest::newRow("Modbus") << text("smsmb@1") << int(Protocol::Modbus) << text("factory-led");
 }
 
-void TestBlink::notWithout()
+void TestBlink::blinkingNeedsAnLed()
 {
     QFETCH(QString, servo);
     QFETCH(int, protocol);
     QFETCH(QString, why);
-    SimBench bench(servo, {115'200});
-    auto one = bench.servo(1, Protocol(protocol));
-    bench.forgetFrames();
-    const auto report = jobs::blink(bench.context(), one);
+    SimFixture fixture(servo, {115'200});
+    auto one = fixture.servo(1, Protocol(protocol));
+    fixture.clearFrames();
+    const auto report = jobs::blink(fixture.context(), one);
     QVERIFY(!report);
     QCOMPARE(report.error().code, base::ErrorCode::NotSupported);
     QCOMPARE(report.error().detail, why);
-    QCOMPARE(bench.frameCount(), std::size_t(0));
-    QVERIFY(bench.journal().entries()->empty());
+    QCOMPARE(fixture.frameCount(), std::size_t(0));
+    QVERIFY(fixture.journal().entries()->empty());
 }
 
 /// With the lock left open each blink would go into the EPROM.
-void TestBlink::nothingIsKeptWhereALockIsOpen()
+void TestBlink::nothingIsSavedWithAnOpenLock()
 {
-    SimBench bench(text("sts3215@1"));
-    auto one = bench.servo(1);
-    bench.poke(1, text("lock"), 0);
-    const std::int64_t before = bench.raw(1, text("led_alarm_condition"));
+    SimFixture fixture(text("sts3215@1"));
+    auto one = fixture.servo(1);
+    fixture.poke(1, text("lock"), 0);
+    const std::int64_t before = fixture.raw(1, text("led_alarm_condition"));
     bool openWhileOff = false;
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        if (bench.raw(1, text("led_alarm_condition")) != before)
-            openWhileOff |= bench.raw(1, text("lock")) == 0;
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        if (fixture.raw(1, text("led_alarm_condition")) != before)
+            openWhileOff |= fixture.raw(1, text("lock")) == 0;
     };
-    QVERIFY(jobs::blink(bench.context(), one));
+    QVERIFY(jobs::blink(fixture.context(), one));
     QVERIFY(!openWhileOff);
-    QCOMPARE(bench.notices().front().code, base::NoticeCode::LockFoundOpen);
-    QCOMPARE(bench.raw(1, text("lock")), 1);
+    QCOMPARE(fixture.notices().front().code, base::NoticeCode::LockFoundOpen);
+    QCOMPARE(fixture.raw(1, text("lock")), 1);
 }
 
 void TestBlink::stopEndsItAtOnce()
 {
-    SimBench bench(text("sts3215@1"));
-    auto one = bench.servo(1);
-    const std::int64_t before = bench.raw(1, text("led_alarm_condition"));
-    const base::Duration start = bench.clock().now();
+    SimFixture fixture(text("sts3215@1"));
+    auto one = fixture.servo(1);
+    const std::int64_t before = fixture.raw(1, text("led_alarm_condition"));
+    const base::Duration start = fixture.clock().now();
     base::Duration asked{};
-    const auto report = jobs::blink(bench.context(), one, 6s, [&](const jobs::Progress&) {
-        if (bench.clock().now() - start < 1s)
+    const auto report = jobs::blink(fixture.context(), one, 6s, [&](const jobs::Progress&) {
+        if (fixture.clock().now() - start < 1s)
             return;
-        asked = bench.clock().now();
-        bench.stop().request();
+        asked = fixture.clock().now();
+        fixture.stop().request();
     });
     QVERIFY(report);
     QVERIFY(report->stopped);
-    QVERIFY(bench.clock().now() - asked < 100ms);
-    QCOMPARE(bench.raw(1, text("led_alarm_condition")), before);
-    QVERIFY(bench.journal().open()->empty());
+    QVERIFY(fixture.clock().now() - asked < 100ms);
+    QCOMPARE(fixture.raw(1, text("led_alarm_condition")), before);
+    QVERIFY(fixture.journal().open()->empty());
 }
 
-void TestBlink::stopBeforehandWritesNothing()
+void TestBlink::stopBeforeStartWritesNothing()
 {
-    SimBench bench(text("sts3215@1"));
-    auto one = bench.servo(1);
-    bench.forgetFrames();
-    bench.stop().request();
-    const auto report = jobs::blink(bench.context(), one);
+    SimFixture fixture(text("sts3215@1"));
+    auto one = fixture.servo(1);
+    fixture.clearFrames();
+    fixture.stop().request();
+    const auto report = jobs::blink(fixture.context(), one);
     QVERIFY(!report);
     QCOMPARE(report.error().code, base::ErrorCode::Stopped);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestBlink::cutAtEveryByte_data()
+void TestBlink::linkLostAtEveryByte_data()
 {
     QTest::addColumn<int>("action");
-    QTest::newRow("finish") << int(RecoverAction::Finish);
-    QTest::newRow("undo") << int(RecoverAction::Undo);
+    QTest::newRow("finish") << int(RecoveryAction::Finish);
+    QTest::newRow("undo") << int(RecoveryAction::Undo);
 }
 
 /// Whichever way it is settled, the old value is what everybody wants.
-void TestBlink::cutAtEveryByte()
+void TestBlink::linkLostAtEveryByte()
 {
     QFETCH(int, action);
     constexpr auto time = 1s;
-    SimBench whole(text("sts3215@1"));
-    whole.forgetFrames();
+    SimFixture whole(text("sts3215@1"));
+    whole.clearFrames();
     {
         auto one = device::identify(whole.context(), 1);
         QVERIFY(one && jobs::blink(whole.context(), *one, time));
@@ -207,39 +207,39 @@ void TestBlink::cutAtEveryByte()
         length += frame.size();
     int interrupted = 0;
     for (std::size_t cut = 1; cut < length; ++cut) {
-        SimBench bench(text("sts3215@1"));
-        const std::int64_t before = bench.raw(1, text("led_alarm_condition"));
-        bench.cutAfterHostBytes(cut);
-        auto one = device::identify(bench.context(), 1);
+        SimFixture fixture(text("sts3215@1"));
+        const std::int64_t before = fixture.raw(1, text("led_alarm_condition"));
+        fixture.cutAfterHostBytes(cut);
+        auto one = device::identify(fixture.context(), 1);
         if (one)
-            QVERIFY(!jobs::blink(bench.context(), *one, time));
-        bench.reconnect(1'000'000);
-        const auto open = *bench.journal().open();
+            QVERIFY(!jobs::blink(fixture.context(), *one, time));
+        fixture.reconnect(1'000'000);
+        const auto open = *fixture.journal().open();
         if (open.empty()) {
-            QCOMPARE(bench.raw(1, text("led_alarm_condition")), before);
+            QCOMPARE(fixture.raw(1, text("led_alarm_condition")), before);
             continue;
         }
         ++interrupted;
         QCOMPARE(open.front().kind, base::IntentKind::Identify);
-        const auto settled = jobs::recover(bench.context(), RecoverAction(action));
+        const auto settled = jobs::recover(fixture.context(), RecoveryAction(action));
         QVERIFY(settled && settled->size() == 1);
         QVERIFY2(settled->front().done, qPrintable(QString::number(cut)));
-        QCOMPARE(bench.raw(1, text("led_alarm_condition")), before);
-        QVERIFY(bench.journal().open()->empty());
+        QCOMPARE(fixture.raw(1, text("led_alarm_condition")), before);
+        QVERIFY(fixture.journal().open()->empty());
     }
     QVERIFY(interrupted > 10);
 }
 
 void TestBlink::fullDiskWritesNothing()
 {
-    SimBench bench(text("sts3215@1"));
-    auto one = bench.servo(1);
-    bench.journal().failWith(base::ErrorCode::DiskFull);
-    bench.forgetFrames();
-    const auto report = jobs::blink(bench.context(), one);
+    SimFixture fixture(text("sts3215@1"));
+    auto one = fixture.servo(1);
+    fixture.journal().setError(base::ErrorCode::DiskFull);
+    fixture.clearFrames();
+    const auto report = jobs::blink(fixture.context(), one);
     QVERIFY(!report);
     QCOMPARE(report.error().code, base::ErrorCode::DiskFull);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 QTEST_GUILESS_MAIN(TestBlink)

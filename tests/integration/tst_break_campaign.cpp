@@ -6,36 +6,36 @@
 #include <QRegularExpression>
 #include <QTest>
 
-using support::Break;
+using support::Interruption;
 
-class TestBreakCampaign : public QObject {
+class TestInterruptionCampaign : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void nothingIsLeftBroken_data()
+    void recoversFromEveryInterruption_data()
     {
         QTest::addColumn<int>("how");
-        QTest::newRow("killed in noise") << int(Break::KillInNoise);
-        QTest::newRow("cable cut") << int(Break::Cut);
+        QTest::newRow("killed in noise") << int(Interruption::KillDuringNoise);
+        QTest::newRow("cable cut") << int(Interruption::LinkCut);
     }
-    void nothingIsLeftBroken()
+    void recoversFromEveryInterruption()
     {
         QFETCH(int, how);
         constexpr int commands = 14; // one round each
         int counted = 0;
-        const auto tally = support::runCampaign(Break(how), commands, 20261123, QString(),
+        const auto tally = support::runCampaign(Interruption(how), commands, 20261123, QString(),
                                                 [&counted](const QString& line) {
                                                     qInfo().noquote() << line;
                                                     ++counted;
                                                 });
         QCOMPARE(counted, commands);
         QVERIFY2(tally.broken > commands / 2, qPrintable(QString::number(tally.broken)));
-        QVERIFY(tally.changesOpen > 0);
-        QVERIFY2(tally.clean(), qPrintable(tally.firstTrouble));
+        QVERIFY(tally.openChanges > 0);
+        QVERIFY2(tally.clean(), qPrintable(tally.firstFailure));
     }
 };
 
-QTEST_GUILESS_MAIN(TestBreakCampaign)
+QTEST_GUILESS_MAIN(TestInterruptionCampaign)
 #include "tst_break_campaign.moc"

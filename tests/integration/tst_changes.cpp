@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// New ID, new rate, centring, restore, reboot: the servo is followed to wherever it answers, and
+// New ID, new rate, centering, restore, reboot: the servo is followed to wherever it answers, and
 // its lock is closed there.
 #include "device/motion.h"
 #include "jobs/change.h"
@@ -11,7 +11,7 @@
 using base::ErrorCode;
 using device::LockState;
 using device::WriteOutcome;
-using support::SimBench;
+using support::SimFixture;
 using namespace std::chrono_literals;
 
 namespace {
@@ -20,18 +20,18 @@ QString text(const char* latin)
     return QString::fromLatin1(latin);
 }
 
-bool noted(SimBench& bench, device::NoticeCode code)
+bool hasNotice(SimFixture& fixture, device::NoticeCode code)
 {
-    for (const device::Notice& notice : bench.notices()) {
+    for (const device::Notice& notice : fixture.notices()) {
         if (notice.code == code)
             return true;
     }
     return false;
 }
 
-int locksOpen(SimBench& bench)
+int countOpenLocks(SimFixture& fixture)
 {
-    return bench.withWire([](sim::VirtualBus& wire) {
+    return fixture.withBus([](sim::VirtualBus& wire) {
         int open = 0;
         for (sim::VirtualServo* servo : wire.servos())
             open += servo->raw(text("lock")) == 0 ? 1 : 0;
@@ -46,29 +46,29 @@ class TestChanges : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void newIdIsKept_data();
-    void newIdIsKept();
+    void newIdIsSaved_data();
+    void newIdIsSaved();
     void takenIdIsRefused();
-    void aStopNamesTheServoThatIsThere();
+    void aStopNamesThePresentServo();
     void impossibleIds_data();
     void impossibleIds();
-    void lostIdRequestIsSentAgain();
-    void silenceAfterTheNewIdIsWaitedFor();
-    void newRateIsKept_data();
-    void newRateIsKept();
-    void rateTheAdapterCannot();
-    void rateTheSeriesHasNot();
-    void centring_data();
-    void centring();
-    void centringOnScs();
+    void lostIdRequestIsResent();
+    void waitsOutSilenceAfterAnIdChange();
+    void newRateIsSaved_data();
+    void newRateIsSaved();
+    void rateUnsupportedByTheAdapter();
+    void rateUnsupportedByTheSeries();
+    void centering_data();
+    void centering();
+    void centeringOnScs();
     void restoring();
     void restoringChangesTheRate();
     void rebooting_data();
     void rebooting();
-    void fullJournal();
+    void fullJournalWritesNothing();
 };
 
-void TestChanges::newIdIsKept_data()
+void TestChanges::newIdIsSaved_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<bool>("acksLost");
@@ -80,55 +80,55 @@ void TestChanges::newIdIsKept_data()
     }
 }
 
-void TestChanges::newIdIsKept()
+void TestChanges::newIdIsSaved()
 {
     QFETCH(QString, servo);
     QFETCH(bool, acksLost);
     QFETCH(int, level);
-    SimBench bench(servo);
-    bench.poke(1, text("response_level"), level);
-    device::Servo one = bench.servo(1);
+    SimFixture fixture(servo);
+    fixture.poke(1, text("response_level"), level);
+    device::Servo one = fixture.servo(1);
     if (acksLost)
-        support::loseAcknowledgements(bench);
-    bench.forgetFrames();
-    const auto report = jobs::changeId(bench.context(), one, 9);
+        support::dropAcknowledgments(fixture);
+    fixture.clearFrames();
+    const auto report = jobs::changeId(fixture.context(), one, 9);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
     QCOMPARE(report->lock, LockState::Closed);
     QCOMPARE(one.id, 9);
-    QCOMPARE(locksOpen(bench), 0);
+    QCOMPARE(countOpenLocks(fixture), 0);
     int idWrites = 0;
-    for (const base::Bytes& frame : bench.tap().written)
+    for (const base::Bytes& frame : fixture.tap().written)
         idWrites += frame[4] == support::Write && frame[5] == 5 ? 1 : 0;
     QCOMPARE(idWrites, 1);
-    bench.powerCycle();
-    QCOMPARE(bench.raw(9, text("id")), 9);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(0));
+    fixture.powerCycle();
+    QCOMPARE(fixture.raw(9, text("id")), 9);
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
 void TestChanges::takenIdIsRefused()
 {
-    SimBench bench(text("sts3215@1,sts3215@2,sts3215@3,sts3215@3"));
-    device::Servo one = bench.servo(1);
+    SimFixture fixture(text("sts3215@1,sts3215@2,sts3215@3,sts3215@3"));
+    device::Servo one = fixture.servo(1);
     for (const int taken : {2, 3}) { // 3 is taken twice: a collision is an answer too
-        bench.forgetFrames();
-        const auto report = jobs::changeId(bench.context(), one, taken);
+        fixture.clearFrames();
+        const auto report = jobs::changeId(fixture.context(), one, taken);
         QVERIFY(!report);
         QCOMPARE(report.error().code, ErrorCode::IdInUse);
-        QVERIFY(bench.onlyAsked());
+        QVERIFY(fixture.onlyReadsSent());
     }
 }
 
 /// While the new ID is asked for, the servo still has its old one.
-void TestChanges::aStopNamesTheServoThatIsThere()
+void TestChanges::aStopNamesThePresentServo()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         if (frame[2] == 9)
-            bench.stop().request();
+            fixture.stop().request();
     };
-    const auto report = jobs::changeId(bench.context(), one, 9);
+    const auto report = jobs::changeId(fixture.context(), one, 9);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::Stopped);
     QCOMPARE(report.error().id, 1);
@@ -146,52 +146,52 @@ void TestChanges::impossibleIds_data()
 void TestChanges::impossibleIds()
 {
     QFETCH(int, id);
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
-    bench.forgetFrames();
-    const auto report = jobs::changeId(bench.context(), one, id);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
+    fixture.clearFrames();
+    const auto report = jobs::changeId(fixture.context(), one, id);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::OutOfRange);
-    QCOMPARE(bench.frameCount(), std::size_t(0));
+    QCOMPARE(fixture.frameCount(), std::size_t(0));
 }
 
-void TestChanges::lostIdRequestIsSentAgain()
+void TestChanges::lostIdRequestIsResent()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
     int writes = 0;
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         const bool idWrite = frame[4] == support::Write && frame[5] == 5;
         writes += idWrite ? 1 : 0;
-        bench.wireConfig().faults.dropRequest = idWrite && writes == 1 ? 1.0 : 0.0;
+        fixture.wireConfig().faults.dropRequest = idWrite && writes == 1 ? 1.0 : 0.0;
     };
-    const auto report = jobs::changeId(bench.context(), one, 9);
-    QVERIFY(report && report->allGood());
+    const auto report = jobs::changeId(fixture.context(), one, 9);
+    QVERIFY(report && report->isSuccessful());
     QCOMPARE(writes, 2);
     QCOMPARE(one.id, 9);
 }
 
 /// The ID has changed and the lock is open when the line falls silent for half a second.
-void TestChanges::silenceAfterTheNewIdIsWaitedFor()
+void TestChanges::waitsOutSilenceAfterAnIdChange()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
     base::Duration silentUntil{};
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         if (frame[4] == support::Write && frame[5] == 5)
-            silentUntil = bench.clock().now() + 500ms;
+            silentUntil = fixture.clock().now() + 500ms;
         else
-            bench.wireConfig().faults.drop = bench.clock().now() < silentUntil ? 1.0 : 0.0;
+            fixture.wireConfig().faults.drop = fixture.clock().now() < silentUntil ? 1.0 : 0.0;
     };
-    const auto report = jobs::changeId(bench.context(), one, 9);
-    QVERIFY(report && report->allGood());
+    const auto report = jobs::changeId(fixture.context(), one, 9);
+    QVERIFY(report && report->isSuccessful());
     QCOMPARE(report->lock, LockState::Closed);
     QCOMPARE(one.id, 9);
-    QCOMPARE(locksOpen(bench), 0);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(0));
+    QCOMPARE(countOpenLocks(fixture), 0);
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
-void TestChanges::newRateIsKept_data()
+void TestChanges::newRateIsSaved_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<int>("rate");
@@ -202,49 +202,49 @@ void TestChanges::newRateIsKept_data()
     QTest::newRow("SCS 115200") << text("scs15@1:1000000") << 115'200 << false;
 }
 
-void TestChanges::newRateIsKept()
+void TestChanges::newRateIsSaved()
 {
     QFETCH(QString, servo);
     QFETCH(int, rate);
     QFETCH(bool, acksLost);
-    SimBench bench(servo);
-    device::Servo one = bench.servo(1);
+    SimFixture fixture(servo);
+    device::Servo one = fixture.servo(1);
     if (acksLost)
-        support::loseAcknowledgements(bench);
-    const auto report = jobs::changeBaud(bench.context(), one, rate);
+        support::dropAcknowledgments(fixture);
+    const auto report = jobs::changeBaud(fixture.context(), one, rate);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
     QCOMPARE(report->lock, LockState::Closed);
     QCOMPARE(one.baud, rate);
-    QCOMPARE(bench.bus().baud(), rate);
-    bench.powerCycle();
-    QCOMPARE(bench.withWire([](sim::VirtualBus& wire) { return wire.servo(1)->baud(); }), rate);
-    QCOMPARE(locksOpen(bench), 0);
+    QCOMPARE(fixture.bus().baud(), rate);
+    fixture.powerCycle();
+    QCOMPARE(fixture.withBus([](sim::VirtualBus& wire) { return wire.servo(1)->baud(); }), rate);
+    QCOMPARE(countOpenLocks(fixture), 0);
 }
 
-void TestChanges::rateTheAdapterCannot()
+void TestChanges::rateUnsupportedByTheAdapter()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
-    bench.tap().refusedRates = {250'000};
-    bench.forgetFrames();
-    const auto report = jobs::changeBaud(bench.context(), one, 250'000);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
+    fixture.tap().refusedRates = {250'000};
+    fixture.clearFrames();
+    const auto report = jobs::changeBaud(fixture.context(), one, 250'000);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::RateUnsupported);
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(bench.bus().baud(), 1'000'000);
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(fixture.bus().baud(), 1'000'000);
 }
 
-void TestChanges::rateTheSeriesHasNot()
+void TestChanges::rateUnsupportedByTheSeries()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
-    const auto report = jobs::changeBaud(bench.context(), one, 9'600); // code 10: SMS only
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
+    const auto report = jobs::changeBaud(fixture.context(), one, 9'600); // code 10: SMS only
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::OutOfRange);
 }
 
-void TestChanges::centring_data()
+void TestChanges::centering_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<bool>("acksLost");
@@ -256,83 +256,84 @@ void TestChanges::centring_data()
     }
 }
 
-void TestChanges::centring()
+void TestChanges::centering()
 {
     QFETCH(QString, servo);
     QFETCH(bool, acksLost);
     QFETCH(int, level);
-    SimBench bench(servo);
-    bench.poke(1, text("response_level"), level);
-    device::Servo one = bench.servo(1);
+    SimFixture fixture(servo);
+    fixture.poke(1, text("response_level"), level);
+    device::Servo one = fixture.servo(1);
     {
-        device::MoveOrder order;
+        device::MoveCommand order;
         order.servo = &one;
         order.goal = text("1000");
-        std::vector<device::MovePlan> plans{*device::planMove(bench.context(), order)};
-        QVERIFY(device::sendMoves(bench.context(), plans, device::MoveHow::Write));
-        QVERIFY(device::waitForArrival(bench.context(), plans, 20s, {}));
+        std::vector<device::MovePlan> plans{*device::planMove(fixture.context(), order)};
+        QVERIFY(device::sendMoves(fixture.context(), plans, device::MoveMethod::Write));
+        QVERIFY(device::waitForArrival(fixture.context(), plans, 20s, {}));
     }
     if (acksLost)
-        support::loseAcknowledgements(bench);
-    bench.forgetFrames();
-    const auto report = jobs::center(bench.context(), one);
+        support::dropAcknowledgments(fixture);
+    fixture.clearFrames();
+    const auto report = jobs::center(fixture.context(), one);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
     QCOMPARE(report->lock, LockState::Closed);
     QVERIFY(std::abs(*report->positionAfter - 2048) <= 12);
     int sent = 0;
-    for (const base::Bytes& frame : bench.tap().written)
+    for (const base::Bytes& frame : fixture.tap().written)
         sent += frame[4] == support::Write && frame[5] == 40 && frame[6] == 128 ? 1 : 0;
     QCOMPARE(sent, 1);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    const auto entries = bench.journal().entries().value();
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    const auto entries = fixture.journal().entries().value();
     QCOMPARE(entries.back().end->items.size(), std::size_t(1));
     QCOMPARE(entries.back().end->items[0].readBack, report->offsetAfter);
     QCOMPARE(entries.back().end->items[0].outcome, text("kept"));
-    bench.powerCycle();
-    QVERIFY(std::abs(bench.raw(1, text("present_position")) - 2048) <= 12);
-    QCOMPARE(locksOpen(bench), 0);
+    fixture.powerCycle();
+    QVERIFY(std::abs(fixture.raw(1, text("present_position")) - 2048) <= 12);
+    QCOMPARE(countOpenLocks(fixture), 0);
 }
 
-void TestChanges::centringOnScs()
+void TestChanges::centeringOnScs()
 {
-    SimBench bench(text("scs15@1"));
-    device::Servo one = bench.servo(1);
-    const auto report = jobs::center(bench.context(), one);
+    SimFixture fixture(text("scs15@1"));
+    device::Servo one = fixture.servo(1);
+    const auto report = jobs::center(fixture.context(), one);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::NotSupported);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 void TestChanges::restoring()
 {
-    SimBench bench(text("sts3215@7"));
-    device::Servo one = bench.servo(7);
-    QVERIFY(device::write(bench.context(), one, {{text("max_temperature"), 55}}, {})->allGood());
-    const auto report = jobs::restoreDefaults(bench.context(), one);
+    SimFixture fixture(text("sts3215@7"));
+    device::Servo one = fixture.servo(7);
+    QVERIFY(
+        device::write(fixture.context(), one, {{text("max_temperature"), 55}}, {})->isSuccessful());
+    const auto report = jobs::restoreDefaults(fixture.context(), one);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
-    QCOMPARE(bench.raw(7, text("max_temperature")), 70);
+    QCOMPARE(fixture.raw(7, text("max_temperature")), 70);
     QVERIFY(std::find(report->changed.begin(), report->changed.end(), text("max_temperature")) !=
             report->changed.end());
     QCOMPARE(report->newId, 7); // everything but the ID
-    const auto entries = bench.journal().entries().value();
-    for (const base::ItemEnd& end : entries.back().end->items)
-        QCOMPARE(end.readBack, std::optional(bench.raw(7, end.key)));
+    const auto entries = fixture.journal().entries().value();
+    for (const base::ItemResult& end : entries.back().end->items)
+        QCOMPARE(end.readBack, std::optional(fixture.raw(7, end.key)));
     QVERIFY(entries.back().end->items.size() == entries.back().intent.items.size());
     QCOMPARE(report->lock, LockState::Closed);
-    QCOMPARE(locksOpen(bench), 0);
+    QCOMPARE(countOpenLocks(fixture), 0);
 }
 
 void TestChanges::restoringChangesTheRate()
 {
-    SimBench bench(text("sts3215@7"));
-    device::Servo one = bench.servo(7);
-    QVERIFY(jobs::changeBaud(bench.context(), one, 115'200)->allGood());
-    const auto report = jobs::restoreDefaults(bench.context(), one);
+    SimFixture fixture(text("sts3215@7"));
+    device::Servo one = fixture.servo(7);
+    QVERIFY(jobs::changeBaud(fixture.context(), one, 115'200)->isSuccessful());
+    const auto report = jobs::restoreDefaults(fixture.context(), one);
     QVERIFY(report);
     QCOMPARE(report->oldBaud, 115'200);
     QCOMPARE(report->newBaud, 1'000'000);
     QCOMPARE(one.baud, 1'000'000);
-    QCOMPARE(locksOpen(bench), 0);
+    QCOMPARE(countOpenLocks(fixture), 0);
 }
 
 void TestChanges::rebooting_data()
@@ -345,42 +346,42 @@ void TestChanges::rebooting_data()
 void TestChanges::rebooting()
 {
     QFETCH(int, rate);
-    support::BenchOptions options;
+    support::SimFixtureOptions options;
     options.baud = rate;
     options.servoBaud = rate;
-    SimBench bench(text("sts3215@1"), options);
-    bench.poke(1, text("torque_limit"), 300);
-    bench.poke(1, text("torque_switch"), 1);
-    device::Servo one = bench.servo(1);
-    bench.forgetFrames();
+    SimFixture fixture(text("sts3215@1"), options);
+    fixture.poke(1, text("torque_limit"), 300);
+    fixture.poke(1, text("torque_switch"), 1);
+    device::Servo one = fixture.servo(1);
+    fixture.clearFrames();
     base::Duration rebootAt{};
     base::Duration nextAt{};
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         if (frame[4] == support::Reboot)
-            rebootAt = bench.clock().now();
+            rebootAt = fixture.clock().now();
         else if (rebootAt.count() > 0 && nextAt.count() == 0)
-            nextAt = bench.clock().now();
+            nextAt = fixture.clock().now();
     };
-    const auto took = jobs::reboot(bench.context(), one);
+    const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY(took);
     QVERIFY(*took >= 700 && *took <= 2300);
-    QVERIFY(noted(bench, device::NoticeCode::TorqueSwitchedOff));
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000); // RAM reloaded
+    QVERIFY(hasNotice(fixture, device::NoticeCode::TorqueSwitchedOff));
+    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000); // RAM reloaded
     // Nothing may be said to the loader, which listens at 500 kbaud.
     QVERIFY(nextAt - rebootAt >= (rate == 500'000 ? 2000ms : 700ms));
 }
 
-void TestChanges::fullJournal()
+void TestChanges::fullJournalWritesNothing()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
-    bench.journal().failWith(ErrorCode::DiskFull);
-    bench.forgetFrames();
-    QCOMPARE(jobs::changeId(bench.context(), one, 9).error().code, ErrorCode::DiskFull);
-    QCOMPARE(jobs::changeBaud(bench.context(), one, 500'000).error().code, ErrorCode::DiskFull);
-    QCOMPARE(jobs::center(bench.context(), one).error().code, ErrorCode::DiskFull);
-    QCOMPARE(jobs::restoreDefaults(bench.context(), one).error().code, ErrorCode::DiskFull);
-    QVERIFY(bench.onlyAsked());
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
+    fixture.journal().setError(ErrorCode::DiskFull);
+    fixture.clearFrames();
+    QCOMPARE(jobs::changeId(fixture.context(), one, 9).error().code, ErrorCode::DiskFull);
+    QCOMPARE(jobs::changeBaud(fixture.context(), one, 500'000).error().code, ErrorCode::DiskFull);
+    QCOMPARE(jobs::center(fixture.context(), one).error().code, ErrorCode::DiskFull);
+    QCOMPARE(jobs::restoreDefaults(fixture.context(), one).error().code, ErrorCode::DiskFull);
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 QTEST_GUILESS_MAIN(TestChanges)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One test a release rule: what lets an alarm go is done, after consent where it moves or
-// energises; what only time or a power-cycle helps against is shown and left alone.
+// energizes; what only time or a power-cycle helps against is shown and left alone.
 #include "device/motion.h"
 #include "jobs/clear_alarm.h"
 #include "support/sim_bench.h"
@@ -15,8 +15,8 @@ using namespace std::chrono_literals;
 using base::ErrorCode;
 using base::Protocol;
 using jobs::AlarmPlan;
-using jobs::Release;
-using support::SimBench;
+using jobs::ClearMethod;
+using support::SimFixture;
 
 namespace {
 QString text(const char* latin)
@@ -25,7 +25,7 @@ QString text(const char* latin)
 }
 
 /// A servo that hits a stop a little way off when it is sent upwards.
-sim::ServoRecipe blocked(const char* model, double stopDegrees)
+sim::ServoSpec blocked(const char* model, double stopDegrees)
 {
     constexpr double room = 20;
     sim::Load load;
@@ -38,21 +38,21 @@ sim::VirtualServo& first(sim::VirtualBus& wire)
     return *wire.servos().front();
 }
 
-int statusOf(SimBench& bench, const char* key = "servo_status")
+int statusOf(SimFixture& fixture, const char* key = "servo_status")
 {
-    return int(bench.raw(1, text(key)));
+    return int(fixture.raw(1, text(key)));
 }
 
 /// Pressed against its stop until the overload protection has tripped.
-void stall(SimBench& bench, std::int64_t goal)
+void stall(SimFixture& fixture, std::int64_t goal)
 {
-    bench.poke(1, text("goal_position"), goal);
-    bench.letTimePass(6s);
+    fixture.poke(1, text("goal_position"), goal);
+    fixture.runFor(6s);
 }
 
-double shaft(SimBench& bench)
+double shaft(SimFixture& fixture)
 {
-    return bench.withWire([](sim::VirtualBus& wire) { return first(wire).shaftDegrees(); });
+    return fixture.withBus([](sim::VirtualBus& wire) { return first(wire).shaftDegrees(); });
 }
 
 QStringList keys(const AlarmPlan& plan)
@@ -71,38 +71,38 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
     void noAlarmWritesNothing();
-    void overloadTurnsBackAfterConsent_data();
-    void overloadTurnsBackAfterConsent();
+    void overloadMovesBackAfterConsent_data();
+    void overloadMovesBackAfterConsent();
     void overloadNeedsConsent();
-    void overloadTheOtherWayWasNotAgreed();
-    void overloadHasNoSmallWayBack_data();
-    void overloadHasNoSmallWayBack();
-    void overcurrentTakesItsPlaceAsGoal();
+    void overloadInTheOtherDirectionNeedsConsent();
+    void overloadWithoutASmallMoveBack_data();
+    void overloadWithoutASmallMoveBack();
+    void overcurrentUsesThePresentPositionAsGoal();
     void overcurrentNeedsConsent();
     void voltageIsShownUntilItReturns();
     void temperatureIsShownUntilItReturns();
-    void heatComesBeforeOverload();
+    void temperatureComesBeforeOverload();
     void lxRecoversByItself();
     void lxVoltageIsShown();
     void modbusIsResetByRegister();
-    void modbusHoldsWhereItIs();
-    void modbusCauseThatLastsComesBack();
+    void modbusHoldsItsPosition();
+    void modbusPersistentCauseReturns();
     void sensorNeedsAPowerCycle();
-    void levelZeroWorksToo();
+    void worksWithResponseLevelZero();
 };
 
 void TestClearAlarm::noAlarmWritesNothing()
 {
-    SimBench bench(text("sts3215@1"));
-    auto servo = bench.servo(1);
-    bench.forgetFrames();
-    const auto report = jobs::clearAlarm(bench.context(), servo, {});
+    SimFixture fixture(text("sts3215@1"));
+    auto servo = fixture.servo(1);
+    fixture.clearFrames();
+    const auto report = jobs::clearAlarm(fixture.context(), servo, {});
     QVERIFY(report);
-    QVERIFY(report->cleared() && !report->acted);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(report->isCleared() && !report->isExecuted);
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestClearAlarm::overloadTurnsBackAfterConsent_data()
+void TestClearAlarm::overloadMovesBackAfterConsent_data()
 {
     QTest::addColumn<QString>("model");
     QTest::addColumn<int>("baud");
@@ -113,64 +113,64 @@ void TestClearAlarm::overloadTurnsBackAfterConsent_data()
     QTest::newRow("SCS15") << text("SCS15") << 1'000'000 << 120.0 << 900;
 }
 
-void TestClearAlarm::overloadTurnsBackAfterConsent()
+void TestClearAlarm::overloadMovesBackAfterConsent()
 {
     QFETCH(QString, model);
     QFETCH(int, baud);
     QFETCH(double, stop);
     QFETCH(int, goal);
-    SimBench bench({blocked(model.toLatin1().constData(), stop)}, {baud});
-    stall(bench, goal);
-    QVERIFY(statusOf(bench) & 32);
-    auto servo = bench.servo(1);
-    bench.forgetFrames();
-    const double before = shaft(bench);
-    const auto plan = jobs::planAlarm(bench.context(), servo);
+    SimFixture fixture({blocked(model.toLatin1().constData(), stop)}, {baud});
+    stall(fixture, goal);
+    QVERIFY(statusOf(fixture) & 32);
+    auto servo = fixture.servo(1);
+    fixture.clearFrames();
+    const double before = shaft(fixture);
+    const auto plan = jobs::planClearAlarm(fixture.context(), servo);
     QVERIFY(plan);
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(plan->next, Release::TurnBack);
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(plan->next, ClearMethod::BackOff);
     QVERIFY(plan->needsConsent());
     QVERIFY(*plan->to < *plan->from);
-    const auto report = jobs::clearAlarm(bench.context(), servo, *plan);
+    const auto report = jobs::clearAlarm(fixture.context(), servo, *plan);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
-    QVERIFY(report->acted);
-    QVERIFY(report->cleared());
-    bench.letTimePass(1s);
-    QCOMPARE(statusOf(bench), 0);
+    QVERIFY(report->isExecuted);
+    QVERIFY(report->isCleared());
+    fixture.runFor(1s);
+    QCOMPARE(statusOf(fixture), 0);
     // A little way, and away from the stall.
-    const double turned = before - shaft(bench);
+    const double turned = before - shaft(fixture);
     QVERIFY2(turned > 1.5 && turned < 8.0, qPrintable(QString::number(turned)));
 }
 
 void TestClearAlarm::overloadNeedsConsent()
 {
-    SimBench bench({blocked("STS3215", 200.0)});
-    stall(bench, 3000);
-    auto servo = bench.servo(1);
-    bench.forgetFrames();
-    const auto report = jobs::clearAlarm(bench.context(), servo, {});
+    SimFixture fixture({blocked("STS3215", 200.0)});
+    stall(fixture, 3000);
+    auto servo = fixture.servo(1);
+    fixture.clearFrames();
+    const auto report = jobs::clearAlarm(fixture.context(), servo, {});
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::NeedsConsent);
     QCOMPARE(report.error().detail, text("release-moves"));
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 /// Between question and answer somebody turned it against the other stop.
-void TestClearAlarm::overloadTheOtherWayWasNotAgreed()
+void TestClearAlarm::overloadInTheOtherDirectionNeedsConsent()
 {
-    SimBench bench({blocked("STS3215", 200.0)});
-    stall(bench, 3000);
-    auto servo = bench.servo(1);
-    auto agreed = *jobs::planAlarm(bench.context(), servo);
+    SimFixture fixture({blocked("STS3215", 200.0)});
+    stall(fixture, 3000);
+    auto servo = fixture.servo(1);
+    auto agreed = *jobs::planClearAlarm(fixture.context(), servo);
     std::swap(agreed.from, agreed.to);
-    bench.forgetFrames();
-    const auto report = jobs::clearAlarm(bench.context(), servo, agreed);
+    fixture.clearFrames();
+    const auto report = jobs::clearAlarm(fixture.context(), servo, agreed);
     QVERIFY(!report);
     QCOMPARE(report.error().detail, text("alarm-changed"));
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestClearAlarm::overloadHasNoSmallWayBack_data()
+void TestClearAlarm::overloadWithoutASmallMoveBack_data()
 {
     QTest::addColumn<QString>("key");
     QTest::addColumn<int>("value");
@@ -179,217 +179,217 @@ void TestClearAlarm::overloadHasNoSmallWayBack_data()
     QTest::newRow("minimum angle") << text("min_angle_limit") << 2290 << text("release-limit");
 }
 
-void TestClearAlarm::overloadHasNoSmallWayBack()
+void TestClearAlarm::overloadWithoutASmallMoveBack()
 {
     QFETCH(QString, key);
     QFETCH(int, value);
     QFETCH(QString, why);
-    SimBench bench({blocked("STS3215", 200.0)});
-    stall(bench, 3000);
-    bench.poke(1, key, value);
-    bench.letTimePass(50ms);
-    QVERIFY(statusOf(bench) & 32);
-    auto servo = bench.servo(1);
-    bench.forgetFrames();
-    const auto plan = jobs::planAlarm(bench.context(), servo);
+    SimFixture fixture({blocked("STS3215", 200.0)});
+    stall(fixture, 3000);
+    fixture.poke(1, key, value);
+    fixture.runFor(50ms);
+    QVERIFY(statusOf(fixture) & 32);
+    auto servo = fixture.servo(1);
+    fixture.clearFrames();
+    const auto plan = jobs::planClearAlarm(fixture.context(), servo);
     QVERIFY(plan && plan->refused && !plan->needsConsent());
     QCOMPARE(plan->refused->detail, why);
-    const auto report = jobs::clearAlarm(bench.context(), servo, *plan);
+    const auto report = jobs::clearAlarm(fixture.context(), servo, *plan);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::NotSupported);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 namespace {
-void tripOnCurrent(SimBench& bench)
+void triggerOvercurrent(SimFixture& fixture)
 {
-    bench.poke(1, text("protection_current"), 150);
-    bench.poke(1, text("overcurrent_time"), 50);
-    bench.poke(1, text("unload_condition"), 8);
-    bench.poke(1, text("goal_position"), 3500);
-    bench.letTimePass(3s);
+    fixture.poke(1, text("protection_current"), 150);
+    fixture.poke(1, text("overcurrent_time"), 50);
+    fixture.poke(1, text("unload_condition"), 8);
+    fixture.poke(1, text("goal_position"), 3500);
+    fixture.runFor(3s);
 }
 } // namespace
 
-void TestClearAlarm::overcurrentTakesItsPlaceAsGoal()
+void TestClearAlarm::overcurrentUsesThePresentPositionAsGoal()
 {
-    SimBench bench({blocked("STS3215", 200.0)});
-    tripOnCurrent(bench);
-    QCOMPARE(statusOf(bench), 8);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    auto servo = bench.servo(1);
-    const auto plan = jobs::planAlarm(bench.context(), servo);
+    SimFixture fixture({blocked("STS3215", 200.0)});
+    triggerOvercurrent(fixture);
+    QCOMPARE(statusOf(fixture), 8);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    auto servo = fixture.servo(1);
+    const auto plan = jobs::planClearAlarm(fixture.context(), servo);
     QVERIFY(plan);
-    QCOMPARE(plan->next, Release::NewGoal);
+    QCOMPARE(plan->next, ClearMethod::NewGoal);
     QVERIFY(plan->torqueOff && plan->needsConsent());
     QCOMPARE(plan->alarms.front().max, std::optional<std::int64_t>(150));
-    const double before = shaft(bench);
-    const auto report = jobs::clearAlarm(bench.context(), servo, *plan);
+    const double before = shaft(fixture);
+    const auto report = jobs::clearAlarm(fixture.context(), servo, *plan);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
-    QVERIFY(report->acted && report->cleared());
-    bench.letTimePass(1s);
-    QCOMPARE(statusOf(bench), 0);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 1);
-    QVERIFY(std::abs(shaft(bench) - before) < 1.0);
+    QVERIFY(report->isExecuted && report->isCleared());
+    fixture.runFor(1s);
+    QCOMPARE(statusOf(fixture), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 1);
+    QVERIFY(std::abs(shaft(fixture) - before) < 1.0);
 }
 
 void TestClearAlarm::overcurrentNeedsConsent()
 {
-    SimBench bench({blocked("STS3215", 200.0)});
-    tripOnCurrent(bench);
-    auto servo = bench.servo(1);
-    bench.forgetFrames();
-    const auto report = jobs::clearAlarm(bench.context(), servo, {});
+    SimFixture fixture({blocked("STS3215", 200.0)});
+    triggerOvercurrent(fixture);
+    auto servo = fixture.servo(1);
+    fixture.clearFrames();
+    const auto report = jobs::clearAlarm(fixture.context(), servo, {});
     QVERIFY(!report);
     QCOMPARE(report.error().detail, text("release-energises"));
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
 }
 
 void TestClearAlarm::voltageIsShownUntilItReturns()
 {
-    SimBench bench(text("sts3215@1"));
+    SimFixture fixture(text("sts3215@1"));
     const auto supply = [&](double volts) {
-        bench.withWire(
-            [&](sim::VirtualBus& wire) { first(wire).surroundings().supplyVolts = volts; });
-        bench.letTimePass(500ms);
+        fixture.withBus(
+            [&](sim::VirtualBus& wire) { first(wire).environment().supplyVolts = volts; });
+        fixture.runFor(500ms);
     };
     supply(9.0);
-    auto servo = bench.servo(1);
-    bench.forgetFrames();
-    const auto high = jobs::clearAlarm(bench.context(), servo, {});
-    QVERIFY(high && !high->acted && !high->cleared());
+    auto servo = fixture.servo(1);
+    fixture.clearFrames();
+    const auto high = jobs::clearAlarm(fixture.context(), servo, {});
+    QVERIFY(high && !high->isExecuted && !high->isCleared());
     const jobs::Alarm& alarm = high->after.alarms.front();
     QCOMPARE(alarm.key, text("voltage"));
-    QCOMPARE(alarm.release, Release::Wait);
+    QCOMPARE(alarm.release, ClearMethod::Wait);
     QCOMPARE(alarm.measured, text("present_voltage"));
     QVERIFY(*alarm.value > *alarm.max);
     QVERIFY(*alarm.min < *alarm.max);
     supply(7.4);
-    const auto good = jobs::planAlarm(bench.context(), servo);
+    const auto good = jobs::planClearAlarm(fixture.context(), servo);
     QVERIFY(good);
-    QCOMPARE(good->next, Release::Nothing);
-    QVERIFY(bench.onlyAsked());
+    QCOMPARE(good->next, ClearMethod::None);
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 void TestClearAlarm::temperatureIsShownUntilItReturns()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.withWire([](sim::VirtualBus& wire) { first(wire).setTemperature(80); });
-    bench.letTimePass(50ms);
-    auto servo = bench.servo(1);
-    bench.forgetFrames();
-    const auto hot = jobs::clearAlarm(bench.context(), servo, {});
-    QVERIFY(hot && !hot->acted && !hot->cleared());
+    SimFixture fixture(text("sts3215@1"));
+    fixture.withBus([](sim::VirtualBus& wire) { first(wire).setTemperature(80); });
+    fixture.runFor(50ms);
+    auto servo = fixture.servo(1);
+    fixture.clearFrames();
+    const auto hot = jobs::clearAlarm(fixture.context(), servo, {});
+    QVERIFY(hot && !hot->isExecuted && !hot->isCleared());
     QCOMPARE(keys(hot->after), QStringList{text("temperature")});
     QVERIFY(*hot->after.alarms.front().value > *hot->after.alarms.front().max);
-    bench.letTimePass(600s);
-    const auto cool = jobs::planAlarm(bench.context(), servo);
+    fixture.runFor(600s);
+    const auto cool = jobs::planClearAlarm(fixture.context(), servo);
     QVERIFY(cool);
-    QCOMPARE(cool->next, Release::Nothing);
-    QVERIFY(bench.onlyAsked());
+    QCOMPARE(cool->next, ClearMethod::None);
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 /// While heat unloads the motor, no goal could turn it back.
-void TestClearAlarm::heatComesBeforeOverload()
+void TestClearAlarm::temperatureComesBeforeOverload()
 {
-    SimBench bench({blocked("STS3215", 200.0)});
-    stall(bench, 3000);
-    bench.withWire([](sim::VirtualBus& wire) { first(wire).setTemperature(80); });
-    bench.letTimePass(50ms);
-    auto servo = bench.servo(1);
-    bench.forgetFrames();
-    const auto report = jobs::clearAlarm(bench.context(), servo, {});
-    QVERIFY(report && !report->acted);
-    QCOMPARE(report->before.next, Release::Wait);
+    SimFixture fixture({blocked("STS3215", 200.0)});
+    stall(fixture, 3000);
+    fixture.withBus([](sim::VirtualBus& wire) { first(wire).setTemperature(80); });
+    fixture.runFor(50ms);
+    auto servo = fixture.servo(1);
+    fixture.clearFrames();
+    const auto report = jobs::clearAlarm(fixture.context(), servo, {});
+    QVERIFY(report && !report->isExecuted);
+    QCOMPARE(report->before.next, ClearMethod::Wait);
     QCOMPARE(report->before.alarms.size(), std::size_t(2));
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 void TestClearAlarm::lxRecoversByItself()
 {
-    SimBench bench(text("lx16a@1"), {115'200});
-    bench.poke(1, text("temp_limit"), 60);
-    bench.withWire([](sim::VirtualBus& wire) { first(wire).setTemperature(70); });
-    bench.letTimePass(50ms);
-    auto servo = bench.servo(1, Protocol::Lx);
-    const std::size_t journalled = bench.journal().entries()->size();
-    const auto hot = jobs::clearAlarm(bench.context(), servo, {});
-    QVERIFY(hot && !hot->acted && !hot->cleared());
+    SimFixture fixture(text("lx16a@1"), {115'200});
+    fixture.poke(1, text("temp_limit"), 60);
+    fixture.withBus([](sim::VirtualBus& wire) { first(wire).setTemperature(70); });
+    fixture.runFor(50ms);
+    auto servo = fixture.servo(1, Protocol::Lx);
+    const std::size_t journaled = fixture.journal().entries()->size();
+    const auto hot = jobs::clearAlarm(fixture.context(), servo, {});
+    QVERIFY(hot && !hot->isExecuted && !hot->isCleared());
     const jobs::Alarm& alarm = hot->after.alarms.front();
     QCOMPARE(alarm.key, text("temperature"));
     QVERIFY(alarm.derived);
     QCOMPARE(alarm.max, std::optional<std::int64_t>(60));
     QVERIFY(*alarm.value > 60);
-    bench.letTimePass(600s);
-    const auto cool = jobs::planAlarm(bench.context(), servo);
+    fixture.runFor(600s);
+    const auto cool = jobs::planClearAlarm(fixture.context(), servo);
     QVERIFY(cool);
-    QCOMPARE(cool->next, Release::Nothing);
-    QCOMPARE(bench.journal().entries()->size(), journalled);
+    QCOMPARE(cool->next, ClearMethod::None);
+    QCOMPARE(fixture.journal().entries()->size(), journaled);
 }
 
 void TestClearAlarm::lxVoltageIsShown()
 {
-    SimBench bench(text("lx16a@1"), {115'200});
-    bench.withWire([](sim::VirtualBus& wire) { first(wire).surroundings().supplyVolts = 13; });
-    bench.letTimePass(500ms);
-    auto servo = bench.servo(1, Protocol::Lx);
-    const auto plan = jobs::planAlarm(bench.context(), servo);
+    SimFixture fixture(text("lx16a@1"), {115'200});
+    fixture.withBus([](sim::VirtualBus& wire) { first(wire).environment().supplyVolts = 13; });
+    fixture.runFor(500ms);
+    auto servo = fixture.servo(1, Protocol::Lx);
+    const auto plan = jobs::planClearAlarm(fixture.context(), servo);
     QVERIFY(plan);
     QCOMPARE(keys(*plan), QStringList{text("voltage")});
-    QCOMPARE(plan->next, Release::Wait);
+    QCOMPARE(plan->next, ClearMethod::Wait);
     QVERIFY(*plan->alarms.front().value > *plan->alarms.front().max);
 }
 
 namespace {
 constexpr int modbusFaults = 0x2F;
 
-void stallModbus(SimBench& bench)
+void stallModbus(SimFixture& fixture)
 {
-    bench.poke(1, text("torque_switch"), 1);
-    stall(bench, 3000);
+    fixture.poke(1, text("torque_switch"), 1);
+    stall(fixture, 3000);
 }
 } // namespace
 
 void TestClearAlarm::modbusIsResetByRegister()
 {
-    SimBench bench({blocked("SMSMB", 200.0)}, {115'200});
-    stallModbus(bench);
-    QVERIFY(statusOf(bench) & 32);
-    auto servo = bench.servo(1, Protocol::Modbus);
-    const auto report = jobs::clearAlarm(bench.context(), servo, {});
+    SimFixture fixture({blocked("SMSMB", 200.0)}, {115'200});
+    stallModbus(fixture);
+    QVERIFY(statusOf(fixture) & 32);
+    auto servo = fixture.servo(1, Protocol::Modbus);
+    const auto report = jobs::clearAlarm(fixture.context(), servo, {});
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
-    QCOMPARE(report->before.next, Release::FaultReset);
-    QCOMPARE(report->before.resetBits, 1);
-    QVERIFY(report->acted && report->cleared());
-    bench.letTimePass(5s);
-    QCOMPARE(statusOf(bench) & modbusFaults, 0);
+    QCOMPARE(report->before.next, ClearMethod::FaultReset);
+    QCOMPARE(report->before.faultResetBits, 1);
+    QVERIFY(report->isExecuted && report->isCleared());
+    fixture.runFor(5s);
+    QCOMPARE(statusOf(fixture) & modbusFaults, 0);
 }
 
 /// A reset gives the full force back: it must not set out for its old goal.
-void TestClearAlarm::modbusHoldsWhereItIs()
+void TestClearAlarm::modbusHoldsItsPosition()
 {
-    SimBench bench({blocked("SMSMB", 200.0)}, {115'200});
-    stallModbus(bench);
+    SimFixture fixture({blocked("SMSMB", 200.0)}, {115'200});
+    stallModbus(fixture);
     // The jam is gone, and the goal still far away.
-    bench.withWire([](sim::VirtualBus& wire) { first(wire).load().stopHigh.reset(); });
-    auto servo = bench.servo(1, Protocol::Modbus);
-    const auto report = jobs::clearAlarm(bench.context(), servo, {});
-    QVERIFY(report && report->cleared());
-    const double atReset = shaft(bench);
-    bench.letTimePass(3s);
-    QVERIFY(std::abs(shaft(bench) - atReset) < 3.0);
+    fixture.withBus([](sim::VirtualBus& wire) { first(wire).load().stopHigh.reset(); });
+    auto servo = fixture.servo(1, Protocol::Modbus);
+    const auto report = jobs::clearAlarm(fixture.context(), servo, {});
+    QVERIFY(report && report->isCleared());
+    const double atReset = shaft(fixture);
+    fixture.runFor(3s);
+    QVERIFY(std::abs(shaft(fixture) - atReset) < 3.0);
 }
 
-void TestClearAlarm::modbusCauseThatLastsComesBack()
+void TestClearAlarm::modbusPersistentCauseReturns()
 {
-    SimBench bench(text("smsmb@1"), {115'200});
-    bench.withWire([](sim::VirtualBus& wire) { first(wire).setTemperature(95); });
-    bench.letTimePass(50ms);
-    auto servo = bench.servo(1, Protocol::Modbus);
-    const auto report = jobs::clearAlarm(bench.context(), servo, {});
+    SimFixture fixture(text("smsmb@1"), {115'200});
+    fixture.withBus([](sim::VirtualBus& wire) { first(wire).setTemperature(95); });
+    fixture.runFor(50ms);
+    auto servo = fixture.servo(1, Protocol::Modbus);
+    const auto report = jobs::clearAlarm(fixture.context(), servo, {});
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
-    QVERIFY(report->acted && !report->cleared());
+    QVERIFY(report->isExecuted && !report->isCleared());
     const jobs::Alarm& alarm = report->after.alarms.front();
     QCOMPARE(alarm.key, text("temperature"));
     QVERIFY(*alarm.value > *alarm.max);
@@ -397,28 +397,28 @@ void TestClearAlarm::modbusCauseThatLastsComesBack()
 
 void TestClearAlarm::sensorNeedsAPowerCycle()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.withWire([](sim::VirtualBus& wire) { first(wire).injectStatus(2); });
-    auto servo = bench.servo(1);
-    bench.forgetFrames();
-    const auto report = jobs::clearAlarm(bench.context(), servo, {});
-    QVERIFY(report && !report->acted && !report->cleared());
-    QCOMPARE(report->after.next, Release::PowerCycle);
-    QVERIFY(bench.onlyAsked());
+    SimFixture fixture(text("sts3215@1"));
+    fixture.withBus([](sim::VirtualBus& wire) { first(wire).injectStatus(2); });
+    auto servo = fixture.servo(1);
+    fixture.clearFrames();
+    const auto report = jobs::clearAlarm(fixture.context(), servo, {});
+    QVERIFY(report && !report->isExecuted && !report->isCleared());
+    QCOMPARE(report->after.next, ClearMethod::PowerCycle);
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 /// Response level 0: writes are not acknowledged, reading tells.
-void TestClearAlarm::levelZeroWorksToo()
+void TestClearAlarm::worksWithResponseLevelZero()
 {
-    SimBench bench({blocked("STS3215", 200.0)});
-    bench.poke(1, text("response_level"), 0);
-    stall(bench, 3000);
-    auto servo = bench.servo(1);
-    const auto plan = jobs::planAlarm(bench.context(), servo);
+    SimFixture fixture({blocked("STS3215", 200.0)});
+    fixture.poke(1, text("response_level"), 0);
+    stall(fixture, 3000);
+    auto servo = fixture.servo(1);
+    const auto plan = jobs::planClearAlarm(fixture.context(), servo);
     QVERIFY(plan);
-    const auto report = jobs::clearAlarm(bench.context(), servo, *plan);
+    const auto report = jobs::clearAlarm(fixture.context(), servo, *plan);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
-    QVERIFY(report->cleared());
+    QVERIFY(report->isCleared());
 }
 
 QTEST_GUILESS_MAIN(TestClearAlarm)

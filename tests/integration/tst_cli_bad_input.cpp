@@ -12,13 +12,13 @@
 #include <sys/resource.h>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using support::words;
 
 namespace {
-QString errorCode(const Ran& ran)
+QString errorCode(const ProgramResult& result)
 {
-    return ran.json()[QLatin1String("error")][QLatin1String("code")].toString();
+    return result.json()[QLatin1String("error")][QLatin1String("code")].toString();
 }
 
 void writeFile(const QString& path, const QByteArray& text)
@@ -29,7 +29,7 @@ void writeFile(const QString& path, const QByteArray& text)
     file.write(text);
 }
 /// As a used-up quota: there is room for a lock file of the port, but for no line of the journal.
-void leaveLittleRoom()
+void limitDiskSpace()
 {
     const rlimit little{256, 256};
     setrlimit(RLIMIT_FSIZE, &little);
@@ -44,21 +44,21 @@ private Q_SLOTS:
 
     void hostileArguments_data();
     void hostileArguments();
-    void slipsAreAnswered_data();
-    void slipsAreAnswered();
+    void typosAreAnswered_data();
+    void typosAreAnswered();
     void badPorts_data();
     void badPorts();
-    void withoutAPortTheChoiceIsShown();
+    void withoutAPortTheChoicesAreShown();
     void fullDiskEndsAWatch();
     void fullDiskForTheResult();
-    void goneReaderIsNoTrouble();
+    void aClosedPipeIsNoError();
     void withoutAJournalNothingIsWritten_data();
     void withoutAJournalNothingIsWritten();
     void badSnapshotFiles_data();
     void badSnapshotFiles();
-    void badModelFilesCostAWarning_data();
-    void badModelFilesCostAWarning();
-    void strangeLocaleSaysNothingOfItself();
+    void badModelFilesCauseAWarning_data();
+    void badModelFilesCauseAWarning();
+    void anUnknownLocaleIsSilent();
 };
 
 void TestCliBadInput::hostileArguments_data()
@@ -161,16 +161,16 @@ void TestCliBadInput::hostileArguments()
 {
     QFETCH(QStringList, arguments);
     CliProgram cli;
-    const Ran ran = cli.run(arguments);
-    QCOMPARE(ran.exit, 2);
-    QVERIFY(ran.out.isEmpty());
-    QVERIFY(!ran.err.trimmed().isEmpty());
-    QVERIFY2(!ran.err.contains(QStringLiteral("p0")), qPrintable(ran.err));
+    const ProgramResult result = cli.run(arguments);
+    QCOMPARE(result.exit, 2);
+    QVERIFY(result.out.isEmpty());
+    QVERIFY(!result.err.trimmed().isEmpty());
+    QVERIFY2(!result.err.contains(QStringLiteral("p0")), qPrintable(result.err));
     static const QRegularExpression control(QStringLiteral("[\\x00-\\x09\\x0b-\\x1f]"));
-    QVERIFY2(!ran.err.contains(control), "terminal control characters were echoed");
+    QVERIFY2(!result.err.contains(control), "terminal control characters were echoed");
 }
 
-void TestCliBadInput::slipsAreAnswered_data()
+void TestCliBadInput::typosAreAnswered_data()
 {
     QTest::addColumn<QString>("command");
     QTest::addColumn<QString>("said");
@@ -191,14 +191,14 @@ void TestCliBadInput::slipsAreAnswered_data()
     row("info 42", "--bauds all");
 }
 
-void TestCliBadInput::slipsAreAnswered()
+void TestCliBadInput::typosAreAnswered()
 {
     QFETCH(QString, command);
     QFETCH(QString, said);
     CliProgram cli;
-    const Ran ran = cli.run(qPrintable(command));
-    QVERIFY(ran.exit == 2 || ran.exit == 4);
-    QVERIFY2(ran.err.contains(said), qPrintable(ran.err));
+    const ProgramResult result = cli.run(qPrintable(command));
+    QVERIFY(result.exit == 2 || result.exit == 4);
+    QVERIFY2(result.err.contains(said), qPrintable(result.err));
 }
 
 void TestCliBadInput::badPorts_data()
@@ -228,27 +228,27 @@ void TestCliBadInput::badPorts()
     QFETCH(QString, code);
     CliProgram cli;
     cli.setPort(port);
-    const Ran ran = cli.json("info 1");
-    QCOMPARE(errorCode(ran), code);
-    QCOMPARE(ran.exit, exit);
+    const ProgramResult result = cli.json("info 1");
+    QCOMPARE(errorCode(result), code);
+    QCOMPARE(result.exit, exit);
 }
 
-void TestCliBadInput::withoutAPortTheChoiceIsShown()
+void TestCliBadInput::withoutAPortTheChoicesAreShown()
 {
     CliProgram cli;
     cli.setPort({});
-    const Ran ran = cli.run("info 1");
-    QCOMPARE(ran.exit, 2);
-    QVERIFY2(ran.err.contains(QStringLiteral("sim:demo")), qPrintable(ran.err));
+    const ProgramResult result = cli.run("info 1");
+    QCOMPARE(result.exit, 2);
+    QVERIFY2(result.err.contains(QStringLiteral("sim:demo")), qPrintable(result.err));
 }
 
 void TestCliBadInput::fullDiskEndsAWatch()
 {
     CliProgram cli;
-    const Ran ran = cli.run("watch 1 --csv /dev/full");
-    QCOMPARE(ran.exit, 5);
-    QVERIFY2(ran.err.contains(QStringLiteral("/dev/full")), qPrintable(ran.err));
-    const Ran json = cli.json("watch 1 --csv /dev/full");
+    const ProgramResult result = cli.run("watch 1 --csv /dev/full");
+    QCOMPARE(result.exit, 5);
+    QVERIFY2(result.err.contains(QStringLiteral("/dev/full")), qPrintable(result.err));
+    const ProgramResult json = cli.json("watch 1 --csv /dev/full");
     QCOMPARE(json.exit, 5);
     QCOMPARE(errorCode(json), QStringLiteral("disk-full"));
 }
@@ -257,21 +257,21 @@ void TestCliBadInput::fullDiskForTheResult()
 {
     CliProgram cli;
     cli.process().setStandardOutputFile(QStringLiteral("/dev/full"));
-    const Ran ran = cli.run("dump 1");
-    QCOMPARE(ran.exit, 5);
-    QVERIFY2(ran.err.contains(QStringLiteral("No space left")), qPrintable(ran.err));
+    const ProgramResult result = cli.run("dump 1");
+    QCOMPARE(result.exit, 5);
+    QVERIFY2(result.err.contains(QStringLiteral("No space left")), qPrintable(result.err));
 }
 
-void TestCliBadInput::goneReaderIsNoTrouble()
+void TestCliBadInput::aClosedPipeIsNoError()
 {
     CliProgram cli;
     QProcess head;
     cli.process().setStandardOutputProcess(&head);
     head.start(QStringLiteral("head"), {QStringLiteral("-n"), QStringLiteral("2")});
-    const Ran ran = cli.run("watch 1 --rate max");
+    const ProgramResult result = cli.run("watch 1 --rate max");
     QVERIFY(head.waitForFinished());
-    QCOMPARE(ran.exit, 5);
-    QVERIFY2(!ran.err.contains(QStringLiteral("could not be written")), qPrintable(ran.err));
+    QCOMPARE(result.exit, 5);
+    QVERIFY2(!result.err.contains(QStringLiteral("could not be written")), qPrintable(result.err));
 }
 
 void TestCliBadInput::withoutAJournalNothingIsWritten_data()
@@ -291,18 +291,18 @@ void TestCliBadInput::withoutAJournalNothingIsWritten()
     support::SimProgram sim(words("--servos sts3215@1"));
     cli.setPort(sim.port());
     if (full)
-        cli.process().setChildProcessModifier(leaveLittleRoom);
+        cli.process().setChildProcessModifier(limitDiskSpace);
     else
         cli.setEnvironment(QStringLiteral("SERVODESK_DATA_DIR"), folder);
-    const Ran ran = cli.json("write 1 max_temperature=60");
-    QCOMPARE(ran.exit, 5);
+    const ProgramResult result = cli.json("write 1 max_temperature=60");
+    QCOMPARE(result.exit, 5);
     // A quota is to Qt no full disk; what counts is that nothing was begun.
-    const QString code = errorCode(ran);
+    const QString code = errorCode(result);
     QVERIFY2(code.startsWith(QLatin1String("file-un")) ||
                  (full && code == QLatin1String("disk-full")),
              qPrintable(code));
     cli.process().setChildProcessModifier({});
-    const Ran after = cli.json("read 1 max_temperature lock");
+    const ProgramResult after = cli.json("read 1 max_temperature lock");
     QCOMPARE(after.exit, 0);
     QCOMPARE(after.json()[QLatin1String("registers")][0][QLatin1String("raw")].toInt(), 70);
     QCOMPARE(after.json()[QLatin1String("registers")][1][QLatin1String("raw")].toInt(), 1);
@@ -324,36 +324,36 @@ void TestCliBadInput::badSnapshotFiles()
     CliProgram cli;
     const QString path = cli.dataFolder() + QStringLiteral("/bad.servo.json");
     writeFile(path, content);
-    const Ran ran = cli.run(words("snapshot show --json") << path);
-    QCOMPARE(ran.exit, 5);
-    QCOMPARE(errorCode(ran), QStringLiteral("file-format"));
+    const ProgramResult result = cli.run(words("snapshot show --json") << path);
+    QCOMPARE(result.exit, 5);
+    QCOMPARE(errorCode(result), QStringLiteral("file-format"));
 }
 
-void TestCliBadInput::badModelFilesCostAWarning_data()
+void TestCliBadInput::badModelFilesCauseAWarning_data()
 {
     badSnapshotFiles_data();
     QTest::newRow("hostile row") << QByteArray(
         R"({"maps": [{"key": "sts-sms", "registers": [{"key": "x", "address": -5, "size": 900}]}]})");
 }
 
-void TestCliBadInput::badModelFilesCostAWarning()
+void TestCliBadInput::badModelFilesCauseAWarning()
 {
     QFETCH(QByteArray, content);
     CliProgram cli;
     writeFile(cli.dataFolder() + QStringLiteral("/config/servodesk/models/mine.json"), content);
-    const Ran ran = cli.run("info 1");
-    QCOMPARE(ran.exit, 0);
-    QVERIFY2(ran.err.contains(QStringLiteral("mine.json")), qPrintable(ran.err));
-    QVERIFY(ran.out.contains(QStringLiteral("STS3215")));
+    const ProgramResult result = cli.run("info 1");
+    QCOMPARE(result.exit, 0);
+    QVERIFY2(result.err.contains(QStringLiteral("mine.json")), qPrintable(result.err));
+    QVERIFY(result.out.contains(QStringLiteral("STS3215")));
 }
 
-void TestCliBadInput::strangeLocaleSaysNothingOfItself()
+void TestCliBadInput::anUnknownLocaleIsSilent()
 {
     CliProgram cli;
     cli.setEnvironment(QStringLiteral("LANG"), QStringLiteral("xx_YY.ISO-8859-1"));
-    const Ran ran = cli.run("read 5 id");
-    QCOMPARE(ran.exit, 0);
-    QVERIFY2(!ran.err.contains(QStringLiteral("locale")), qPrintable(ran.err));
+    const ProgramResult result = cli.run("read 5 id");
+    QCOMPARE(result.exit, 0);
+    QVERIFY2(!result.err.contains(QStringLiteral("locale")), qPrintable(result.err));
 }
 
 QTEST_GUILESS_MAIN(TestCliBadInput)

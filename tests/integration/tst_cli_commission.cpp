@@ -12,22 +12,23 @@
 
 using support::CliProgram;
 
-class tst_CliCommission : public QObject {
+class TestCliCommission : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void aBagIsSetUp()
+    void aBatchIsCommissioned()
     {
         CliProgram cli;
         cli.setPort(QStringLiteral("sim:line"));
         const QString csv = cli.dataFolder() + QStringLiteral("/batch.csv");
-        const auto ran = cli.run(support::words("commission --auto --first-id 5 --count 2 --json "
-                                                "--to-baud 500000 --batch")
-                                 << csv);
-        QCOMPARE(ran.exit, 0);
-        const QStringList lines = ran.out.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+        const auto result =
+            cli.run(support::words("commission --auto --first-id 5 --count 2 --json "
+                                   "--to-baud 500000 --batch")
+                    << csv);
+        QCOMPARE(result.exit, 0);
+        const QStringList lines = result.out.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), 2);
         for (int i = 0; i < 2; ++i) {
             const QJsonObject row = QJsonDocument::fromJson(lines[i].toUtf8()).object();
@@ -42,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(file.readAll().count('\n'), 3);
     }
 
-    void ctrlCEndsItAndItGoesOn()
+    void ctrlCEndsItAndItResumes()
     {
         CliProgram cli;
         cli.setPort(QStringLiteral("sim:line"));
@@ -61,7 +62,7 @@ private Q_SLOTS:
         QVERIFY(!again.out.contains(QStringLiteral("ID 5 ")));
     }
 
-    void whatItRefuses_data()
+    void refusedArguments_data()
     {
         QTest::addColumn<QString>("line");
         QTest::addColumn<int>("exit");
@@ -75,18 +76,18 @@ private Q_SLOTS:
         QTest::newRow("nowhere to keep it")
             << QStringLiteral("commission --auto --count 1 --batch /nowhere/b.csv") << 5;
     }
-    void whatItRefuses()
+    void refusedArguments()
     {
         QFETCH(QString, line);
         QFETCH(int, exit);
         CliProgram cli;
         cli.setPort(QStringLiteral("sim:line"));
-        const auto ran = cli.run(support::words(line.toLatin1().constData()));
-        QCOMPARE(ran.exit, exit);
-        QVERIFY(!ran.err.isEmpty());
-        QVERIFY(ran.out.isEmpty());
+        const auto result = cli.run(support::words(line.toLatin1().constData()));
+        QCOMPARE(result.exit, exit);
+        QVERIFY(!result.err.isEmpty());
+        QVERIFY(result.out.isEmpty());
     }
 };
 
-QTEST_GUILESS_MAIN(tst_CliCommission)
+QTEST_GUILESS_MAIN(TestCliCommission)
 #include "tst_cli_commission.moc"

@@ -17,7 +17,7 @@
 #include <unistd.h>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 
 namespace {
 QString text(const char* word)
@@ -26,16 +26,16 @@ QString text(const char* word)
 }
 
 /// The command on a bag of six, with somebody at the keys.
-class Keyboard {
+class InteractiveCommission {
 public:
-    Keyboard() { m_cli.setPort(text("sim:line")); }
+    InteractiveCommission() { m_cli.setPort(text("sim:line")); }
 
     QString csv() const { return m_cli.dataFolder() + text("/batch.csv"); }
     void start(const char* line) { m_cli.start(support::words(line) << text("--batch") << csv()); }
     /// What it asks; false: it has ended without.
-    bool asks(const char* question) { return m_cli.waitForRemark(question); }
+    bool asks(const char* question) { return m_cli.waitForError(question); }
     /// Before start(). Else the keys are a pipe.
-    void sitAtATerminal()
+    void attachTerminal()
     {
         m_terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
         grantpt(m_terminal);
@@ -53,7 +53,7 @@ public:
         else
             m_cli.process().write(keys);
     }
-    Ran finish() { return m_cli.finish(); }
+    ProgramResult finish() { return m_cli.finish(); }
 
     /// The rows that are on the disk by now.
     std::vector<record::CommissionRow> rows() const
@@ -64,7 +64,7 @@ public:
         return batch->rows;
     }
 
-    ~Keyboard()
+    ~InteractiveCommission()
     {
         if (m_terminal >= 0)
             close(m_terminal);
@@ -75,21 +75,21 @@ private:
     CliProgram m_cli;
 };
 
-const QByteArray pong = raw::bytes("FFFF010200FC"); // of ID 1, no alarm
+const QByteArray pingReply = raw::bytes("FFFF010200FC"); // of ID 1, no alarm
 
 /// A bag in a program of its own, and whoever listens on its wire.
-class Bag {
+class HotplugSimulator {
 public:
-    QString says() { return m_simulator.nextLine(); }
-    void tell(const char* line) { m_simulator.tell(line); }
+    QString readLine() { return m_simulator.nextLine(); }
+    void sendLine(const char* line) { m_simulator.sendLine(line); }
     void signal(int number) const { kill(static_cast<pid_t>(m_simulator.pid()), number); }
     /// Whoever is plugged in answers under the factory's ID, once it has started.
-    QByteArray ping() const { return m_client.askUntilAnswered("FFFF010201FB", pong.size()); }
+    QByteArray ping() const { return m_client.requestUntilReply("FFFF010201FB", pingReply.size()); }
     bool silent() const
     {
-        m_client.say(raw::bytes("FFFF010201FB"));
-        constexpr int hundredsOfRepliesMs = 100;
-        return !m_client.readable(hundredsOfRepliesMs);
+        m_client.send(raw::bytes("FFFF010201FB"));
+        constexpr int silenceMs = 100;
+        return !m_client.readable(silenceMs);
     }
     int end() { return m_simulator.end(); }
 
@@ -99,27 +99,27 @@ private:
 };
 } // namespace
 
-class TestCliCommissionAnswers : public QObject {
+class TestCliCommissionPrompts : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void enterSetsItUp();
-    void aSetsItAside();
-    void sSaysThatItIsTheOneLeftInTheMiddle_data();
-    void sSaysThatItIsTheOneLeftInTheMiddle();
-    void anythingElseIsNoYes();
-    void whatWasTypedBeforeTheQuestionIsNoAnswer();
-    void nobodyAtTheKeysEndsTheLine();
-    void theBagObeysLines();
-    void theBagObeysASignal();
-    void whatTheBagDoesNotUnderstandItSays();
+    void enterConfiguresIt();
+    void aRejectsIt();
+    void sConfirmsTheInterruptedServo_data();
+    void sConfirmsTheInterruptedServo();
+    void anythingElseIsNo();
+    void earlierInputIsNoAnswer();
+    void closedStdinEndsTheBatch();
+    void hotplugFollowsStdinCommands();
+    void hotplugFollowsASignal();
+    void unknownHotplugCommandsAreReported();
 };
 
-void TestCliCommissionAnswers::enterSetsItUp()
+void TestCliCommissionPrompts::enterConfiguresIt()
 {
-    Keyboard keys;
+    InteractiveCommission keys;
     keys.start("commission --first-id 5 --count 2");
     QVERIFY(keys.asks("gets ID 5."));
     QVERIFY(keys.rows().empty()); // not before somebody has said so
@@ -127,42 +127,42 @@ void TestCliCommissionAnswers::enterSetsItUp()
     QVERIFY(keys.asks("gets ID 6."));
     QCOMPARE(keys.rows().size(), std::size_t(1));
     keys.press("\n");
-    const Ran ran = keys.finish();
-    QVERIFY2(ran.exit == 0, qPrintable(ran.err));
+    const ProgramResult result = keys.finish();
+    QVERIFY2(result.exit == 0, qPrintable(result.err));
     const auto rows = keys.rows();
     QCOMPARE(rows.size(), std::size_t(2));
     for (int i = 0; i < 2; ++i) {
         QCOMPARE(rows[std::size_t(i)].verdict, record::CommissionVerdict::Good);
         QCOMPARE(rows[std::size_t(i)].newId, 5 + i);
-        QVERIFY(ran.out.contains(QStringLiteral("ID %1").arg(5 + i)));
+        QVERIFY(result.out.contains(QStringLiteral("ID %1").arg(5 + i)));
     }
 }
 
-void TestCliCommissionAnswers::aSetsItAside()
+void TestCliCommissionPrompts::aRejectsIt()
 {
-    Keyboard keys;
+    InteractiveCommission keys;
     keys.start("commission --first-id 5 --count 1");
     QVERIFY(keys.asks("a and Enter: set it aside"));
     keys.press("a\n");
     QVERIFY(keys.asks("Unplug it.\n"));
-    const auto aside = keys.rows();
-    QCOMPARE(aside.size(), std::size_t(1));
-    QCOMPARE(aside[0].verdict, record::CommissionVerdict::Aside);
-    QCOMPARE(aside[0].newId, -1);
-    QVERIFY2(aside[0].snapshot.isEmpty(), "nothing is written, so nothing is saved");
+    const auto rejected = keys.rows();
+    QCOMPARE(rejected.size(), std::size_t(1));
+    QCOMPARE(rejected[0].verdict, record::CommissionVerdict::Skipped);
+    QCOMPARE(rejected[0].newId, -1);
+    QVERIFY2(rejected[0].snapshot.isEmpty(), "nothing is written, so nothing is saved");
     // The ID waits for the next one.
     QVERIFY(keys.asks("Unplug it.\nConnect the next servo (it gets ID 5).\nSTS3215, ID 1 at"));
     keys.press("\n");
-    const Ran ran = keys.finish();
-    QCOMPARE(ran.exit, 1); // one was not set up
+    const ProgramResult result = keys.finish();
+    QCOMPARE(result.exit, 1); // one was not set up
     const auto rows = keys.rows();
     QCOMPARE(rows.size(), std::size_t(2));
     QCOMPARE(rows[1].verdict, record::CommissionVerdict::Good);
     QCOMPARE(rows[1].newId, 5);
-    QVERIFY(ran.err.contains(text("1 set up, 0 failed, 1 set aside; 0 unfinished")));
+    QVERIFY(result.err.contains(text("1 set up, 0 failed, 1 set aside; 0 unfinished")));
 }
 
-void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle_data()
+void TestCliCommissionPrompts::sConfirmsTheInterruptedServo_data()
 {
     QTest::addColumn<QByteArray>("way");
     QTest::addColumn<QByteArray>("answer");
@@ -175,14 +175,14 @@ void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle_data()
     }
 }
 
-void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle()
+void TestCliCommissionPrompts::sConfirmsTheInterruptedServo()
 {
     QFETCH(const QByteArray, way);
     QFETCH(const QByteArray, answer);
     QFETCH(const int, id);
     QFETCH(const int, unfinished);
     // Whoever comes first out of the bag, as this program meets it.
-    Keyboard first;
+    InteractiveCommission first;
     first.start("commission --first-id 5 --count 1");
     QVERIFY(first.asks("gets ID 5."));
     first.press("\n");
@@ -190,13 +190,13 @@ void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle()
     const record::CommissionRow met = first.rows().front();
 
     // One like it was to have ID 9 when the program was killed; nobody knows whether it has it.
-    Keyboard keys;
-    record::CommissionPending left;
+    InteractiveCommission keys;
+    record::PendingCommission left;
     left.at = met.at;
     left.servo = met.servo;
     left.oldBaud = left.newBaud = met.oldBaud;
     left.newId = 9;
-    left.idSent = true;
+    left.isIdSent = true;
     record::CommissionBatch batch;
     batch.pending = {left};
     QVERIFY(record::saveCommissionBatch(batch, keys.csv()));
@@ -204,9 +204,9 @@ void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle()
     keys.start(QByteArray("commission --first-id 5 --count 1" + way).constData());
     QVERIFY(keys.asks("it was to have ID 9. If this is that servo, press s and Enter"));
     keys.press(answer.constData());
-    const Ran ran = keys.finish();
-    QCOMPARE(ran.exit, unfinished);
-    QVERIFY2(ran.err.contains(text("any of these IDs: 1, 9")), qPrintable(ran.err));
+    const ProgramResult result = keys.finish();
+    QCOMPARE(result.exit, unfinished);
+    QVERIFY2(result.err.contains(text("any of these IDs: 1, 9")), qPrintable(result.err));
     const auto after = record::openCommissionBatch(keys.csv());
     QVERIFY(after);
     QCOMPARE(after->pending.size(), std::size_t(unfinished));
@@ -217,9 +217,9 @@ void TestCliCommissionAnswers::sSaysThatItIsTheOneLeftInTheMiddle()
     QCOMPARE(after->rows[0].newId, id);
 }
 
-void TestCliCommissionAnswers::anythingElseIsNoYes()
+void TestCliCommissionPrompts::anythingElseIsNo()
 {
-    Keyboard keys;
+    InteractiveCommission keys;
     keys.start("commission --first-id 5 --count 1");
     QVERIFY(keys.asks("gets ID 5."));
     keys.press("no\n");
@@ -231,10 +231,10 @@ void TestCliCommissionAnswers::anythingElseIsNoYes()
 }
 
 /// At a terminal: an Enter too many at the first servo does not set up the second one unseen.
-void TestCliCommissionAnswers::whatWasTypedBeforeTheQuestionIsNoAnswer()
+void TestCliCommissionPrompts::earlierInputIsNoAnswer()
 {
-    Keyboard keys;
-    keys.sitAtATerminal();
+    InteractiveCommission keys;
+    keys.attachTerminal();
     keys.start("commission --first-id 5 --count 2");
     QVERIFY(keys.asks("gets ID 5."));
     keys.press("\n\n\n");
@@ -244,78 +244,78 @@ void TestCliCommissionAnswers::whatWasTypedBeforeTheQuestionIsNoAnswer()
     QVERIFY(keys.asks("Unplug it.\n"));
     const auto rows = keys.rows();
     QCOMPARE(rows.size(), std::size_t(2));
-    QCOMPARE(rows[1].verdict, record::CommissionVerdict::Aside);
+    QCOMPARE(rows[1].verdict, record::CommissionVerdict::Skipped);
     keys.press("\x03"); // Ctrl-C
     QCOMPARE(keys.finish().exit, 1);
 }
 
-void TestCliCommissionAnswers::nobodyAtTheKeysEndsTheLine()
+void TestCliCommissionPrompts::closedStdinEndsTheBatch()
 {
-    Keyboard keys;
+    InteractiveCommission keys;
     keys.start("commission --first-id 5 --count 1");
     QVERIFY(keys.asks("gets ID 5."));
-    const Ran ran = keys.finish(); // the end of its standard input
-    QCOMPARE(ran.exit, 0);
+    const ProgramResult result = keys.finish(); // the end of its standard input
+    QCOMPARE(result.exit, 0);
     QVERIFY(keys.rows().empty());
-    QVERIFY(ran.err.contains(text("0 set up, 0 failed, 0 set aside; 0 unfinished")));
+    QVERIFY(result.err.contains(text("0 set up, 0 failed, 0 set aside; 0 unfinished")));
 }
 
-void TestCliCommissionAnswers::theBagObeysLines()
+void TestCliCommissionPrompts::hotplugFollowsStdinCommands()
 {
-    Bag bag;
+    HotplugSimulator bag;
     QVERIFY2(bag.silent(), "nobody is plugged in yet");
-    bag.tell("next");
-    const QString plugged = bag.says();
+    bag.sendLine("next");
+    const QString plugged = bag.readLine();
     QVERIFY2(plugged.startsWith(text("plugged: ")) && plugged.endsWith(text("(1 of 6)")),
              qPrintable(plugged));
-    QCOMPARE(bag.ping(), pong);
-    bag.tell("unplug");
-    QCOMPARE(bag.says(), text("unplugged"));
+    QCOMPARE(bag.ping(), pingReply);
+    bag.sendLine("unplug");
+    QCOMPARE(bag.readLine(), text("unplugged"));
     QVERIFY(bag.silent());
-    bag.tell("plug 3");
-    QVERIFY(bag.says().endsWith(text("(3 of 6)")));
-    QCOMPARE(bag.ping(), pong);
+    bag.sendLine("plug 3");
+    QVERIFY(bag.readLine().endsWith(text("(3 of 6)")));
+    QCOMPARE(bag.ping(), pingReply);
     // The next one of the bag takes its place; what has been out of it does not come again.
     for (const int place : {2, 4, 5, 6}) {
-        bag.tell("next");
-        QVERIFY(bag.says().endsWith(QStringLiteral("(%1 of 6)").arg(place)));
-        QCOMPARE(bag.ping(), pong);
+        bag.sendLine("next");
+        QVERIFY(bag.readLine().endsWith(QStringLiteral("(%1 of 6)").arg(place)));
+        QCOMPARE(bag.ping(), pingReply);
     }
-    bag.tell("next");
-    QCOMPARE(bag.says(), text("unplugged; the bag is empty"));
+    bag.sendLine("next");
+    QCOMPARE(bag.readLine(), text("unplugged; the bag is empty"));
     QVERIFY(bag.silent());
     QCOMPARE(bag.end(), 0);
 }
 
-void TestCliCommissionAnswers::theBagObeysASignal()
+void TestCliCommissionPrompts::hotplugFollowsASignal()
 {
-    Bag bag;
+    HotplugSimulator bag;
     for (int place = 1; place <= 6; ++place) {
         bag.signal(SIGUSR1);
-        const QString said = bag.says();
+        const QString said = bag.readLine();
         QVERIFY2(said.endsWith(QStringLiteral("(%1 of 6)").arg(place)), qPrintable(said));
-        QCOMPARE(bag.ping(), pong);
+        QCOMPARE(bag.ping(), pingReply);
     }
     bag.signal(SIGUSR1);
-    QCOMPARE(bag.says(), text("unplugged; the bag is empty"));
+    QCOMPARE(bag.readLine(), text("unplugged; the bag is empty"));
     QVERIFY(bag.silent());
     QCOMPARE(bag.end(), 0);
 }
 
-void TestCliCommissionAnswers::whatTheBagDoesNotUnderstandItSays()
+void TestCliCommissionPrompts::unknownHotplugCommandsAreReported()
 {
-    Bag bag;
+    HotplugSimulator bag;
     for (const char* line : {"plug", "plug 0", "plug 7", "plug one", "plug 1 2", "shake", "NEXT"}) {
-        bag.tell(line);
-        QCOMPARE(bag.says(), text("not understood: ") + text(line));
+        bag.sendLine(line);
+        QCOMPARE(bag.readLine(), text("not understood: ") + text(line));
     }
     QVERIFY(bag.silent());
     // An empty line is nothing.
-    bag.tell("");
-    bag.tell("next");
-    QVERIFY(bag.says().endsWith(text("(1 of 6)")));
-    QCOMPARE(bag.ping(), pong);
+    bag.sendLine("");
+    bag.sendLine("next");
+    QVERIFY(bag.readLine().endsWith(text("(1 of 6)")));
+    QCOMPARE(bag.ping(), pingReply);
 }
 
-QTEST_GUILESS_MAIN(TestCliCommissionAnswers)
+QTEST_GUILESS_MAIN(TestCliCommissionPrompts)
 #include "tst_cli_commission_answers.moc"

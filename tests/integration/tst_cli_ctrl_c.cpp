@@ -19,7 +19,7 @@
 using support::CliProgram;
 using support::InterruptPoint;
 using support::KillCable;
-using support::Ran;
+using support::ProgramResult;
 using support::words;
 
 namespace {
@@ -36,8 +36,8 @@ constexpr int lockAddress = 55;
 constexpr int presentPosition = 56;
 constexpr int movingFlag = 66;
 
-const QStringList patience{QStringLiteral("--timeout"), QStringLiteral("200")};
-constexpr int impatient = 6; ///< Ctrl-C at so many frames one after the other
+const QStringList timeout{QStringLiteral("--timeout"), QStringLiteral("200")};
+constexpr int repeatedInterrupts = 6; ///< Ctrl-C at so many frames one after the other
 
 struct CtrlC {
     explicit CtrlC(const char* servos)
@@ -49,14 +49,14 @@ struct CtrlC {
 
     QString file(const char* name) const { return folder.filePath(QLatin1String(name)); }
     /// Nothing is interrupted, so a busy machine that answers late must not matter.
-    Ran run(const char* line)
+    ProgramResult run(const char* line)
     {
-        cable.connectAnew();
-        return cli.run(words(line) + patience);
+        cable.resetConnection();
+        return cli.run(words(line) + timeout);
     }
-    Ran interrupted(const QStringList& line, const InterruptPoint& point)
+    ProgramResult interrupted(const QStringList& line, const InterruptPoint& point)
     {
-        cable.connectAnew();
+        cable.resetConnection();
         cli.start(line);
         cable.interruptAt(point, cli.process().processId());
         return cli.finish();
@@ -64,13 +64,13 @@ struct CtrlC {
     /// What the servo itself says, in bytes; -1: it does not answer.
     int at(int id, int address, int count = 1, speed_t rate = B1000000)
     {
-        cable.connectAnew();
+        cable.resetConnection();
         const raw::Client client(cable.port(), rate);
         QByteArray frame("\xFF\xFF");
         for (const int byte : {id, 4, 2, address, count})
             frame.append(char(byte));
         frame.append(char(~(id + 4 + 2 + address + count) & 0xFF));
-        const QByteArray reply = client.askUntilAnswered(frame.toHex().constData(), 6 + count);
+        const QByteArray reply = client.requestUntilReply(frame.toHex().constData(), 6 + count);
         if (reply.size() != 6 + count)
             return -1;
         int value = 0;
@@ -78,7 +78,7 @@ struct CtrlC {
             value = value * 256 + static_cast<unsigned char>(reply[5 + i]);
         return value;
     }
-    bool nothingIsOpen() const
+    bool hasNoOpenChanges() const
     {
         const record::HistoryJournal journal(cli.dataFolder() + QStringLiteral("/history.sqlite"),
                                              {});
@@ -98,10 +98,10 @@ QByteArray contents(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-void onceAndTwice(const char* name, int address, int skip)
+void addOnceAndTwice(const char* name, int address, int skip)
 {
     QTest::addRow("%s", name) << address << skip << 1;
-    QTest::addRow("%s, again and again", name) << address << skip << impatient;
+    QTest::addRow("%s, again and again", name) << address << skip << repeatedInterrupts;
 }
 } // namespace
 
@@ -113,8 +113,8 @@ private Q_SLOTS:
 
     void sweep_data();
     void sweep();
-    void sweepInABorrowedMode_data();
-    void sweepInABorrowedMode();
+    void sweepInATemporaryMode_data();
+    void sweepInATemporaryMode();
     void stepResponse_data();
     void stepResponse();
     void bundleRestore_data();
@@ -130,7 +130,7 @@ void TestCliCtrlC::sweep_data()
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
     QTest::addColumn<bool>("release");
-    for (const int times : {1, impatient}) {
+    for (const int times : {1, repeatedInterrupts}) {
         QTest::addRow("on the way to the start, hold, %d", times) << 0 << times << false;
         QTest::addRow("third goal, hold, %d", times) << 2 << times << false;
         QTest::addRow("third goal, release, %d", times) << 2 << times << true;
@@ -143,26 +143,26 @@ void TestCliCtrlC::sweep()
     QFETCH(int, skip);
     QFETCH(int, times);
     QFETCH(bool, release);
-    CtrlC bench("--servos sts3215@1");
+    CtrlC fixture("--servos sts3215@1");
     QStringList line = words("sweep 1 --from 1500 --to 2600 --delay 900 --cycles 50 --speed 900 "
                              "--report");
-    line << bench.file("r.json") << words(release ? "--release --json" : "--json");
-    const Ran ran = bench.interrupted(line, {goalAddress, skip, times});
-    QVERIFY(bench.cable.interrupted());
-    const QByteArray story = ran.out.toUtf8().left(400) + ran.err.toUtf8();
-    QVERIFY2(ran.exit == 1, story.constData());
+    line << fixture.file("r.json") << words(release ? "--release --json" : "--json");
+    const ProgramResult result = fixture.interrupted(line, {goalAddress, skip, times});
+    QVERIFY(fixture.cable.interrupted());
+    const QByteArray output = result.out.toUtf8().left(400) + result.err.toUtf8();
+    QVERIFY2(result.exit == 1, output.constData());
 
-    QCOMPARE(bench.at(1, torqueSwitch), release ? 0 : 1);
-    QCOMPARE(bench.at(1, lockAddress), 1);
-    QTRY_COMPARE(bench.at(1, movingFlag), 0); // it has braked
-    const int place = bench.at(1, presentPosition, 2);
+    QCOMPARE(fixture.at(1, torqueSwitch), release ? 0 : 1);
+    QCOMPARE(fixture.at(1, lockAddress), 1);
+    QTRY_COMPARE(fixture.at(1, movingFlag), 0); // it has braked
+    const int place = fixture.at(1, presentPosition, 2);
     for (const int goal : {1500, 2600})
         QVERIFY2(std::abs(place - goal) > 100, qPrintable(QString::number(place)));
     if (!release)
-        QVERIFY(std::abs(bench.at(1, goalAddress, 2) - place) < 40);
-    QVERIFY(bench.nothingIsOpen());
+        QVERIFY(std::abs(fixture.at(1, goalAddress, 2) - place) < 40);
+    QVERIFY(fixture.hasNoOpenChanges());
 
-    for (const QByteArray& document : {ran.out.toUtf8(), contents(bench.file("r.json"))}) {
+    for (const QByteArray& document : {result.out.toUtf8(), contents(fixture.file("r.json"))}) {
         const QJsonObject run = QJsonDocument::fromJson(document).object();
         QCOMPARE(run[QLatin1String("end")].toString(), QStringLiteral("stopped"));
         QVERIFY2(run[QLatin1String("verdict")].toString() != QLatin1String("pass"),
@@ -170,41 +170,42 @@ void TestCliCtrlC::sweep()
         QVERIFY(run.contains(QLatin1String("legs")));
         QVERIFY(run[QLatin1String("legs")].toArray().size() <= skip);
     }
-    QVERIFY(contents(bench.file("r.readings.csv")).count('\n') > 5);
+    QVERIFY(contents(fixture.file("r.readings.csv")).count('\n') > 5);
     // Kept for later, and no better there.
-    const Ran kept = bench.cli.json("sweep-runs");
+    const ProgramResult kept = fixture.cli.json("sweep-runs");
     QCOMPARE(kept.exit, 0);
     QVERIFY2(kept.out.contains(QLatin1String("stopped")), qPrintable(kept.out));
     QVERIFY2(!kept.out.contains(QLatin1String("\"pass\"")), qPrintable(kept.out));
 }
 
-void TestCliCtrlC::sweepInABorrowedMode_data()
+void TestCliCtrlC::sweepInATemporaryMode_data()
 {
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
-    onceAndTwice("while the mode is switched", modeAddress, 0);
-    onceAndTwice("while the servo moves", goalAddress, 3);
+    addOnceAndTwice("while the mode is switched", modeAddress, 0);
+    addOnceAndTwice("while the servo moves", goalAddress, 3);
 }
 
-void TestCliCtrlC::sweepInABorrowedMode()
+void TestCliCtrlC::sweepInATemporaryMode()
 {
     QFETCH(int, address);
     QFETCH(int, skip);
     QFETCH(int, times);
-    CtrlC bench("--servos sts3215@1");
-    QCOMPARE(bench.run("mode 1 speed").exit, 0);
-    const Ran ran = bench.interrupted(words("sweep 1 --from 1500 --to 2600 --delay 900 --cycles 50 "
-                                            "--speed 900 --switch-mode"),
-                                      {address, skip, times});
-    QVERIFY2(bench.cable.interrupted(), qPrintable(ran.out + ran.err));
-    QVERIFY2(ran.exit == 1, qPrintable(ran.out + ran.err));
-    QCOMPARE(bench.at(1, modeAddress), 1);
-    QCOMPARE(bench.at(1, torqueSwitch), 0); // the help: it then stands without torque
-    QCOMPARE(bench.at(1, lockAddress), 1);
-    QTRY_COMPARE(bench.at(1, movingFlag), 0);
-    QVERIFY(bench.nothingIsOpen());
-    QVERIFY2(!ran.out.contains(QLatin1String("Passed")), qPrintable(ran.out));
+    CtrlC fixture("--servos sts3215@1");
+    QCOMPARE(fixture.run("mode 1 speed").exit, 0);
+    const ProgramResult result =
+        fixture.interrupted(words("sweep 1 --from 1500 --to 2600 --delay 900 --cycles 50 "
+                                  "--speed 900 --switch-mode"),
+                            {address, skip, times});
+    QVERIFY2(fixture.cable.interrupted(), qPrintable(result.out + result.err));
+    QVERIFY2(result.exit == 1, qPrintable(result.out + result.err));
+    QCOMPARE(fixture.at(1, modeAddress), 1);
+    QCOMPARE(fixture.at(1, torqueSwitch), 0); // the help: it then stands without torque
+    QCOMPARE(fixture.at(1, lockAddress), 1);
+    QTRY_COMPARE(fixture.at(1, movingFlag), 0);
+    QVERIFY(fixture.hasNoOpenChanges());
+    QVERIFY2(!result.out.contains(QLatin1String("Passed")), qPrintable(result.out));
 }
 
 void TestCliCtrlC::stepResponse_data()
@@ -212,9 +213,9 @@ void TestCliCtrlC::stepResponse_data()
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
-    onceAndTwice("first run", goalFrame, 1);
-    onceAndTwice("values of the trial written", gainAddress, 0);
-    onceAndTwice("trial, on its way", goalFrame, 4);
+    addOnceAndTwice("first run", goalFrame, 1);
+    addOnceAndTwice("values of the trial written", gainAddress, 0);
+    addOnceAndTwice("trial, on its way", goalFrame, 4);
 }
 
 /// The gains are the servo's own again, and what was measured before is kept.
@@ -223,29 +224,29 @@ void TestCliCtrlC::stepResponse()
     QFETCH(int, address);
     QFETCH(int, skip);
     QFETCH(int, times);
-    CtrlC bench("--servos sts3215@1");
-    const int own = bench.at(1, gainAddress);
+    CtrlC fixture("--servos sts3215@1");
+    const int own = fixture.at(1, gainAddress);
     QStringList line = words("step-response 1 --size 300 --repeats 1 --hold 700 --json --try "
                              "position_p=20,position_d=10 --report");
-    line << bench.file("s.json");
-    const Ran ran = bench.interrupted(line, {address, skip, times});
-    const QByteArray story = ran.out.toUtf8().left(600) + ran.err.toUtf8();
-    QVERIFY2(bench.cable.interrupted(), story.constData());
-    QVERIFY2(ran.exit == 1, story.constData());
-    QCOMPARE(bench.at(1, gainAddress), own);
-    QCOMPARE(bench.at(1, gainAddress + 1), 32);
-    QCOMPARE(bench.at(1, lockAddress), 1);
-    QTRY_COMPARE(bench.at(1, movingFlag), 0);
-    QVERIFY(bench.nothingIsOpen());
-    const QJsonArray runs = ran.json()[QLatin1String("runs")].toArray();
-    QVERIFY2(!runs.isEmpty(), story.constData());
+    line << fixture.file("s.json");
+    const ProgramResult result = fixture.interrupted(line, {address, skip, times});
+    const QByteArray output = result.out.toUtf8().left(600) + result.err.toUtf8();
+    QVERIFY2(fixture.cable.interrupted(), output.constData());
+    QVERIFY2(result.exit == 1, output.constData());
+    QCOMPARE(fixture.at(1, gainAddress), own);
+    QCOMPARE(fixture.at(1, gainAddress + 1), 32);
+    QCOMPARE(fixture.at(1, lockAddress), 1);
+    QTRY_COMPARE(fixture.at(1, movingFlag), 0);
+    QVERIFY(fixture.hasNoOpenChanges());
+    const QJsonArray runs = result.json()[QLatin1String("runs")].toArray();
+    QVERIFY2(!runs.isEmpty(), output.constData());
     const bool inTrial = address == gainAddress || skip > 1;
     QCOMPARE(runs[0][QLatin1String("end")].toString(),
              inTrial ? QStringLiteral("finished") : QStringLiteral("stopped"));
-    QVERIFY(QFile::exists(bench.file("s.json")));
+    QVERIFY(QFile::exists(fixture.file("s.json")));
     // The values on trial were RAM's alone: a restart finds the same ones.
-    QCOMPARE(bench.run("reboot 1").exit, 0);
-    QCOMPARE(bench.at(1, gainAddress), own);
+    QCOMPARE(fixture.run("reboot 1").exit, 0);
+    QCOMPARE(fixture.at(1, gainAddress), own);
 }
 
 void TestCliCtrlC::bundleRestore_data()
@@ -253,10 +254,10 @@ void TestCliCtrlC::bundleRestore_data()
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
-    onceAndTwice("first servo, first row", maxTemperature, 0);
-    onceAndTwice("first servo, lock opened", lockAddress, 0);
-    onceAndTwice("first servo, lock being closed", lockAddress, 1);
-    onceAndTwice("second servo, first row", maxTemperature, 1);
+    addOnceAndTwice("first servo, first row", maxTemperature, 0);
+    addOnceAndTwice("first servo, lock opened", lockAddress, 0);
+    addOnceAndTwice("first servo, lock being closed", lockAddress, 1);
+    addOnceAndTwice("second servo, first row", maxTemperature, 1);
 }
 
 /// What is said of each row is what the servo holds, and no lock is open.
@@ -265,30 +266,30 @@ void TestCliCtrlC::bundleRestore()
     QFETCH(int, address);
     QFETCH(int, skip);
     QFETCH(int, times);
-    CtrlC bench("--servos sts3215@1,sts3215@2");
-    const QString file = bench.file("all.bundle.json");
-    QCOMPARE(bench.run(qPrintable(QStringLiteral("bundle save ") + file)).exit, 0);
+    CtrlC fixture("--servos sts3215@1,sts3215@2");
+    const QString file = fixture.file("all.bundle.json");
+    QCOMPARE(fixture.run(qPrintable(QStringLiteral("bundle save ") + file)).exit, 0);
     for (const char* line : {"write 1 max_temperature=60 position_p=20 position_d=10",
                              "write 2 max_temperature=61 position_p=21 position_d=11"})
-        QCOMPARE(bench.run(line).exit, 0);
-    const Ran ran =
-        bench.interrupted(words("bundle restore --json") << file, {address, skip, times});
-    const QByteArray story = ran.out.toUtf8() + ran.err.toUtf8();
-    QVERIFY2(bench.cable.interrupted(), story.constData());
-    QVERIFY2(ran.exit == 1, story.constData());
+        QCOMPARE(fixture.run(line).exit, 0);
+    const ProgramResult result =
+        fixture.interrupted(words("bundle restore --json") << file, {address, skip, times});
+    const QByteArray output = result.out.toUtf8() + result.err.toUtf8();
+    QVERIFY2(fixture.cable.interrupted(), output.constData());
+    QVERIFY2(result.exit == 1, output.constData());
     for (const int id : {1, 2}) {
-        QCOMPARE(bench.at(id, lockAddress), 1);
-        QCOMPARE(bench.at(id, torqueSwitch), 0);
+        QCOMPARE(fixture.at(id, lockAddress), 1);
+        QCOMPARE(fixture.at(id, torqueSwitch), 0);
     }
-    QVERIFY2(bench.nothingIsOpen(), story.constData());
-    const QJsonArray servos = ran.json()[QLatin1String("servos")].toArray();
+    QVERIFY2(fixture.hasNoOpenChanges(), output.constData());
+    const QJsonArray servos = result.json()[QLatin1String("servos")].toArray();
     QCOMPARE(servos.size(), 2);
     // What the report calls kept is there after a restart; the rest is as it was before.
     for (const int id : {1, 2}) {
         const QJsonObject one = servos[id - 1].toObject();
         const QJsonObject outcome = one[QLatin1String("outcome")].toObject();
         QVERIFY(one[QLatin1String("verdict")].toString() != QLatin1String("done") ||
-                bench.at(id, gainAddress) == 32);
+                fixture.at(id, gainAddress) == 32);
         const std::map<QString, std::pair<int, int>> changed{
             {QStringLiteral("max_temperature"), {maxTemperature, 59 + id}},
             {QStringLiteral("position_p"), {gainAddress, 19 + id}}};
@@ -299,14 +300,14 @@ void TestCliCtrlC::bundleRestore()
                     row[QLatin1String("outcome")].toString() == QLatin1String("kept"))
                     expected = row[QLatin1String("read_back")].toInt();
             }
-            QVERIFY2(bench.at(id, where.first) == expected, story.constData());
+            QVERIFY2(fixture.at(id, where.first) == expected, output.constData());
         }
     }
     // The same again finishes it.
-    const Ran again = bench.run(qPrintable(QStringLiteral("bundle restore ") + file));
+    const ProgramResult again = fixture.run(qPrintable(QStringLiteral("bundle restore ") + file));
     QVERIFY2(again.exit == 0, qPrintable(again.out + again.err));
-    QCOMPARE(bench.at(1, gainAddress), 32);
-    QCOMPARE(bench.at(2, gainAddress), 32);
+    QCOMPARE(fixture.at(1, gainAddress), 32);
+    QCOMPARE(fixture.at(2, gainAddress), 32);
 }
 
 void TestCliCtrlC::commission_data()
@@ -314,10 +315,10 @@ void TestCliCtrlC::commission_data()
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("skip");
     QTest::addColumn<int>("times");
-    onceAndTwice("template", gainAddress, 0);
-    onceAndTwice("lock opened", lockAddress, 0);
-    onceAndTwice("ID", idAddress, 0);
-    onceAndTwice("rate", rateAddress, 0);
+    addOnceAndTwice("template", gainAddress, 0);
+    addOnceAndTwice("lock opened", lockAddress, 0);
+    addOnceAndTwice("ID", idAddress, 0);
+    addOnceAndTwice("rate", rateAddress, 0);
 }
 
 /// The servo is in the batch as unfinished or set up, never as something else; the same line again
@@ -327,45 +328,45 @@ void TestCliCtrlC::commission()
     QFETCH(int, address);
     QFETCH(int, skip);
     QFETCH(int, times);
-    CtrlC bench("--preset line");
+    CtrlC fixture("--preset line");
     QVERIFY(record::saveSnapshot(
         support::templateOf("sts3215", {{"position_p", 24}, {"max_temperature", 65}}),
-        bench.file("t.servo.json")));
+        fixture.file("t.servo.json")));
     const QStringList line = words("commission --auto --first-id 11 --count 1 --to-baud 500000 "
                                    "--template")
-                             << bench.file("t.servo.json") << QStringLiteral("--batch")
-                             << bench.file("b.csv");
-    bench.sim.tell("next");
-    (void)bench.sim.nextLine();
-    const Ran ran = bench.interrupted(line, {address, skip, times});
-    const QByteArray story = ran.out.toUtf8() + ran.err.toUtf8();
-    QVERIFY2(bench.cable.interrupted(), story.constData());
-    QVERIFY2(ran.exit == 1, story.constData());
-    auto batch = record::openCommissionBatch(bench.file("b.csv"));
+                             << fixture.file("t.servo.json") << QStringLiteral("--batch")
+                             << fixture.file("b.csv");
+    fixture.sim.sendLine("next");
+    (void)fixture.sim.nextLine();
+    const ProgramResult result = fixture.interrupted(line, {address, skip, times});
+    const QByteArray output = result.out.toUtf8() + result.err.toUtf8();
+    QVERIFY2(fixture.cable.interrupted(), output.constData());
+    QVERIFY2(result.exit == 1, output.constData());
+    auto batch = record::openCommissionBatch(fixture.file("b.csv"));
     QVERIFY(batch);
-    QVERIFY2(batch->rows.empty(), story.constData());
+    QVERIFY2(batch->rows.empty(), output.constData());
     QCOMPARE(batch->pending.size(), std::size_t{1});
-    QVERIFY2(bench.nothingIsOpen(), story.constData());
-    QVERIFY2(ran.err.contains(QLatin1String("1 unfinished")), story.constData());
-    QVERIFY2(!ran.err.contains(QLatin1String("\"recover\" shows")), story.constData());
+    QVERIFY2(fixture.hasNoOpenChanges(), output.constData());
+    QVERIFY2(result.err.contains(QLatin1String("1 unfinished")), output.constData());
+    QVERIFY2(!result.err.contains(QLatin1String("\"recover\" shows")), output.constData());
 
     const bool atRate = address == rateAddress;
     const bool atId = atRate || address == idAddress;
     const speed_t rate = atRate ? B500000 : B1000000;
-    QCOMPARE(bench.at(atId ? 11 : 1, lockAddress, 1, rate), 1);
-    QCOMPARE(bench.at(atId ? 11 : 1, torqueSwitch, 1, rate), 0);
+    QCOMPARE(fixture.at(atId ? 11 : 1, lockAddress, 1, rate), 1);
+    QCOMPARE(fixture.at(atId ? 11 : 1, torqueSwitch, 1, rate), 0);
 
-    bench.cable.connectAnew();
-    bench.cli.start(line + patience);
+    fixture.cable.resetConnection();
+    fixture.cli.start(line + timeout);
     // Its lock is closed, so that nothing proves that it is the same one.
-    QVERIFY(bench.cli.waitForRemark("Go on only if this is that servo"));
-    bench.cli.process().write("\n");
-    QVERIFY(bench.cli.waitForRemark("Unplug"));
-    bench.sim.tell("unplug");
-    (void)bench.sim.nextLine();
-    const Ran again = bench.cli.finish();
+    QVERIFY(fixture.cli.waitForError("Go on only if this is that servo"));
+    fixture.cli.process().write("\n");
+    QVERIFY(fixture.cli.waitForError("Unplug"));
+    fixture.sim.sendLine("unplug");
+    (void)fixture.sim.nextLine();
+    const ProgramResult again = fixture.cli.finish();
     QVERIFY2(again.exit == 0, qPrintable(again.out + again.err));
-    batch = record::openCommissionBatch(bench.file("b.csv"));
+    batch = record::openCommissionBatch(fixture.file("b.csv"));
     QVERIFY(batch && batch->rows.size() == 1 && batch->pending.empty());
     QCOMPARE(batch->rows.front().newId, 11);
 }
@@ -394,18 +395,18 @@ void TestCliCtrlC::onASlowAdapter()
     QFETCH(QString, line);
     QFETCH(int, address);
     QFETCH(int, skip);
-    CtrlC bench("--servos sts3215@1 --latency-ms 150");
-    const Ran ran = bench.interrupted(line.split(u' '), {address, skip, 1});
-    const QByteArray story = ran.out.toUtf8() + ran.err.toUtf8();
-    QVERIFY2(bench.cable.interrupted(), story.constData());
+    CtrlC fixture("--servos sts3215@1 --latency-ms 150");
+    const ProgramResult result = fixture.interrupted(line.split(u' '), {address, skip, 1});
+    const QByteArray output = result.out.toUtf8() + result.err.toUtf8();
+    QVERIFY2(fixture.cable.interrupted(), output.constData());
     // A change that was all but over may as well be done.
-    QVERIFY2(ran.exit == 1 || (ran.exit == 0 && address != goalAddress), story.constData());
-    const int id = address == idAddress && bench.at(9, idAddress) == 9 ? 9 : 1;
-    QCOMPARE(bench.at(id, lockAddress), 1);
-    QCOMPARE(bench.at(id, torqueSwitch), 0);
-    QVERIFY2(bench.nothingIsOpen(), story.constData());
-    QVERIFY2(ran.exit == 1 || address != idAddress || id == 9, story.constData());
-    QTRY_COMPARE(bench.at(id, movingFlag), 0);
+    QVERIFY2(result.exit == 1 || (result.exit == 0 && address != goalAddress), output.constData());
+    const int id = address == idAddress && fixture.at(9, idAddress) == 9 ? 9 : 1;
+    QCOMPARE(fixture.at(id, lockAddress), 1);
+    QCOMPARE(fixture.at(id, torqueSwitch), 0);
+    QVERIFY2(fixture.hasNoOpenChanges(), output.constData());
+    QVERIFY2(result.exit == 1 || address != idAddress || id == 9, output.constData());
+    QTRY_COMPARE(fixture.at(id, movingFlag), 0);
 }
 
 QTEST_GUILESS_MAIN(TestCliCtrlC)

@@ -15,11 +15,11 @@
 
 using support::CliProgram;
 using support::FloodCable;
-using support::Ran;
+using support::ProgramResult;
 using support::SimProgram;
 using support::words;
 
-Q_DECLARE_METATYPE(FloodCable::Front)
+Q_DECLARE_METATYPE(FloodCable::Endpoint)
 
 namespace {
 constexpr double megabyte = 1e6;
@@ -30,9 +30,9 @@ QByteArray frames()
 }
 
 /// WRITE of the goal position.
-const QByteArray firstGoal = QByteArray::fromHex("032A");
+const QByteArray goalWriteBytes = QByteArray::fromHex("032A");
 
-const QString neverSilent = QStringLiteral("never falls silent");
+const QString neverSilentText = QStringLiteral("never falls silent");
 
 /// The most memory the program has had, in KiB.
 int peakMemory(qint64 pid)
@@ -54,27 +54,27 @@ class TestCliFlood : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void everyCommandEndsWithTheCause_data();
-    void everyCommandEndsWithTheCause();
+    void everyCommandReportsTheCause_data();
+    void everyCommandReportsTheCause();
     void aSlowStreamIsNoise();
-    void ctrlCEndsAWriteAndTheLockIsClosed_data();
-    void ctrlCEndsAWriteAndTheLockIsClosed();
+    void ctrlCEndsAWriteAndClosesTheLock_data();
+    void ctrlCEndsAWriteAndClosesTheLock();
     void torqueGoesOffInAFlood_data();
     void torqueGoesOffInAFlood();
     void aFloodDuringASweepLeavesTorqueOff();
-    void aTestThatIsFloodedNamesTheCause_data();
-    void aTestThatIsFloodedNamesTheCause();
+    void aFloodedTestReportsTheCause_data();
+    void aFloodedTestReportsTheCause();
     void watchEndsByItselfInFlatMemory();
-    void aScanTellsServosFromTheFlood();
+    void aScanDistinguishesServosFromTheFlood();
 };
 
-void TestCliFlood::everyCommandEndsWithTheCause_data()
+void TestCliFlood::everyCommandReportsTheCause_data()
 {
-    QTest::addColumn<FloodCable::Front>("front");
+    QTest::addColumn<FloodCable::Endpoint>("front");
     QTest::addColumn<QByteArray>("unit");
     QTest::addColumn<QString>("line");
-    const std::pair<const char*, FloodCable::Front> fronts[] = {
-        {"terminal", FloodCable::Front::Terminal}, {"TCP", FloodCable::Front::Tcp}};
+    const std::pair<const char*, FloodCable::Endpoint> fronts[] = {
+        {"terminal", FloodCable::Endpoint::Terminal}, {"TCP", FloodCable::Endpoint::Tcp}};
     for (const auto& [name, front] : fronts) {
         for (const char* line :
              {"scan", "read 1 id", "write 1 max_temperature=60", "torque 1 on", "watch 1",
@@ -89,34 +89,35 @@ void TestCliFlood::everyCommandEndsWithTheCause_data()
     }
 }
 
-void TestCliFlood::everyCommandEndsWithTheCause()
+void TestCliFlood::everyCommandReportsTheCause()
 {
-    QFETCH(const FloodCable::Front, front);
+    QFETCH(const FloodCable::Endpoint, front);
     QFETCH(const QByteArray, unit);
     QFETCH(const QString, line);
     FloodCable cable(front, {});
     CliProgram cli;
     cli.setPort(cable.port());
     cable.flood(unit, megabyte);
-    const Ran ran = cli.run(words(qPrintable(QString(line).replace(u'@', cli.dataFolder()))));
-    QVERIFY2(ran.err.contains(neverSilent), qPrintable(ran.out + ran.err));
-    QCOMPARE(ran.exit, 4);
-    QVERIFY2(!ran.out.contains(QStringLiteral("Found on")), qPrintable(ran.out));
+    const ProgramResult result =
+        cli.run(words(qPrintable(QString(line).replace(u'@', cli.dataFolder()))));
+    QVERIFY2(result.err.contains(neverSilentText), qPrintable(result.out + result.err));
+    QCOMPARE(result.exit, 4);
+    QVERIFY2(!result.out.contains(QStringLiteral("Found on")), qPrintable(result.out));
 }
 
 void TestCliFlood::aSlowStreamIsNoise()
 {
-    FloodCable cable(FloodCable::Front::Terminal, {});
+    FloodCable cable(FloodCable::Endpoint::Terminal, {});
     CliProgram cli;
     cli.setPort(cable.port());
     cable.flood(QByteArray(1, 'U'), 1000);
-    const Ran ran = cli.run("read 1 id");
-    QVERIFY2(ran.err.contains(QStringLiteral("nothing readable came")),
-             qPrintable(ran.out + ran.err));
-    QCOMPARE(ran.exit, 4);
+    const ProgramResult result = cli.run("read 1 id");
+    QVERIFY2(result.err.contains(QStringLiteral("nothing readable came")),
+             qPrintable(result.out + result.err));
+    QCOMPARE(result.exit, 4);
 }
 
-void TestCliFlood::ctrlCEndsAWriteAndTheLockIsClosed_data()
+void TestCliFlood::ctrlCEndsAWriteAndClosesTheLock_data()
 {
     QTest::addColumn<QByteArray>("unit");
     QTest::addColumn<double>("rate");
@@ -125,16 +126,16 @@ void TestCliFlood::ctrlCEndsAWriteAndTheLockIsClosed_data()
     QTest::newRow("a byte each millisecond") << QByteArray(1, 'U') << 1000.0;
 }
 
-void TestCliFlood::ctrlCEndsAWriteAndTheLockIsClosed()
+void TestCliFlood::ctrlCEndsAWriteAndClosesTheLock()
 {
     QFETCH(const QByteArray, unit);
     QFETCH(const double, rate);
     SimProgram sim(words("--servos sts3215@1"));
-    FloodCable cable(FloodCable::Front::Terminal, sim.port());
+    FloodCable cable(FloodCable::Endpoint::Terminal, sim.port());
     CliProgram cli;
     cli.setPort(cable.port());
     // WRITE 55 := 0: from here on the lock is open.
-    cable.floodAt(QByteArray::fromHex("033700"), unit, rate);
+    cable.floodOnFrame(QByteArray::fromHex("033700"), unit, rate);
     cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 speed_p=20 "
                     "overload_torque=70 --json"));
     QTRY_VERIFY_WITH_TIMEOUT(cable.flooding() || cli.process().state() == QProcess::NotRunning,
@@ -142,13 +143,13 @@ void TestCliFlood::ctrlCEndsAWriteAndTheLockIsClosed()
     QElapsedTimer timer;
     timer.start();
     cli.signal(SIGINT);
-    const Ran ran = cli.finish();
+    const ProgramResult result = cli.finish();
     // 500 ms are promised; tests share the processor.
     QVERIFY2(timer.elapsed() < 2000, qPrintable(QString::number(timer.elapsed())));
-    QVERIFY2(ran.exit > 0, qPrintable(ran.out + ran.err));
+    QVERIFY2(result.exit > 0, qPrintable(result.out + result.err));
     cable.flood({}, 0);
     // What the program said on the wire has reached the servo: its lock is closed.
-    const Ran after = cli.json("read 1 lock");
+    const ProgramResult after = cli.json("read 1 lock");
     QCOMPARE(after.json()[QLatin1String("registers")][0][QLatin1String("raw")].toInt(-1), 1);
     QCOMPARE(cli.run("recover --undo").exit, 0);
     QVERIFY(cli.json("recover").json()[QLatin1String("intents")].toArray().isEmpty());
@@ -166,68 +167,69 @@ void TestCliFlood::torqueGoesOffInAFlood()
 {
     QFETCH(const QString, line);
     SimProgram sim(words("--servos sts3215@1"));
-    FloodCable cable(FloodCable::Front::Terminal, sim.port());
+    FloodCable cable(FloodCable::Endpoint::Terminal, sim.port());
     CliProgram cli;
     cli.setPort(cable.port());
     QCOMPARE(cli.run("torque 1 on").exit, 0);
     cable.flood(frames(), megabyte);
-    const Ran ran = cli.run(words(qPrintable(line)));
-    QVERIFY2(ran.err.contains(QStringLiteral("Torque off was sent")),
-             qPrintable(ran.out + ran.err));
-    QVERIFY(ran.exit != 0);
+    const ProgramResult result = cli.run(words(qPrintable(line)));
+    QVERIFY2(result.err.contains(QStringLiteral("Torque off was sent")),
+             qPrintable(result.out + result.err));
+    QVERIFY(result.exit != 0);
     cable.flood({}, 0);
-    const Ran after = cli.json("read 1 torque_switch");
+    const ProgramResult after = cli.json("read 1 torque_switch");
     QCOMPARE(after.json()[QLatin1String("registers")][0][QLatin1String("raw")].toInt(-1), 0);
 }
 
 void TestCliFlood::aFloodDuringASweepLeavesTorqueOff()
 {
     SimProgram sim(words("--servos sts3215@1"));
-    FloodCable cable(FloodCable::Front::Terminal, sim.port());
+    FloodCable cable(FloodCable::Endpoint::Terminal, sim.port());
     CliProgram cli;
     cli.setPort(cable.port());
-    cable.floodAt(firstGoal, frames(), megabyte);
+    cable.floodOnFrame(goalWriteBytes, frames(), megabyte);
     cli.start(words("sweep 1 --from 1000 --to 3000 --delay 800 --cycles 50 --release"));
     QTRY_VERIFY_WITH_TIMEOUT(cable.flooding(), 60'000);
     cli.signal(SIGINT);
-    const Ran ran = cli.finish();
-    QVERIFY2(ran.exit > 0, qPrintable(ran.out + ran.err));
+    const ProgramResult result = cli.finish();
+    QVERIFY2(result.exit > 0, qPrintable(result.out + result.err));
     cable.flood({}, 0);
-    const Ran after = cli.json("read 1 torque_switch");
+    const ProgramResult after = cli.json("read 1 torque_switch");
     QCOMPARE(after.json()[QLatin1String("registers")][0][QLatin1String("raw")].toInt(-1), 0);
 }
 
-void TestCliFlood::aTestThatIsFloodedNamesTheCause_data()
+void TestCliFlood::aFloodedTestReportsTheCause_data()
 {
     QTest::addColumn<QString>("line");
     QTest::addColumn<QByteArray>("trigger");
     QTest::newRow("sweep") << QStringLiteral(
                                   "sweep 1 --from 1000 --to 3000 --delay 800 --cycles 50")
-                           << firstGoal;
+                           << goalWriteBytes;
     QTest::newRow("step response")
         << QStringLiteral("step-response 1 --size 300") << QByteArray::fromHex("0329");
 }
 
 /// Not only that the servos cannot be heard any more: the plug is in.
-void TestCliFlood::aTestThatIsFloodedNamesTheCause()
+void TestCliFlood::aFloodedTestReportsTheCause()
 {
     QFETCH(const QString, line);
     QFETCH(const QByteArray, trigger);
     SimProgram sim(words("--servos sts3215@1"));
-    FloodCable cable(FloodCable::Front::Terminal, sim.port());
+    FloodCable cable(FloodCable::Endpoint::Terminal, sim.port());
     CliProgram cli;
     cli.setPort(cable.port());
-    cable.floodAt(trigger, frames(), megabyte);
-    const Ran ran = cli.run(words(qPrintable(line)));
+    cable.floodOnFrame(trigger, frames(), megabyte);
+    const ProgramResult result = cli.run(words(qPrintable(line)));
     QVERIFY(cable.flooding());
-    QVERIFY2(ran.err.contains(neverSilent), qPrintable(ran.out + ran.err));
-    QVERIFY2(ran.exit > 0 && !ran.out.contains(QStringLiteral("Passed")), qPrintable(ran.out));
+    QVERIFY2(result.err.contains(neverSilentText), qPrintable(result.out + result.err));
+    QVERIFY2(result.exit > 0 && !result.out.contains(QStringLiteral("Passed")),
+             qPrintable(result.out));
 }
 
 void TestCliFlood::watchEndsByItselfInFlatMemory()
 {
     SimProgram sim(words("--servos sts3215@1"));
-    FloodCable cable(FloodCable::Front::Tcp, sim.port());
+    FloodCable cable(FloodCable::Endpoint::Tcp, sim.port());
     CliProgram cli;
     cli.setPort(cable.port());
     // The address sanitizer keeps what is freed, up to 256 MB; that is no memory of the program.
@@ -240,32 +242,32 @@ void TestCliFlood::watchEndsByItselfInFlatMemory()
     int during = before;
     while (!cli.process().waitForFinished(100))
         during = std::max(during, peakMemory(cli.process().processId()));
-    const Ran ran = cli.finish();
-    QCOMPARE(ran.exit, 4);
-    QVERIFY2(ran.err.contains(neverSilent), qPrintable(ran.out + ran.err));
+    const ProgramResult result = cli.finish();
+    QCOMPARE(result.exit, 4);
+    QVERIFY2(result.err.contains(neverSilentText), qPrintable(result.out + result.err));
     constexpr int buffers = 8 * 1024; // KiB: what a line, its trace and its strays may take
     qInfo("peak %d KiB before the flood, %d KiB in it", before, during);
     QVERIFY2(before > 0 && during < before + buffers, qPrintable(QString::number(during)));
 }
 
-void TestCliFlood::aScanTellsServosFromTheFlood()
+void TestCliFlood::aScanDistinguishesServosFromTheFlood()
 {
     SimProgram sim(words("--servos sts3215@1,sts3215@7"));
-    FloodCable cable(FloodCable::Front::Terminal, sim.port());
+    FloodCable cable(FloodCable::Endpoint::Terminal, sim.port());
     CliProgram cli;
     cli.setPort(cable.port());
     // Noise that leaves room: what answers is found, and the noise is named.
     cable.flood(QByteArray(1, 'U'), 1000);
-    const Ran ran = cli.json("scan --ids 0-20 --slow");
-    const QJsonArray found = ran.json()[QLatin1String("found")].toArray();
+    const ProgramResult result = cli.json("scan --ids 0-20 --slow");
+    const QJsonArray found = result.json()[QLatin1String("found")].toArray();
     QCOMPARE(found.size(), 2);
     QCOMPARE(found[0][QLatin1String("id")].toInt(), 1);
     QCOMPARE(found[1][QLatin1String("id")].toInt(), 7);
     // Packets of a servo that is not there are not taken for answers.
     cable.flood(frames(), megabyte);
-    const Ran busy = cli.run("scan --ids 0-20");
+    const ProgramResult busy = cli.run("scan --ids 0-20");
     QCOMPARE(busy.exit, 4);
-    QVERIFY2(busy.err.contains(neverSilent), qPrintable(busy.out + busy.err));
+    QVERIFY2(busy.err.contains(neverSilentText), qPrintable(busy.out + busy.err));
 }
 
 QTEST_GUILESS_MAIN(TestCliFlood)

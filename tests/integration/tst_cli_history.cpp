@@ -14,7 +14,7 @@
 #include <csignal>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using support::SimProgram;
 using support::words;
 
@@ -35,15 +35,16 @@ bool markAsUndo(const CliProgram& cli, const char* key)
                         {text("undo"), text(key)});
 }
 
-QStringList savedTables(const CliProgram& cli)
+QStringList savedSnapshots(const CliProgram& cli)
 {
     return QDir(cli.dataFolder() + text("/snapshots")).entryList({text("*.servo.json")});
 }
 
 QJsonArray rows(CliProgram& cli, const char* kind, const char* more = "")
 {
-    const Ran ran = cli.run(words("history --json --kind") << text(kind) << words(more));
-    return ran.json()[text(kind)].toArray();
+    const ProgramResult result =
+        cli.run(words("history --json --kind") << text(kind) << words(more));
+    return result.json()[text(kind)].toArray();
 }
 } // namespace
 
@@ -53,23 +54,23 @@ class TestCliHistory : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void whoeverWritesSavesFirst_data();
-    void whoeverWritesSavesFirst();
-    void whoeverOnlyLooksSavesNothing_data();
-    void whoeverOnlyLooksSavesNothing();
-    void whoeverSettlesSavesFirst();
-    void anAlarmIsNoReasonNotToSave();
-    void alarmsSeenWhileWatchingAreKept();
-    void whatCannotBeSavedIsNotWritten();
-    void listedLabelledAndTakenOut();
-    void whatIsSavedIsKeptToo();
-    void exported();
-    void lookingMakesNoHistory();
-    void mistakesAreNamed_data();
-    void mistakesAreNamed();
+    void writingCommandsSaveASnapshotFirst_data();
+    void writingCommandsSaveASnapshotFirst();
+    void readingCommandsSaveNothing_data();
+    void readingCommandsSaveNothing();
+    void recoveryCommandsSaveASnapshotFirst();
+    void anAlarmDoesNotPreventSaving();
+    void alarmsSeenWhileWatchingAreRecorded();
+    void noWriteWithoutASnapshot();
+    void listLabelAndExtract();
+    void savedFilesAreInTheHistoryToo();
+    void exports();
+    void readingCreatesNoHistory();
+    void usageErrorsAreReported_data();
+    void usageErrorsAreReported();
 };
 
-void TestCliHistory::whoeverWritesSavesFirst_data()
+void TestCliHistory::writingCommandsSaveASnapshotFirst_data()
 {
     QTest::addColumn<QString>("line");
     for (const char* line :
@@ -78,28 +79,28 @@ void TestCliHistory::whoeverWritesSavesFirst_data()
         QTest::newRow(line) << text(line);
 }
 
-void TestCliHistory::whoeverWritesSavesFirst()
+void TestCliHistory::writingCommandsSaveASnapshotFirst()
 {
     QFETCH(const QString, line);
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
-    const Ran ran = cli.run(line.split(QLatin1Char(' ')) << text("--json"));
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
-    const QString place = ran.json()[text("snapshot")].toString();
-    QVERIFY2(QFile::exists(place), qPrintable(ran.out));
-    QCOMPARE(savedTables(cli).size(), 1);
+    const ProgramResult result = cli.run(line.split(QLatin1Char(' ')) << text("--json"));
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+    const QString place = result.json()[text("snapshot")].toString();
+    QVERIFY2(QFile::exists(place), qPrintable(result.out));
+    QCOMPARE(savedSnapshots(cli).size(), 1);
     const QJsonArray kept = rows(cli, "snapshots");
     QCOMPARE(kept.size(), 1);
     QCOMPARE(kept[0][text("file")].toString(), place);
     QCOMPARE(kept[0][text("reason")].toString(), text("automatic"));
     QVERIFY(!rows(cli, "writes").isEmpty());
 
-    const Ran inText = cli.run(line.split(QLatin1Char(' ')));
+    const ProgramResult inText = cli.run(line.split(QLatin1Char(' ')));
     QVERIFY2(inText.err.contains(cli.dataFolder() + text("/snapshots/")), qPrintable(inText.err));
-    QCOMPARE(savedTables(cli).size(), 2);
+    QCOMPARE(savedSnapshots(cli).size(), 2);
 }
 
-void TestCliHistory::whoeverOnlyLooksSavesNothing_data()
+void TestCliHistory::readingCommandsSaveNothing_data()
 {
     QTest::addColumn<QString>("line");
     for (const char* line : {"info 1", "read 1 position_p", "scan", "torque 1 on", "move 1=2100",
@@ -107,23 +108,23 @@ void TestCliHistory::whoeverOnlyLooksSavesNothing_data()
         QTest::newRow(line) << text(line);
 }
 
-void TestCliHistory::whoeverOnlyLooksSavesNothing()
+void TestCliHistory::readingCommandsSaveNothing()
 {
     QFETCH(const QString, line);
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
     cli.run(line.split(QLatin1Char(' ')));
-    QVERIFY(savedTables(cli).isEmpty());
+    QVERIFY(savedSnapshots(cli).isEmpty());
     QVERIFY(rows(cli, "writes").isEmpty());
 }
 
-void TestCliHistory::whoeverSettlesSavesFirst()
+void TestCliHistory::recoveryCommandsSaveASnapshotFirst()
 {
     CliProgram cli;
     SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
     cli.setPort(sim.port());
     cli.start(words("write 1 max_temperature=60 max_voltage=85 position_p=20 overload_torque=70"));
-    QTRY_VERIFY_WITH_TIMEOUT(!savedTables(cli).isEmpty(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!savedSnapshots(cli).isEmpty(), 60'000);
     const auto begun = [&] {
         CliProgram& own = cli;
         QFile wal(own.dataFolder() + text("/history.sqlite-wal"));
@@ -132,36 +133,36 @@ void TestCliHistory::whoeverSettlesSavesFirst()
     QTRY_VERIFY_WITH_TIMEOUT(begun(), 60'000);
     cli.signal(SIGKILL);
     cli.finish();
-    QCOMPARE(savedTables(cli).size(), 1);
+    QCOMPARE(savedSnapshots(cli).size(), 1);
     const QJsonArray open = cli.json("recover").json()[text("intents")].toArray();
     QCOMPARE(open.size(), 1);
-    QCOMPARE(savedTables(cli).size(), 1); // looking saves nothing
+    QCOMPARE(savedSnapshots(cli).size(), 1); // looking saves nothing
     QVERIFY(rows(cli, "writes")[0][text("outcome")].toString().isEmpty());
-    const Ran settled = cli.json("recover --finish");
+    const ProgramResult settled = cli.json("recover --finish");
     QVERIFY2(settled.exit == 0, qPrintable(settled.out + settled.err));
     QVERIFY(QFile::exists(settled.json()[text("snapshot")].toString()));
-    QCOMPARE(savedTables(cli).size(), 2);
+    QCOMPARE(savedSnapshots(cli).size(), 2);
     QVERIFY(rows(cli, "writes", "--trouble").isEmpty());
 }
 
 /// An overloaded servo answers, so its table is saved like any other's.
-void TestCliHistory::anAlarmIsNoReasonNotToSave()
+void TestCliHistory::anAlarmDoesNotPreventSaving()
 {
     CliProgram cli;
     cli.setPort(text("sim:trouble"));
     const QJsonArray found = cli.json("scan").json()[text("found")].toArray();
-    int ailing = -1;
+    int alarmedId = -1;
     for (const QJsonValue& servo : found) {
         if (!servo[text("status")].toArray().isEmpty())
-            ailing = servo[text("id")].toInt();
+            alarmedId = servo[text("id")].toInt();
     }
-    QVERIFY2(ailing >= 0, "the simulated trouble has no alarm");
-    const Ran ran =
-        cli.run(words("write --json") << QString::number(ailing) << text("max_temperature=71"));
-    QVERIFY2(ran.json().contains(text("snapshot")), qPrintable(ran.out + ran.err));
+    QVERIFY2(alarmedId >= 0, "the simulated trouble has no alarm");
+    const ProgramResult result =
+        cli.run(words("write --json") << QString::number(alarmedId) << text("max_temperature=71"));
+    QVERIFY2(result.json().contains(text("snapshot")), qPrintable(result.out + result.err));
 }
 
-void TestCliHistory::alarmsSeenWhileWatchingAreKept()
+void TestCliHistory::alarmsSeenWhileWatchingAreRecorded()
 {
     CliProgram cli;
     cli.setPort(text("sim:trouble"));
@@ -179,22 +180,22 @@ void TestCliHistory::alarmsSeenWhileWatchingAreKept()
     QCOMPARE(watched(), kept); // the same one, not gone yet
 }
 
-void TestCliHistory::whatCannotBeSavedIsNotWritten()
+void TestCliHistory::noWriteWithoutASnapshot()
 {
     CliProgram cli;
     SimProgram sim(words("--servos sts3215@1"));
     cli.setPort(sim.port());
-    QFile inTheWay(cli.dataFolder() + text("/snapshots"));
-    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-    const Ran ran = cli.run("write 1 position_p=40");
-    QCOMPARE(ran.exit, 5);
-    QVERIFY2(ran.err.contains(text("nothing is written")), qPrintable(ran.err));
-    const Ran after = cli.json("read 1 position_p");
+    QFile blockingFile(cli.dataFolder() + text("/snapshots"));
+    QVERIFY(blockingFile.open(QIODevice::WriteOnly));
+    const ProgramResult result = cli.run("write 1 position_p=40");
+    QCOMPARE(result.exit, 5);
+    QVERIFY2(result.err.contains(text("nothing is written")), qPrintable(result.err));
+    const ProgramResult after = cli.json("read 1 position_p");
     QCOMPARE(after.json()[text("registers")][0][text("raw")].toInt(), 32);
     QVERIFY(rows(cli, "writes").isEmpty());
 }
 
-void TestCliHistory::listedLabelledAndTakenOut()
+void TestCliHistory::listLabelAndExtract()
 {
     CliProgram cli;
     SimProgram sim(words("--servos sts3215@1,sts3215@2"));
@@ -213,10 +214,10 @@ void TestCliHistory::listedLabelledAndTakenOut()
     const QString number = QString::number(servos[0][text("number")].toInt());
     QVERIFY(cli.run("history --kind servos").out.contains(text("no serial number")));
     QCOMPARE(cli.run({text("history"), text("label"), number, text("left knee")}).exit, 0);
-    const Ran labelled = cli.run({text("history"), text("--servo"), text("left knee")});
-    QVERIFY2(labelled.out.contains(text("left knee")), qPrintable(labelled.out + labelled.err));
+    const ProgramResult labeled = cli.run({text("history"), text("--servo"), text("left knee")});
+    QVERIFY2(labeled.out.contains(text("left knee")), qPrintable(labeled.out + labeled.err));
 
-    const Ran shown = cli.json("history show 1");
+    const ProgramResult shown = cli.json("history show 1");
     QCOMPARE(shown.json()[text("writes")].toArray().size(), 2);
     QCOMPARE(shown.json()[text("label")].toString(), text("left knee"));
 
@@ -224,13 +225,14 @@ void TestCliHistory::listedLabelledAndTakenOut()
     const QString before = cli.dataFolder() + text("/before.servo.json");
     const QString now = cli.dataFolder() + text("/now.servo.json");
     QCOMPARE(cli.run({text("history"), text("snapshot"), text("1"), before}).exit, 0);
-    const Ran table = cli.run({text("history"), text("table"), text("left knee"),
-                               text("2100-01-01"), now, text("--json")});
+    const ProgramResult table = cli.run({text("history"), text("table"), text("left knee"),
+                                         text("2100-01-01"), now, text("--json")});
     QCOMPARE(table.exit, 0);
     QCOMPARE(table.json()[text("replayed")].toArray().size(), 2);
     const auto gain = [&](const QString& file) {
-        const Ran ran = cli.run({text("snapshot"), text("show"), file, text("--json")});
-        for (const QJsonValue& row : ran.json()[text("registers")].toArray()) {
+        const ProgramResult result =
+            cli.run({text("snapshot"), text("show"), file, text("--json")});
+        for (const QJsonValue& row : result.json()[text("registers")].toArray()) {
             if (row[text("key")].toString() == text("position_p"))
                 return row[text("raw")].toInt();
         }
@@ -253,16 +255,16 @@ void TestCliHistory::listedLabelledAndTakenOut()
     // Values with their units, and what kind of write it was.
     QCOMPARE(cli.run("write 1 max_voltage=85").exit, 0);
     QVERIFY(markAsUndo(cli, "max_voltage"));
-    const Ran listed = cli.run("history --register max_voltage");
+    const ProgramResult listed = cli.run("history --register max_voltage");
     QVERIFY2(listed.out.contains(text("85 · 8.5 V")), qPrintable(listed.out));
     QVERIFY2(listed.out.contains(text("undo")), qPrintable(listed.out));
     QVERIFY2(listed.out.contains(sim.port()), qPrintable(listed.out));
-    const Ran one = cli.run("history show 5");
+    const ProgramResult one = cli.run("history show 5");
     QVERIFY2(one.out.startsWith(text("undo: ")), qPrintable(one.out));
     QVERIFY2(one.out.contains(text("85 · 8.5 V")), qPrintable(one.out));
 }
 
-void TestCliHistory::whatIsSavedIsKeptToo()
+void TestCliHistory::savedFilesAreInTheHistoryToo()
 {
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1,sts3215@2"));
@@ -275,13 +277,13 @@ void TestCliHistory::whatIsSavedIsKeptToo()
     QCOMPARE(cli.run({text("bundle"), text("save"), all}).exit, 0);
     const QJsonArray kept = rows(cli, "snapshots");
     QCOMPARE(kept.size(), 3);
-    int labelled = 0;
+    int labeled = 0;
     for (const QJsonValue& row : kept)
-        labelled += row[text("label")].toString() == text("good") ? 1 : 0;
-    QCOMPARE(labelled, 1);
+        labeled += row[text("label")].toString() == text("good") ? 1 : 0;
+    QCOMPARE(labeled, 1);
 }
 
-void TestCliHistory::exported()
+void TestCliHistory::exports()
 {
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
@@ -303,7 +305,7 @@ void TestCliHistory::exported()
     QCOMPARE(cli.run({text("history"), text("--csv"), text("/nowhere/at/all.csv")}).exit, 5);
 }
 
-void TestCliHistory::lookingMakesNoHistory()
+void TestCliHistory::readingCreatesNoHistory()
 {
     CliProgram cli;
     QCOMPARE(cli.run("history").exit, 0);
@@ -311,7 +313,7 @@ void TestCliHistory::lookingMakesNoHistory()
     QVERIFY(!QFile::exists(cli.dataFolder() + text("/history.sqlite")));
 }
 
-void TestCliHistory::mistakesAreNamed_data()
+void TestCliHistory::usageErrorsAreReported_data()
 {
     QTest::addColumn<QString>("line");
     for (const char* line :
@@ -323,15 +325,15 @@ void TestCliHistory::mistakesAreNamed_data()
         QTest::newRow(line) << text(line);
 }
 
-void TestCliHistory::mistakesAreNamed()
+void TestCliHistory::usageErrorsAreReported()
 {
     QFETCH(const QString, line);
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
     QCOMPARE(cli.run("write 1 position_p=40").exit, 0);
-    const Ran ran = cli.run(line.split(QLatin1Char(' ')));
-    QCOMPARE(ran.exit, 2);
-    QVERIFY(!ran.err.isEmpty());
+    const ProgramResult result = cli.run(line.split(QLatin1Char(' ')));
+    QCOMPARE(result.exit, 2);
+    QVERIFY(!result.err.isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestCliHistory)

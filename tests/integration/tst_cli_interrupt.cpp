@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using support::SimProgram;
 using support::words;
 
@@ -61,13 +61,13 @@ private Q_SLOTS:
     void watchEndsWithItsSummary_data();
     void watchEndsWithItsSummary();
     void writeStopsBetweenStepsAndLocks();
-    void scanShowsWhatWasFound();
+    void scanShowsFoundServos();
     void tourEndsAtOnce();
     void secondSignalEndsAHungProgram();
     void killedWriteIsRecovered_data();
     void killedWriteIsRecovered();
-    void openChangeCanBeGivenUp();
-    void whatIsGivenUpIsSaid();
+    void openChangeCanBeDiscarded();
+    void discardedChangesAreReported();
 
 private:
     void killDuringWrite(CliProgram& cli);
@@ -90,9 +90,9 @@ void TestCliInterrupt::watchEndsWithItsSummary()
     cli.start(words("watch 1-6 --json --csv") << csv);
     QVERIFY(cli.waitForOutput("time_us"));
     cli.signal(signal);
-    const Ran ran = cli.finish();
-    QCOMPARE(ran.exit, 0);
-    QVERIFY(ran.json().contains(QLatin1String("summary")));
+    const ProgramResult result = cli.finish();
+    QCOMPARE(result.exit, 0);
+    QVERIFY(result.json().contains(QLatin1String("summary")));
     QFile file(csv);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.readAll().endsWith('\n'));
@@ -108,14 +108,14 @@ void TestCliInterrupt::writeStopsBetweenStepsAndLocks()
                     "overload_torque=70 --json"));
     QTRY_VERIFY_WITH_TIMEOUT(hasOpenIntent(cli), 60'000);
     cli.signal(SIGINT);
-    const Ran ran = cli.finish();
-    QCOMPARE(ran.exit, 1);
-    QCOMPARE(ran.json()[QLatin1String("lock")].toString(), QStringLiteral("closed"));
-    const QJsonArray writes = ran.json()[QLatin1String("writes")].toArray();
+    const ProgramResult result = cli.finish();
+    QCOMPARE(result.exit, 1);
+    QCOMPARE(result.json()[QLatin1String("lock")].toString(), QStringLiteral("closed"));
+    const QJsonArray writes = result.json()[QLatin1String("writes")].toArray();
     QCOMPARE(writes.size(), 5);
     QCOMPARE(writes[4][QLatin1String("outcome")].toString(), QStringLiteral("not-sent"));
 
-    const Ran after =
+    const ProgramResult after =
         cli.json("read 1 max_temperature max_voltage position_p speed_p overload_torque lock");
     QHash<QString, int> shown;
     for (const QJsonValue& row : after.json()[QLatin1String("registers")].toArray())
@@ -131,15 +131,15 @@ void TestCliInterrupt::writeStopsBetweenStepsAndLocks()
     QCOMPARE(cli.json("recover").json()[QLatin1String("intents")].toArray().size(), 0);
 }
 
-void TestCliInterrupt::scanShowsWhatWasFound()
+void TestCliInterrupt::scanShowsFoundServos()
 {
     CliProgram cli;
     cli.start(words("scan --bauds all --json"));
-    QVERIFY(cli.waitForRemark("baud")); // its progress, after a second
+    QVERIFY(cli.waitForError("baud")); // its progress, after a second
     cli.signal(SIGINT);
-    const Ran ran = cli.finish();
-    QCOMPARE(ran.exit, 1);
-    QCOMPARE(ran.json()[QLatin1String("stopped")].toBool(), true);
+    const ProgramResult result = cli.finish();
+    QCOMPARE(result.exit, 1);
+    QCOMPARE(result.json()[QLatin1String("stopped")].toBool(), true);
 }
 
 void TestCliInterrupt::tourEndsAtOnce()
@@ -148,9 +148,9 @@ void TestCliInterrupt::tourEndsAtOnce()
     cli.start(words("tour"));
     QVERIFY(cli.waitForOutput("1/8"));
     cli.signal(SIGINT);
-    const Ran ran = cli.finish();
-    QCOMPARE(ran.exit, 1);
-    QVERIFY2(!ran.out.contains(QStringLiteral("3/8")), qPrintable(ran.out));
+    const ProgramResult result = cli.finish();
+    QCOMPARE(result.exit, 1);
+    QVERIFY2(!result.out.contains(QStringLiteral("3/8")), qPrintable(result.out));
 }
 
 void TestCliInterrupt::secondSignalEndsAHungProgram()
@@ -159,7 +159,7 @@ void TestCliInterrupt::secondSignalEndsAHungProgram()
     const FullPipe pipe(cli.dataFolder() + QStringLiteral("/pipe"));
     cli.process().setStandardOutputFile(pipe.path());
     cli.start(words("watch 1"));
-    QVERIFY(cli.waitForRemark("SIMULATED"));
+    QVERIFY(cli.waitForError("SIMULATED"));
     QElapsedTimer timer;
     timer.start();
     // Signals of a kind do not queue up, hence the repetition.
@@ -190,7 +190,7 @@ void TestCliInterrupt::killDuringWrite(CliProgram& cli)
 }
 
 /// The servo is gone for good, and so is the port.
-void TestCliInterrupt::openChangeCanBeGivenUp()
+void TestCliInterrupt::openChangeCanBeDiscarded()
 {
     CliProgram cli;
     {
@@ -204,17 +204,17 @@ void TestCliInterrupt::openChangeCanBeGivenUp()
     cli.setPort(QStringLiteral("/dev/no-such-servo-port"));
     QCOMPARE(cli.json("recover").exit, 3);
     QCOMPARE(cli.json("recover --forget nobody").exit, 2);
-    const Ran ran = cli.json("recover --forget all");
-    QCOMPARE(ran.exit, 0);
-    QCOMPARE(ran.json()[QLatin1String("forgotten")].toArray().size(), 1);
-    const QJsonObject given = ran.json()[QLatin1String("given_up")][0].toObject();
+    const ProgramResult result = cli.json("recover --forget all");
+    QCOMPARE(result.exit, 0);
+    QCOMPARE(result.json()[QLatin1String("forgotten")].toArray().size(), 1);
+    const QJsonObject given = result.json()[QLatin1String("given_up")][0].toObject();
     QCOMPARE(given[QLatin1String("id")].toInt(), 1);
     QCOMPARE(given[QLatin1String("items")].toArray().size(), 4);
     QCOMPARE(given[QLatin1String("lock_may_be_open")].toBool(), true);
     QCOMPARE(cli.json("recover").json()[QLatin1String("intents")].toArray().size(), 0);
 }
 
-void TestCliInterrupt::whatIsGivenUpIsSaid()
+void TestCliInterrupt::discardedChangesAreReported()
 {
     CliProgram cli;
     SimProgram sim(words("--servos sts3215@1 --latency-ms 16"));
@@ -222,11 +222,11 @@ void TestCliInterrupt::whatIsGivenUpIsSaid()
     killDuringWrite(cli);
     if (QTest::currentTestFailed())
         return;
-    const Ran ran = cli.run("recover --forget all");
-    QCOMPARE(ran.exit, 0);
+    const ProgramResult result = cli.run("recover --forget all");
+    QCOMPARE(result.exit, 0);
     for (const char* said : {"servo 1", "max_temperature 70 → 60", "overload_torque",
                              "old or its new value", "EPROM lock may be open"})
-        QVERIFY2(ran.out.contains(QString::fromUtf8(said)), qPrintable(ran.out));
+        QVERIFY2(result.out.contains(QString::fromUtf8(said)), qPrintable(result.out));
 }
 
 void TestCliInterrupt::killedWriteIsRecovered()
@@ -241,7 +241,7 @@ void TestCliInterrupt::killedWriteIsRecovered()
     if (QTest::currentTestFailed())
         return;
 
-    const Ran look = cli.json("recover");
+    const ProgramResult look = cli.json("recover");
     QCOMPARE(look.exit, 0);
     const QJsonArray intents = look.json()[QLatin1String("intents")].toArray();
     QCOMPARE(intents.size(), 1);
@@ -249,7 +249,7 @@ void TestCliInterrupt::killedWriteIsRecovered()
     QCOMPARE(intents[0][QLatin1String("items")].toArray().size(), 4);
     QCOMPARE(intents[0][QLatin1String("done")].toBool(true), false);
 
-    const Ran settled = cli.run(words("recover --json") << how);
+    const ProgramResult settled = cli.run(words("recover --json") << how);
     QVERIFY2(settled.exit == 0, qPrintable(settled.out));
     QCOMPARE(settled.json()[QLatin1String("intents")][0][QLatin1String("done")].toBool(), true);
     const QJsonArray rows = cli.json("read 1 max_temperature overload_torque lock")

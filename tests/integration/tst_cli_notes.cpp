@@ -15,13 +15,13 @@
 #include <sys/stat.h>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using support::SimProgram;
 using support::words;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr qint64 atOnce = 5000; ///< ms
+constexpr qint64 promptMs = 5000; ///< ms
 
 QString text(const char* latin)
 {
@@ -33,10 +33,10 @@ QString historyOf(const CliProgram& cli)
     return cli.dataFolder() + text("/history.sqlite");
 }
 
-QStringList noteCodes(const Ran& ran)
+QStringList noticeCodes(const ProgramResult& result)
 {
     QStringList codes;
-    for (const QJsonValue& note : ran.json()[text("notes")].toArray())
+    for (const QJsonValue& note : result.json()[text("notes")].toArray())
         codes << note[text("code")].toString();
     return codes;
 }
@@ -69,34 +69,34 @@ private:
 };
 } // namespace
 
-class TestCliNotes : public QObject {
+class TestCliNotices : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void aFailedCommandKeepsItsNotices();
-    void anOpenChangeIsSaidByEveryCommand();
-    void aFullDiskIsNamedAndHidesNothing();
-    void whatIsNoFileIsRefusedAtOnce_data();
-    void whatIsNoFileIsRefusedAtOnce();
-    void twoServosOnOneIdAreNotSaved();
+    void aFailedCommandShowsItsNotices();
+    void anOpenChangeIsReportedByEveryCommand();
+    void aFullDiskIsReportedAndHidesNothing();
+    void nonFilesAreRefusedAtOnce_data();
+    void nonFilesAreRefusedAtOnce();
+    void duplicateIdsAreNotSaved();
 };
 
-void TestCliNotes::aFailedCommandKeepsItsNotices()
+void TestCliNotices::aFailedCommandShowsItsNotices()
 {
-    bytes::Bus bus({1}, 0ms, bytes::Restart::Ignored);
+    bytes::Bus bus({1}, 0ms, bytes::RestartBehavior::Ignored);
     bus.setByte(1, 40, 1);
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.json("reboot 1");
-    QVERIFY(ran.exit != 0);
-    QVERIFY2(ran.json().contains(text("error")), qPrintable(ran.out + ran.err));
+    const ProgramResult result = cli.json("reboot 1");
+    QVERIFY(result.exit != 0);
+    QVERIFY2(result.json().contains(text("error")), qPrintable(result.out + result.err));
     QCOMPARE(bus.byteAt(1, 40), 0);
-    QVERIFY2(noteCodes(ran).contains(text("torque-switched-off")), qPrintable(ran.out));
+    QVERIFY2(noticeCodes(result).contains(text("torque-switched-off")), qPrintable(result.out));
 }
 
-void TestCliNotes::anOpenChangeIsSaidByEveryCommand()
+void TestCliNotices::anOpenChangeIsReportedByEveryCommand()
 {
     CliProgram cli;
     bytes::Bus bus({1}, 60ms);
@@ -107,11 +107,11 @@ void TestCliNotes::anOpenChangeIsSaidByEveryCommand()
         return;
     const QString command = text("servodesk-cli recover --port ") + bus.port();
     for (const char* line : {"read 1 position_p", "info 1", "scan --ids 1", "torque 1 off"}) {
-        const Ran ran = cli.run(line);
-        QVERIFY2(ran.err.contains(command), qPrintable(ran.err + ran.out));
-        QVERIFY2(noteCodes(cli.json(line)).contains(text("open-change")), line);
+        const ProgramResult result = cli.run(line);
+        QVERIFY2(result.err.contains(command), qPrintable(result.err + result.out));
+        QVERIFY2(noticeCodes(cli.json(line)).contains(text("open-change")), line);
     }
-    const Ran info = cli.run("info 1");
+    const ProgramResult info = cli.run("info 1");
     QVERIFY2(info.out.contains(command) && !info.out.contains(text("lock=1")),
              qPrintable(info.out));
     QVERIFY(!cli.run("recover").err.contains(command)); // it lists them
@@ -119,7 +119,7 @@ void TestCliNotes::anOpenChangeIsSaidByEveryCommand()
     QVERIFY(!cli.run("read 1 position_p").err.contains(command));
 }
 
-void TestCliNotes::aFullDiskIsNamedAndHidesNothing()
+void TestCliNotices::aFullDiskIsReportedAndHidesNothing()
 {
     CliProgram cli;
     bytes::Bus bus({1}, 60ms);
@@ -130,16 +130,16 @@ void TestCliNotes::aFullDiskIsNamedAndHidesNothing()
     QFile::remove(historyOf(cli) + text("-shm"));
     {
         const FullDisk disk(4096); // no room for SQLite's index
-        const Ran recover = cli.json("recover");
+        const ProgramResult recover = cli.json("recover");
         QCOMPARE(recover.json()[text("intents")].toArray().size(), 1);
-        const Ran history = cli.json("history");
+        const ProgramResult history = cli.json("history");
         QVERIFY2(history.exit == 0, qPrintable(history.out + history.err));
         QCOMPARE(cli.run("write 1 position_p=33").exit, 5);
     }
     QCOMPARE(cli.run("recover --finish").exit, 0);
 }
 
-void TestCliNotes::whatIsNoFileIsRefusedAtOnce_data()
+void TestCliNotices::nonFilesAreRefusedAtOnce_data()
 {
     QTest::addColumn<QString>("line");
     QTest::newRow("snapshot save") << text("snapshot save 1 PIPE");
@@ -150,7 +150,7 @@ void TestCliNotes::whatIsNoFileIsRefusedAtOnce_data()
     QTest::newRow("a file that waits") << text("snapshot show /proc/kmsg");
 }
 
-void TestCliNotes::whatIsNoFileIsRefusedAtOnce()
+void TestCliNotices::nonFilesAreRefusedAtOnce()
 {
     QFETCH(QString, line);
     CliProgram cli;
@@ -161,14 +161,14 @@ void TestCliNotes::whatIsNoFileIsRefusedAtOnce()
     QElapsedTimer timer;
     timer.start();
     cli.start(line.replace(text("PIPE"), pipe).split(QLatin1Char(' ')));
-    QVERIFY(cli.process().waitForFinished(atOnce));
-    const Ran ran = cli.finish();
-    QVERIFY2(ran.exit > 0, qPrintable(ran.out + ran.err));
+    QVERIFY(cli.process().waitForFinished(promptMs));
+    const ProgramResult result = cli.finish();
+    QVERIFY2(result.exit > 0, qPrintable(result.out + result.err));
     if (!line.contains(text("/proc/")))
-        QVERIFY2(ran.err.contains(text("not a regular file")), qPrintable(ran.err));
+        QVERIFY2(result.err.contains(text("not a regular file")), qPrintable(result.err));
 }
 
-void TestCliNotes::twoServosOnOneIdAreNotSaved()
+void TestCliNotices::duplicateIdsAreNotSaved()
 {
     CliProgram cli;
     SimProgram sim(words("--preset trouble"));
@@ -176,12 +176,12 @@ void TestCliNotes::twoServosOnOneIdAreNotSaved()
     const QString file = cli.dataFolder() + text("/one.servo.json");
     for (const QStringList& line : {QStringList{text("snapshot"), text("save"), text("1"), file},
                                     QStringList{text("bundle"), text("save"), file, text("1")}}) {
-        const Ran ran = cli.run(QStringList(line) << text("--json"));
-        QVERIFY2(ran.exit != 0, qPrintable(ran.out));
-        QCOMPARE(ran.json()[text("error")][text("code")].toString(), text("several-servos"));
+        const ProgramResult result = cli.run(QStringList(line) << text("--json"));
+        QVERIFY2(result.exit != 0, qPrintable(result.out));
+        QCOMPARE(result.json()[text("error")][text("code")].toString(), text("several-servos"));
         QVERIFY(!QFile::exists(file));
     }
 }
 
-QTEST_GUILESS_MAIN(TestCliNotes)
+QTEST_GUILESS_MAIN(TestCliNotices)
 #include "tst_cli_notes.moc"

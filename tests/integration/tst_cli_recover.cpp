@@ -19,7 +19,7 @@
 
 using support::CliProgram;
 using support::FloodCable;
-using support::Ran;
+using support::ProgramResult;
 using support::SimProgram;
 using support::words;
 
@@ -36,15 +36,15 @@ bool hasOpenIntent(const CliProgram& cli)
     return open && !open->empty();
 }
 
-QJsonArray list(const Ran& ran, const char* name)
+QJsonArray list(const ProgramResult& result, const char* name)
 {
-    return ran.json()[QLatin1String(name)].toArray();
+    return result.json()[QLatin1String(name)].toArray();
 }
 
 /// The command that the program says is to be typed, without its name.
-QStringList advised(const Ran& ran)
+QStringList advised(const ProgramResult& result)
 {
-    QStringList command = ran.json()[QLatin1String("try")].toString().split(QLatin1Char(' '));
+    QStringList command = result.json()[QLatin1String("try")].toString().split(QLatin1Char(' '));
     command.removeFirst();
     return command;
 }
@@ -66,20 +66,20 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     void anAdapterUnderAnotherNameHidesNothing();
-    void withoutAPortOpenChangesAreNamed();
-    void aPortThatIsGoneIsNotAdvised();
-    void aSimulatedBusSaysNothingOfARealOne();
-    void aChangeUnderWayIsNotGivenUp();
-    void aTwinOnAnotherPortIsLeftAlone();
-    void aNamedChangeIsTakenFromAPortThatIsThere();
+    void openChangesAreListedWithoutAPort();
+    void aMissingPortIsNotSuggested();
+    void aSimulatedBusIgnoresRealChanges();
+    void aChangeInProgressIsNotDiscarded();
+    void aDuplicateOnAnotherPortIsIgnored();
+    void aSelectedChangeUsesAPresentPort();
     void aFullDiskAtTheEndHidesNoWrite();
-    void aCutCableLeavesTheRestNotSent();
-    void aLockedHistorySaysSo();
+    void aLostLinkLeavesTheRestUnsent();
+    void aLockedHistoryIsReported();
     void aDamagedJournalIsReportedOnce();
 
 private:
     void killDuringWrite(CliProgram& cli);
-    void killOnItsOwnPort(TwoPorts& ports);
+    void killOnOwnPort(TwoPorts& ports);
 };
 
 void TestCliRecover::killDuringWrite(CliProgram& cli)
@@ -90,7 +90,7 @@ void TestCliRecover::killDuringWrite(CliProgram& cli)
     QCOMPARE(cli.finish().exit, -1);
 }
 
-void TestCliRecover::killOnItsOwnPort(TwoPorts& ports)
+void TestCliRecover::killOnOwnPort(TwoPorts& ports)
 {
     ports.cli.setPort(ports.own.port());
     killDuringWrite(ports.cli);
@@ -103,21 +103,21 @@ void TestCliRecover::anAdapterUnderAnotherNameHidesNothing()
     SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
     QString before;
     {
-        const FloodCable cable(FloodCable::Front::Tcp, sim.port());
+        const FloodCable cable(FloodCable::Endpoint::Tcp, sim.port());
         before = cable.port();
         cli.setPort(before);
         killDuringWrite(cli);
         if (QTest::currentTestFailed())
             return;
     }
-    const FloodCable cable(FloodCable::Front::Terminal, sim.port());
+    const FloodCable cable(FloodCable::Endpoint::Terminal, sim.port());
     cli.setPort(cable.port());
-    const Ran text = cli.run("recover");
+    const ProgramResult text = cli.run("recover");
     QCOMPARE(text.exit, 1);
     QVERIFY2(text.out.contains(before), qPrintable(text.out));
     QVERIFY2(!text.out.contains(QStringLiteral("No change was left open.")), qPrintable(text.out));
 
-    const Ran look = cli.json("recover");
+    const ProgramResult look = cli.json("recover");
     QCOMPARE(look.exit, 1);
     QCOMPARE(list(look, "intents").size(), 0);
     QCOMPARE(list(look, "elsewhere").size(), 1);
@@ -128,28 +128,28 @@ void TestCliRecover::anAdapterUnderAnotherNameHidesNothing()
     // As it is advised, to the letter.
     cli.setPort({});
     const QStringList command = advised(look);
-    const Ran there = cli.run(QStringList(command) << QStringLiteral("--json"));
+    const ProgramResult there = cli.run(QStringList(command) << QStringLiteral("--json"));
     QCOMPARE(there.exit, 0);
     QCOMPARE(list(there, "intents").size(), 1);
     QVERIFY(list(there, "intents")[0][QLatin1String("finding")].toString() !=
             QStringLiteral("no-answer"));
-    const Ran finished =
+    const ProgramResult finished =
         cli.run(QStringList(command) << QStringLiteral("--finish") << QStringLiteral("--json"));
     QVERIFY2(finished.exit == 0, qPrintable(finished.out));
     QCOMPARE(list(finished, "intents")[0][QLatin1String("done")].toBool(), true);
 
     cli.setPort(cable.port());
-    const Ran after = cli.json("recover");
+    const ProgramResult after = cli.json("recover");
     QCOMPARE(after.exit, 0);
     QVERIFY(list(after, "intents").isEmpty() && list(after, "elsewhere").isEmpty());
-    const Ran read = cli.json("read 1 overload_torque lock");
+    const ProgramResult read = cli.json("read 1 overload_torque lock");
     const QJsonArray rows = list(read, "registers");
     QVERIFY2(rows.size() == 2, qPrintable(read.out + read.err));
     QCOMPARE(rows[0][QLatin1String("raw")].toInt(), 70);
     QCOMPARE(rows[1][QLatin1String("raw")].toInt(), 1);
 }
 
-void TestCliRecover::withoutAPortOpenChangesAreNamed()
+void TestCliRecover::openChangesAreListedWithoutAPort()
 {
     CliProgram cli;
     SimProgram sim(words("--servos sts3215@1 --latency-ms 60"));
@@ -158,19 +158,19 @@ void TestCliRecover::withoutAPortOpenChangesAreNamed()
     if (QTest::currentTestFailed())
         return;
     cli.setPort(QStringLiteral("/dev/no-such-servo-port"));
-    const Ran ran = cli.json("recover");
-    QCOMPARE(ran.exit, 3);
-    QCOMPARE(ran.json()[QLatin1String("error")][QLatin1String("code")].toString(),
+    const ProgramResult result = cli.json("recover");
+    QCOMPARE(result.exit, 3);
+    QCOMPARE(result.json()[QLatin1String("error")][QLatin1String("code")].toString(),
              QStringLiteral("port-missing"));
-    QCOMPARE(list(ran, "elsewhere")[0][QLatin1String("port")].toString(), sim.port());
-    const Ran text = cli.run("recover");
+    QCOMPARE(list(result, "elsewhere")[0][QLatin1String("port")].toString(), sim.port());
+    const ProgramResult text = cli.run("recover");
     QCOMPARE(text.exit, 3);
     QVERIFY2(text.out.contains(sim.port()), qPrintable(text.out));
 }
 
 /// What to type never names a port that is gone, and stands in the document once. The number of a
 /// closed terminal is soon another program's, so the history gets names that nobody is given.
-void TestCliRecover::aPortThatIsGoneIsNotAdvised()
+void TestCliRecover::aMissingPortIsNotSuggested()
 {
     CliProgram cli;
     for (int which = 0; which < 2; ++which) {
@@ -190,17 +190,17 @@ void TestCliRecover::aPortThatIsGoneIsNotAdvised()
                              {}));
     }
     cli.setPort(gone);
-    const Ran ran = cli.json("recover");
-    QCOMPARE(ran.exit, 3);
-    QCOMPARE(ran.out.count(QStringLiteral("\n  \"try\"")), 1);
-    QCOMPARE(ran.json()[QLatin1String("try")].toString(),
+    const ProgramResult result = cli.json("recover");
+    QCOMPARE(result.exit, 3);
+    QCOMPARE(result.out.count(QStringLiteral("\n  \"try\"")), 1);
+    QCOMPARE(result.json()[QLatin1String("try")].toString(),
              QStringLiteral("servodesk-cli recover --any-port --port PORT"));
-    const Ran text = cli.run("recover");
+    const ProgramResult text = cli.run("recover");
     QVERIFY2(text.out.contains(QStringLiteral("--port PORT")), qPrintable(text.out));
     QVERIFY2(!text.out.contains(QStringLiteral("--port ") + gone), qPrintable(text.out));
 }
 
-void TestCliRecover::aSimulatedBusSaysNothingOfARealOne()
+void TestCliRecover::aSimulatedBusIgnoresRealChanges()
 {
     CliProgram cli;
     cli.setPort(QStringLiteral("sim:sts3215@1"));
@@ -209,14 +209,14 @@ void TestCliRecover::aSimulatedBusSaysNothingOfARealOne()
         return;
     SimProgram sim(words("--servos sts3215@1"));
     cli.setPort(sim.port());
-    const Ran ran = cli.json("recover --any-port");
-    QCOMPARE(ran.exit, 0);
-    QVERIFY(list(ran, "intents").isEmpty() && list(ran, "elsewhere").isEmpty());
+    const ProgramResult result = cli.json("recover --any-port");
+    QCOMPARE(result.exit, 0);
+    QVERIFY(list(result, "intents").isEmpty() && list(result, "elsewhere").isEmpty());
 }
 
 /// The test of another program: it ends its own change, and what is left of it when it is killed is
 /// found.
-void TestCliRecover::aChangeUnderWayIsNotGivenUp()
+void TestCliRecover::aChangeInProgressIsNotDiscarded()
 {
     CliProgram running;
     SimProgram sim(words("--servos sts3215@1"));
@@ -226,17 +226,17 @@ void TestCliRecover::aChangeUnderWayIsNotGivenUp()
     CliProgram cli;
     cli.setEnvironment(QStringLiteral("SERVODESK_DATA_DIR"), running.dataFolder());
     cli.setPort(sim.port());
-    const Ran given = cli.json("recover --forget all");
+    const ProgramResult given = cli.json("recover --forget all");
     QVERIFY2(given.exit == 1, qPrintable(given.out));
     QVERIFY(list(given, "forgotten").isEmpty());
     QCOMPARE(list(given, "under_way").size(), 1);
-    const Ran text = cli.run("recover");
+    const ProgramResult text = cli.run("recover");
     QCOMPARE(text.exit, 3);
     QVERIFY2(!text.out.contains(QStringLiteral("other ports")), qPrintable(text.out));
     QVERIFY2(text.out.contains(QStringLiteral("under way in another program")),
              qPrintable(text.out));
     QVERIFY2(!text.out.contains(QStringLiteral("--any-port")), qPrintable(text.out));
-    const Ran look = cli.json("recover");
+    const ProgramResult look = cli.json("recover");
     QCOMPARE(list(look, "here").size(), 1);
     QCOMPARE(list(look, "here")[0][QLatin1String("under_way")].toBool(), true);
     QVERIFY(list(look, "elsewhere").isEmpty());
@@ -244,56 +244,56 @@ void TestCliRecover::aChangeUnderWayIsNotGivenUp()
 
     running.signal(SIGKILL);
     QCOMPARE(running.finish().exit, -1);
-    const Ran undone = cli.json("recover --undo");
+    const ProgramResult undone = cli.json("recover --undo");
     QVERIFY2(undone.exit == 0, qPrintable(undone.out));
     QCOMPARE(list(undone, "intents").size(), 1);
     QCOMPARE(list(undone, "intents")[0][QLatin1String("under_way")].toBool(), false);
-    const Ran read = cli.json("read 1 position_p");
+    const ProgramResult read = cli.json("read 1 position_p");
     QCOMPARE(list(read, "registers")[0][QLatin1String("raw")].toInt(), 32);
 }
 
-void TestCliRecover::aTwinOnAnotherPortIsLeftAlone()
+void TestCliRecover::aDuplicateOnAnotherPortIsIgnored()
 {
     TwoPorts ports;
     CliProgram& cli = ports.cli;
-    killOnItsOwnPort(ports);
+    killOnOwnPort(ports);
     if (QTest::currentTestFailed())
         return;
-    const Ran look = cli.json("recover");
+    const ProgramResult look = cli.json("recover");
     QCOMPARE(look.exit, 1);
     QCOMPARE(list(look, "elsewhere")[0][QLatin1String("port_present")].toBool(), true);
     QCOMPARE(look.json()[QLatin1String("try")].toString(),
              QStringLiteral("servodesk-cli recover --port ") + ports.own.port());
     for (const char* how : {"recover --any-port", "recover --any-port --undo"}) {
-        const Ran ran = cli.json(how);
-        QVERIFY2(ran.exit == 1, qPrintable(ran.out));
-        QVERIFY(list(ran, "intents").isEmpty());
-        QCOMPARE(list(ran, "elsewhere").size(), 1);
+        const ProgramResult result = cli.json(how);
+        QVERIFY2(result.exit == 1, qPrintable(result.out));
+        QVERIFY(list(result, "intents").isEmpty());
+        QCOMPARE(list(result, "elsewhere").size(), 1);
     }
     cli.setPort({});
     const QStringList command = advised(look);
-    const Ran undone =
+    const ProgramResult undone =
         cli.run(QStringList(command) << QStringLiteral("--undo") << QStringLiteral("--json"));
     QVERIFY2(undone.exit == 0, qPrintable(undone.out + undone.err));
     QCOMPARE(list(undone, "intents")[0][QLatin1String("done")].toBool(), true);
 }
 
-void TestCliRecover::aNamedChangeIsTakenFromAPortThatIsThere()
+void TestCliRecover::aSelectedChangeUsesAPresentPort()
 {
     TwoPorts ports;
     CliProgram& cli = ports.cli;
-    killOnItsOwnPort(ports);
+    killOnOwnPort(ports);
     if (QTest::currentTestFailed())
         return;
     const QString uuid =
         list(cli.json("recover"), "elsewhere")[0][QLatin1String("uuid")].toString();
     const QStringList named{QStringLiteral("recover"), QStringLiteral("--any-port"),
                             QStringLiteral("--change"), uuid.left(8)};
-    const Ran text = cli.run(named);
+    const ProgramResult text = cli.run(named);
     QCOMPARE(text.exit, 0);
     QVERIFY2(text.out.contains(ports.own.port()) && text.out.contains(QStringLiteral("your word")),
              qPrintable(text.out));
-    const Ran undone =
+    const ProgramResult undone =
         cli.run(QStringList(named) << QStringLiteral("--undo") << QStringLiteral("--json"));
     QVERIFY2(undone.exit == 0, qPrintable(undone.out));
     QCOMPARE(list(undone, "intents")[0][QLatin1String("done")].toBool(), true);
@@ -310,37 +310,37 @@ void TestCliRecover::aFullDiskAtTheEndHidesNoWrite()
     // From here on no file of this program grows any more.
     const rlimit little{256, 256};
     QCOMPARE(prlimit(pid_t(cli.process().processId()), RLIMIT_FSIZE, &little, nullptr), 0);
-    const Ran ran = cli.finish();
-    QVERIFY2(ran.exit == 5, qPrintable(ran.out + ran.err));
-    const QJsonArray writes = list(ran, "writes");
+    const ProgramResult result = cli.finish();
+    QVERIFY2(result.exit == 5, qPrintable(result.out + result.err));
+    const QJsonArray writes = list(result, "writes");
     QCOMPARE(writes.size(), 4);
     for (const QJsonValue& write : writes)
         QCOMPARE(write[QLatin1String("outcome")].toString(), QStringLiteral("kept"));
-    QCOMPARE(ran.json()[QLatin1String("lock")].toString(), QStringLiteral("closed"));
+    QCOMPARE(result.json()[QLatin1String("lock")].toString(), QStringLiteral("closed"));
     QStringList notes;
-    for (const QJsonValue& note : list(ran, "notes"))
+    for (const QJsonValue& note : list(result, "notes"))
         notes << note[QLatin1String("code")].toString();
-    QVERIFY2(notes.contains(QStringLiteral("not-recorded")), qPrintable(ran.out));
+    QVERIFY2(notes.contains(QStringLiteral("not-recorded")), qPrintable(result.out));
 
     // It is still open, and recovery finds all of it written.
-    const Ran look = cli.json("recover");
+    const ProgramResult look = cli.json("recover");
     QCOMPARE(list(look, "intents").size(), 1);
     QCOMPARE(list(look, "intents")[0][QLatin1String("finding")].toString(),
              QStringLiteral("all-new"));
     QCOMPARE(cli.run("recover --finish").exit, 0);
 }
 
-void TestCliRecover::aCutCableLeavesTheRestNotSent()
+void TestCliRecover::aLostLinkLeavesTheRestUnsent()
 {
     CliProgram cli;
     SimProgram sim(words("--servos sts3215@1"));
-    FloodCable cable(FloodCable::Front::Tcp, sim.port());
+    FloodCable cable(FloodCable::Endpoint::Tcp, sim.port());
     cli.setPort(cable.port());
     cable.cutAt(QByteArray::fromHex("01040315")); // WRITE 21; 13 and 14 share a frame before it
-    const Ran ran = cli.run(words(fourRegisters) << QStringLiteral("--json"));
-    QCOMPARE(ran.exit, 3);
+    const ProgramResult result = cli.run(words(fourRegisters) << QStringLiteral("--json"));
+    QCOMPARE(result.exit, 3);
     QStringList outcomes;
-    for (const QJsonValue& write : list(ran, "writes"))
+    for (const QJsonValue& write : list(result, "writes"))
         outcomes << write[QLatin1String("outcome")].toString();
     const QString notSent = QStringLiteral("not-sent");
     QCOMPARE(outcomes.size(), 4);
@@ -349,25 +349,25 @@ void TestCliRecover::aCutCableLeavesTheRestNotSent()
     QVERIFY(hasOpenIntent(cli));
 }
 
-void TestCliRecover::aLockedHistorySaysSo()
+void TestCliRecover::aLockedHistoryIsReported()
 {
-    static_assert(2 * record::historyPatience < std::chrono::seconds(2));
+    static_assert(2 * record::historyTimeout < std::chrono::seconds(2));
     CliProgram cli;
     QCOMPARE(cli.run("write 1 max_temperature=61").exit, 0);
     const auto other = record::HistoryFile::open(historyOf(cli), std::chrono::seconds(5));
     QVERIFY(other);
-    Ran ran;
-    const auto held = (*other)->together([&]() -> base::Result<void> {
+    ProgramResult result;
+    const auto held = (*other)->transaction([&]() -> base::Result<void> {
         QElapsedTimer timer;
         timer.start();
-        ran = cli.run("write 1 max_temperature=62");
+        result = cli.run("write 1 max_temperature=62");
         qInfo("said after %lld ms", timer.elapsed());
         return {};
     });
     QVERIFY(held);
-    QCOMPARE(ran.exit, 5);
-    QVERIFY2(ran.err.contains(QStringLiteral("he history is in use for too long")),
-             qPrintable(ran.out + ran.err));
+    QCOMPARE(result.exit, 5);
+    QVERIFY2(result.err.contains(QStringLiteral("he history is in use for too long")),
+             qPrintable(result.out + result.err));
     QCOMPARE(cli.run("write 1 max_temperature=62").exit, 0);
 }
 
@@ -378,13 +378,14 @@ void TestCliRecover::aDamagedJournalIsReportedOnce()
     QVERIFY(journal.open(QIODevice::WriteOnly));
     journal.write("{\"begin\": torn\n\x01\x02\x03\n");
     journal.close();
-    const Ran ran = cli.run("recover");
-    QCOMPARE(ran.exit, 0);
-    QVERIFY2(ran.err.contains(QStringLiteral("earlier version's journal cannot be read")),
-             qPrintable(ran.out + ran.err));
-    QVERIFY2(ran.err.contains(QStringLiteral("journal.jsonl.taken-1: 2")), qPrintable(ran.err));
+    const ProgramResult result = cli.run("recover");
+    QCOMPARE(result.exit, 0);
+    QVERIFY2(result.err.contains(QStringLiteral("earlier version's journal cannot be read")),
+             qPrintable(result.out + result.err));
+    QVERIFY2(result.err.contains(QStringLiteral("journal.jsonl.taken-1: 2")),
+             qPrintable(result.err));
     QVERIFY(QFile::exists(journal.fileName() + QStringLiteral(".taken-1")));
-    const Ran again = cli.run("recover");
+    const ProgramResult again = cli.run("recover");
     QCOMPARE(again.exit, 0);
     QVERIFY2(!again.err.contains(QStringLiteral("journal")), qPrintable(again.err));
 }

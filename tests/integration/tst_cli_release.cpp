@@ -10,7 +10,7 @@
 #include <csignal>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using namespace std::chrono_literals;
 
 namespace {
@@ -79,42 +79,42 @@ void turn(bytes::Bus& bus, const std::vector<int>& ids)
 }
 } // namespace
 
-class TestCliRelease : public QObject {
+class TestCliTorqueOff : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void torqueOffReachesAllBeforeAnythingIsRead_data();
-    void torqueOffReachesAllBeforeAnythingIsRead();
+    void torqueOffIsSentToAllBeforeReading_data();
+    void torqueOffIsSentToAllBeforeReading();
     void silentServosDoNotDelayTorqueOff();
-    void manyServosShareNoPacketThatIsTooLong();
-    void whatWasConfirmedBeforeCtrlCIsSaid_data();
-    void whatWasConfirmedBeforeCtrlCIsSaid();
-    void whatWasNotBegunAtCtrlCIsSaid();
+    void packetsStayWithinTheSizeLimit();
+    void resultsBeforeCtrlCAreReported_data();
+    void resultsBeforeCtrlCAreReported();
+    void unstartedWorkAtCtrlCIsReported();
     void unknownRateDoesNotDelayTorqueOff();
     void silentServosDoNotDelayAStop();
     void aLostReplyDelaysNoStop();
-    void allAreStoppedBeforeOneIsConfirmed_data();
-    void allAreStoppedBeforeOneIsConfirmed();
+    void allAreStoppedBeforeAnyConfirmation_data();
+    void allAreStoppedBeforeAnyConfirmation();
 };
 
-void TestCliRelease::torqueOffReachesAllBeforeAnythingIsRead_data()
+void TestCliTorqueOff::torqueOffIsSentToAllBeforeReading_data()
 {
     QTest::addColumn<int>("latency");
     QTest::newRow("prompt adapter") << 1;
     QTest::newRow("slow adapter") << 60;
 }
 
-void TestCliRelease::torqueOffReachesAllBeforeAnythingIsRead()
+void TestCliTorqueOff::torqueOffIsSentToAllBeforeReading()
 {
     QFETCH(int, latency);
     bytes::Bus bus({1, 2, 3, 4, 9}, std::chrono::milliseconds(latency));
     turn(bus, {1, 2, 3, 4, 9});
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.run("torque 1-4 off --protocol feetech");
-    QVERIFY2(ran.exit == 0, qPrintable(ran.err));
+    const ProgramResult result = cli.run("torque 1-4 off --protocol feetech");
+    QVERIFY2(result.exit == 0, qPrintable(result.err));
     const Frames frames = bus.frames();
     const std::size_t read = firstRead(frames);
     const std::size_t packet = firstPacket(frames);
@@ -125,25 +125,25 @@ void TestCliRelease::torqueOffReachesAllBeforeAnythingIsRead()
         QCOMPARE(bus.byteAt(id, torqueSwitch), 0);
     }
     QCOMPARE(bus.byteAt(9, torqueSwitch), 1); // was not named
-    QVERIFY2(ran.err.contains(QStringLiteral("1, 2, 3, 4")), qPrintable(ran.err));
+    QVERIFY2(result.err.contains(QStringLiteral("1, 2, 3, 4")), qPrintable(result.err));
 }
 
-void TestCliRelease::silentServosDoNotDelayTorqueOff()
+void TestCliTorqueOff::silentServosDoNotDelayTorqueOff()
 {
     bytes::Bus bus({1}, 1ms);
     turn(bus, {1});
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.run("torque 30-34 1 off --protocol feetech");
-    QCOMPARE(ran.exit, 4);
+    const ProgramResult result = cli.run("torque 30-34 1 off --protocol feetech");
+    QCOMPARE(result.exit, 4);
     const Frames frames = bus.frames();
     for (const int id : {30, 34, 1})
         QVERIFY(firstWrite(frames, id, torqueSwitch) < firstRead(frames));
     QCOMPARE(bus.byteAt(1, torqueSwitch), 0);
-    QVERIFY2(ran.out.contains(QStringLiteral("Servo 1: torque off")), qPrintable(ran.out));
+    QVERIFY2(result.out.contains(QStringLiteral("Servo 1: torque off")), qPrintable(result.out));
 }
 
-void TestCliRelease::manyServosShareNoPacketThatIsTooLong()
+void TestCliTorqueOff::packetsStayWithinTheSizeLimit()
 {
     bytes::Bus bus({200}, 1ms);
     turn(bus, {200});
@@ -152,10 +152,10 @@ void TestCliRelease::manyServosShareNoPacketThatIsTooLong()
     cli.start(support::words("torque 0-200 off --protocol feetech"));
     QTRY_COMPARE_WITH_TIMEOUT(bus.byteAt(200, torqueSwitch), 0, 60'000);
     cli.signal(SIGINT);
-    const Ran ran = cli.finish();
-    QVERIFY2(ran.err.contains(QStringLiteral("Ended by you before it was confirmed")),
-             qPrintable(ran.err));
-    QVERIFY(!ran.err.contains(QStringLiteral("not been touched")));
+    const ProgramResult result = cli.finish();
+    QVERIFY2(result.err.contains(QStringLiteral("Ended by you before it was confirmed")),
+             qPrintable(result.err));
+    QVERIFY(!result.err.contains(QStringLiteral("not been touched")));
     QSet<int> named;
     for (const QByteArray& frame : bus.frames()) {
         if (at(frame, 4) != syncWriteInstruction)
@@ -167,7 +167,7 @@ void TestCliRelease::manyServosShareNoPacketThatIsTooLong()
     QCOMPARE(named.size(), 201);
 }
 
-void TestCliRelease::whatWasConfirmedBeforeCtrlCIsSaid_data()
+void TestCliTorqueOff::resultsBeforeCtrlCAreReported_data()
 {
     QTest::addColumn<QString>("command");
     QTest::addColumn<QString>("done");
@@ -177,7 +177,7 @@ void TestCliRelease::whatWasConfirmedBeforeCtrlCIsSaid_data()
                           << QStringLiteral("Servo 1: stopped");
 }
 
-void TestCliRelease::whatWasConfirmedBeforeCtrlCIsSaid()
+void TestCliTorqueOff::resultsBeforeCtrlCAreReported()
 {
     QFETCH(QString, command);
     QFETCH(QString, done);
@@ -192,15 +192,15 @@ void TestCliRelease::whatWasConfirmedBeforeCtrlCIsSaid()
     };
     QTRY_VERIFY_WITH_TIMEOUT(isAsked(), 60'000);
     cli.signal(SIGINT);
-    const Ran ran = cli.finish();
-    QVERIFY(ran.exit != 0);
-    QVERIFY2(ran.out.contains(done), qPrintable(ran.out + ran.err));
-    QVERIFY2(ran.err.contains(QRegularExpression(QStringLiteral("confirmed \\(ID [^)]*49\\)"))),
-             qPrintable(ran.err));
-    QVERIFY2(!ran.err.contains(QStringLiteral("stopped")), qPrintable(ran.err));
+    const ProgramResult result = cli.finish();
+    QVERIFY(result.exit != 0);
+    QVERIFY2(result.out.contains(done), qPrintable(result.out + result.err));
+    QVERIFY2(result.err.contains(QRegularExpression(QStringLiteral("confirmed \\(ID [^)]*49\\)"))),
+             qPrintable(result.err));
+    QVERIFY2(!result.err.contains(QStringLiteral("stopped")), qPrintable(result.err));
 }
 
-void TestCliRelease::whatWasNotBegunAtCtrlCIsSaid()
+void TestCliTorqueOff::unstartedWorkAtCtrlCIsReported()
 {
     bytes::Bus bus({1}, 1ms);
     CliProgram cli;
@@ -212,35 +212,35 @@ void TestCliRelease::whatWasNotBegunAtCtrlCIsSaid()
     };
     QTRY_VERIFY_WITH_TIMEOUT(isAsked(), 60'000);
     cli.signal(SIGINT);
-    const Ran ran = cli.finish();
-    QVERIFY2(ran.out.contains(QStringLiteral("Servo 1: torque on")), qPrintable(ran.out));
-    QVERIFY2(ran.err.contains(QRegularExpression(QStringLiteral("sent \\(ID [^)]*49\\)"))),
-             qPrintable(ran.err));
-    QVERIFY2(!ran.err.contains(QStringLiteral("may still have torque")), qPrintable(ran.err));
+    const ProgramResult result = cli.finish();
+    QVERIFY2(result.out.contains(QStringLiteral("Servo 1: torque on")), qPrintable(result.out));
+    QVERIFY2(result.err.contains(QRegularExpression(QStringLiteral("sent \\(ID [^)]*49\\)"))),
+             qPrintable(result.err));
+    QVERIFY2(!result.err.contains(QStringLiteral("may still have torque")), qPrintable(result.err));
 }
 
 /// A pseudo-terminal carries bytes at any rate.
-void TestCliRelease::unknownRateDoesNotDelayTorqueOff()
+void TestCliTorqueOff::unknownRateDoesNotDelayTorqueOff()
 {
     bytes::Bus bus({1, 2}, 1ms);
     turn(bus, {1, 2});
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.run("torque 1 2 off --protocol feetech --baud auto");
-    QVERIFY2(ran.exit == 0, qPrintable(ran.err));
+    const ProgramResult result = cli.run("torque 1 2 off --protocol feetech --baud auto");
+    QVERIFY2(result.exit == 0, qPrintable(result.err));
     const Frames frames = bus.frames();
     for (const int id : {1, 2})
         QVERIFY(firstWrite(frames, id, torqueSwitch) < firstRead(frames));
 }
 
-void TestCliRelease::silentServosDoNotDelayAStop()
+void TestCliTorqueOff::silentServosDoNotDelayAStop()
 {
     bytes::Bus bus({1}, 1ms);
     turn(bus, {1});
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.run("stop 30-33 1 --protocol feetech");
-    QCOMPARE(ran.exit, 4);
+    const ProgramResult result = cli.run("stop 30-33 1 --protocol feetech");
+    QCOMPARE(result.exit, 4);
     const Frames frames = bus.frames();
     const std::size_t stopped = firstWrite(frames, 1, speedAddress);
     QVERIFY(stopped < frames.size());
@@ -253,22 +253,23 @@ void TestCliRelease::silentServosDoNotDelayAStop()
 }
 
 /// One that did not hear the first PING is commanded with the others.
-void TestCliRelease::aLostReplyDelaysNoStop()
+void TestCliTorqueOff::aLostReplyDelaysNoStop()
 {
     bytes::Bus bus({1, 2}, 1ms);
     turn(bus, {1, 2});
-    bus.losePings(1, 1);
+    bus.dropPings(1, 1);
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.run("stop 1 2 --protocol feetech");
-    QVERIFY2(ran.exit == 0, qPrintable(ran.err));
-    QVERIFY2(ran.err.contains(QStringLiteral("(ID 2, 1)")), qPrintable(ran.err)); // confirming both
-    QVERIFY2(!ran.err.contains(QStringLiteral("No answer yet")), qPrintable(ran.err));
+    const ProgramResult result = cli.run("stop 1 2 --protocol feetech");
+    QVERIFY2(result.exit == 0, qPrintable(result.err));
+    QVERIFY2(result.err.contains(QStringLiteral("(ID 2, 1)")),
+             qPrintable(result.err)); // confirming both
+    QVERIFY2(!result.err.contains(QStringLiteral("No answer yet")), qPrintable(result.err));
     for (const int id : {1, 2})
         QCOMPARE(bus.byteAt(id, speedAddress), 0);
 }
 
-void TestCliRelease::allAreStoppedBeforeOneIsConfirmed_data()
+void TestCliTorqueOff::allAreStoppedBeforeAnyConfirmation_data()
 {
     QTest::addColumn<int>("mode");
     QTest::addColumn<int>("command");
@@ -276,11 +277,11 @@ void TestCliRelease::allAreStoppedBeforeOneIsConfirmed_data()
     QTest::newRow("positions") << 0 << goalAddress;
 }
 
-void TestCliRelease::allAreStoppedBeforeOneIsConfirmed()
+void TestCliTorqueOff::allAreStoppedBeforeAnyConfirmation()
 {
     QFETCH(int, mode);
     QFETCH(int, command);
-    constexpr int mostReadsEach = 5;
+    constexpr int maxReadsPerServo = 5;
     const std::vector<int> ids{1, 2, 3, 4};
     bytes::Bus bus({1, 2, 3, 4}, 20ms);
     turn(bus, ids);
@@ -288,20 +289,20 @@ void TestCliRelease::allAreStoppedBeforeOneIsConfirmed()
         bus.setByte(id, modeAddress, mode);
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.run("stop 1-4 --protocol feetech");
-    QVERIFY2(ran.exit == 0, qPrintable(ran.err));
+    const ProgramResult result = cli.run("stop 1-4 --protocol feetech");
+    QVERIFY2(result.exit == 0, qPrintable(result.err));
     const Frames frames = bus.frames();
     for (const int id : ids) {
         const std::size_t stopped = firstWrite(frames, id, command);
         QVERIFY(stopped < frames.size());
         const auto reads = readsBefore(frames, stopped);
-        QVERIFY2(reads <= mostReadsEach * id, qPrintable(QString::number(reads)));
+        QVERIFY2(reads <= maxReadsPerServo * id, qPrintable(QString::number(reads)));
         QCOMPARE(bus.byteAt(id, command),
                  command == goalAddress ? bus.byteAt(id, placeAddress) : 0);
         QCOMPARE(bus.byteAt(id, torqueSwitch), 1);
     }
-    QVERIFY2(ran.err.contains(QStringLiteral("1, 2, 3, 4")), qPrintable(ran.err));
+    QVERIFY2(result.err.contains(QStringLiteral("1, 2, 3, 4")), qPrintable(result.err));
 }
 
-QTEST_GUILESS_MAIN(TestCliRelease)
+QTEST_GUILESS_MAIN(TestCliTorqueOff)
 #include "tst_cli_release.moc"

@@ -11,7 +11,7 @@
 #include <QTest>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 
 namespace {
 QSet<QString> keysOf(const QJsonValue& value)
@@ -40,38 +40,38 @@ QString named(const QJsonObject& object, const char* key)
     return object[QLatin1String(key)].toString();
 }
 
-bool hasChinese(const QString& text)
+bool containsChinese(const QString& text)
 {
     static const QRegularExpression han(QStringLiteral("\\p{Han}"));
     return text.contains(han);
 }
 } // namespace
 
-class TestCliShapes : public QObject {
+class TestCliOutputFormats : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void aGoalWrittenByHandSaysThatItEnergises();
+    void aRawGoalWriteWarnsOfTorqueOn();
     void scanListsEveryServo();
-    void scanOfNobodyIsNoAnswer();
-    void dumpIsTheWholeTable();
-    void readKeepsTheOrderAskedFor();
-    void rawIsSignedWhereTheRegisterIs();
-    void writeTellsOutcomeAndLock_data();
-    void writeTellsOutcomeAndLock();
-    void errorsAreDocumentsToo_data();
-    void errorsAreDocumentsToo();
-    void noticesAreNotes();
-    void infoNamesAlarmAndRelease();
+    void emptyScanIsNoAnswer();
+    void dumpHasTheWholeTable();
+    void readKeepsTheRequestedOrder();
+    void rawIsSignedForSignedRegisters();
+    void writeReportsOutcomeAndLock_data();
+    void writeReportsOutcomeAndLock();
+    void errorsAreJsonDocumentsToo_data();
+    void errorsAreJsonDocumentsToo();
+    void noticesGoToStderr();
+    void infoShowsAlarmAndRemedy();
     void clearAlarmMovesOnlyWhenAllowed();
-    void identifyPutsTheLedBack();
-    void setIdMovesTheServo();
-    void moveArrives();
+    void identifyRestoresTheLed();
+    void setIdChangesTheId();
+    void moveReachesItsGoal();
     void watchStreamsOneDocument();
     void csvHasOneHeaderLine();
-    void rawShowsTheAnswer();
+    void rawShowsTheReply();
     void snapshotRoundTrip();
     void restoreDefaultsSavesASnapshotFirst();
     void recoverWithoutOpenChangesNeedsNoPort();
@@ -80,26 +80,26 @@ private Q_SLOTS:
     void humanTablesInBothLanguages();
     void helpInBothLanguages_data();
     void helpInBothLanguages();
-    void tourProvesWhatItSays();
+    void tourVerifiesItsClaims();
     void tourRefusesARealPort();
 };
 
-void TestCliShapes::aGoalWrittenByHandSaysThatItEnergises()
+void TestCliOutputFormats::aRawGoalWriteWarnsOfTorqueOn()
 {
     CliProgram cli;
-    const Ran ran = cli.json("write 1 goal_position=2100");
-    QCOMPARE(ran.exit, 0);
-    const QJsonArray notes = ran.json()[QLatin1String("notes")].toArray();
+    const ProgramResult result = cli.json("write 1 goal_position=2100");
+    QCOMPARE(result.exit, 0);
+    const QJsonArray notes = result.json()[QLatin1String("notes")].toArray();
     QCOMPARE(notes.size(), 1);
     QCOMPARE(notes[0][QLatin1String("code")].toString(), QStringLiteral("torque-switched-on"));
 }
 
-void TestCliShapes::scanListsEveryServo()
+void TestCliOutputFormats::scanListsEveryServo()
 {
     CliProgram cli;
-    const Ran ran = cli.json("scan --ids 0-10");
-    QCOMPARE(ran.exit, 0);
-    const QJsonObject json = ran.json();
+    const ProgramResult result = cli.json("scan --ids 0-10");
+    QCOMPARE(result.exit, 0);
+    const QJsonObject json = result.json();
     QCOMPARE(keysOf(json), names("port elapsed_ms found notes"));
     // SCS beside STS on one line: said once.
     const QJsonArray notes = json[QLatin1String("notes")].toArray();
@@ -121,21 +121,21 @@ void TestCliShapes::scanListsEveryServo()
     QCOMPARE(found[5][QLatin1String("status")].toArray(), QJsonArray{QStringLiteral("voltage")});
 }
 
-void TestCliShapes::scanOfNobodyIsNoAnswer()
+void TestCliOutputFormats::emptyScanIsNoAnswer()
 {
     CliProgram cli;
-    const Ran ran = cli.json("scan --ids 100-110");
-    QCOMPARE(ran.exit, 4);
-    QCOMPARE(ran.json()[QLatin1String("found")].toArray().size(), 0);
-    QVERIFY(ran.json().contains(QLatin1String("found")));
+    const ProgramResult result = cli.json("scan --ids 100-110");
+    QCOMPARE(result.exit, 4);
+    QCOMPARE(result.json()[QLatin1String("found")].toArray().size(), 0);
+    QVERIFY(result.json().contains(QLatin1String("found")));
 }
 
-void TestCliShapes::dumpIsTheWholeTable()
+void TestCliOutputFormats::dumpHasTheWholeTable()
 {
     CliProgram cli;
-    const Ran ran = cli.json("dump 1");
-    QCOMPARE(ran.exit, 0);
-    const QJsonObject json = ran.json();
+    const ProgramResult result = cli.json("dump 1");
+    QCOMPARE(result.exit, 0);
+    const QJsonObject json = result.json();
     QCOMPARE(keysOf(json), names("id registers"));
     QCOMPARE(json[QLatin1String("id")].toInt(), 1);
     int address = -1;
@@ -157,29 +157,29 @@ void TestCliShapes::dumpIsTheWholeTable()
     QCOMPARE(named(registerIn(json, "operating_mode"), "value"), QStringLiteral("position"));
 }
 
-void TestCliShapes::readKeepsTheOrderAskedFor()
+void TestCliOutputFormats::readKeepsTheRequestedOrder()
 {
     CliProgram cli;
-    const Ran ran = cli.json("read 1 lock id position_p");
-    QCOMPARE(ran.exit, 0);
-    const QJsonArray rows = ran.json()[QLatin1String("registers")].toArray();
+    const ProgramResult result = cli.json("read 1 lock id position_p");
+    QCOMPARE(result.exit, 0);
+    const QJsonArray rows = result.json()[QLatin1String("registers")].toArray();
     QCOMPARE(rows.size(), 3);
     QCOMPARE(rows[0][QLatin1String("key")].toString(), QStringLiteral("lock"));
     QCOMPARE(rows[1][QLatin1String("raw")].toInt(), 1);
     QCOMPARE(rows[2][QLatin1String("address")].toInt(), 21);
 }
 
-void TestCliShapes::rawIsSignedWhereTheRegisterIs()
+void TestCliOutputFormats::rawIsSignedForSignedRegisters()
 {
     CliProgram cli;
-    const Ran ran = cli.json("write 1 position_offset=-100 --dangerous");
-    QCOMPARE(ran.exit, 0);
-    const QJsonValue write = ran.json()[QLatin1String("writes")].toArray()[0];
+    const ProgramResult result = cli.json("write 1 position_offset=-100 --dangerous");
+    QCOMPARE(result.exit, 0);
+    const QJsonValue write = result.json()[QLatin1String("writes")].toArray()[0];
     QCOMPARE(write[QLatin1String("new")].toInt(), -100);
     QCOMPARE(write[QLatin1String("read_back")].toInt(), -100);
 }
 
-void TestCliShapes::writeTellsOutcomeAndLock_data()
+void TestCliOutputFormats::writeReportsOutcomeAndLock_data()
 {
     QTest::addColumn<QString>("command");
     QTest::addColumn<QString>("outcome");
@@ -199,16 +199,16 @@ void TestCliShapes::writeTellsOutcomeAndLock_data()
     row("other family", "write 5 max_temperature=60", "kept", "closed", 60);
 }
 
-void TestCliShapes::writeTellsOutcomeAndLock()
+void TestCliOutputFormats::writeReportsOutcomeAndLock()
 {
     QFETCH(QString, command);
     QFETCH(QString, outcome);
     QFETCH(QString, lock);
     QFETCH(int, value);
     CliProgram cli;
-    const Ran ran = cli.json(qPrintable(command));
-    QCOMPARE(ran.exit, 0);
-    const QJsonObject json = ran.json();
+    const ProgramResult result = cli.json(qPrintable(command));
+    QCOMPARE(result.exit, 0);
+    const QJsonObject json = result.json();
     QCOMPARE(keysOf(json) - names("notes"), names("id writes lock snapshot"));
     QCOMPARE(named(json, "lock"), lock);
     const QJsonArray writes = json[QLatin1String("writes")].toArray();
@@ -218,7 +218,7 @@ void TestCliShapes::writeTellsOutcomeAndLock()
     QCOMPARE(writes[0][QLatin1String("read_back")].toInt(), value);
 }
 
-void TestCliShapes::errorsAreDocumentsToo_data()
+void TestCliOutputFormats::errorsAreJsonDocumentsToo_data()
 {
     QTest::addColumn<QString>("command");
     QTest::addColumn<int>("exit");
@@ -241,25 +241,25 @@ void TestCliShapes::errorsAreDocumentsToo_data()
     row("no folder", "snapshot save 1 /nowhere/x.servo.json", 5, "file-unwritable");
 }
 
-void TestCliShapes::errorsAreDocumentsToo()
+void TestCliOutputFormats::errorsAreJsonDocumentsToo()
 {
     QFETCH(QString, command);
     QFETCH(int, exit);
     QFETCH(QString, code);
     CliProgram cli;
-    const Ran ran = cli.json(qPrintable(command));
-    const QJsonObject error = ran.json()[QLatin1String("error")].toObject();
+    const ProgramResult result = cli.json(qPrintable(command));
+    const QJsonObject error = result.json()[QLatin1String("error")].toObject();
     QCOMPARE(named(error, "code"), code);
-    QCOMPARE(ran.exit, exit);
+    QCOMPARE(result.exit, exit);
     QVERIFY(!named(error, "message").isEmpty());
     QVERIFY(!named(error, "remedy").isEmpty());
 
-    const Ran human = cli.run(qPrintable(command));
+    const ProgramResult human = cli.run(qPrintable(command));
     QCOMPARE(human.exit, exit);
     QVERIFY2(human.err.contains(named(error, "message")), qPrintable(human.err));
 }
 
-void TestCliShapes::noticesAreNotes()
+void TestCliOutputFormats::noticesGoToStderr()
 {
     CliProgram cli;
     const QJsonObject json = cli.json("mode 1 speed").json();
@@ -271,7 +271,7 @@ void TestCliShapes::noticesAreNotes()
     QVERIFY(codes.contains(QStringLiteral("torque-stays-off")));
 }
 
-void TestCliShapes::infoNamesAlarmAndRelease()
+void TestCliOutputFormats::infoShowsAlarmAndRemedy()
 {
     CliProgram cli;
     const QJsonObject json = cli.json("info 6").json();
@@ -287,37 +287,37 @@ void TestCliShapes::infoNamesAlarmAndRelease()
 }
 
 /// Servo 5 of this bus stands pressed against its stop.
-void TestCliShapes::clearAlarmMovesOnlyWhenAllowed()
+void TestCliOutputFormats::clearAlarmMovesOnlyWhenAllowed()
 {
     CliProgram cli;
     cli.setPort(QStringLiteral("sim:trouble"));
-    const Ran asked = cli.json("clear-alarm 5");
+    const ProgramResult asked = cli.json("clear-alarm 5");
     QCOMPARE(asked.exit, 1);
     QCOMPARE(named(asked.json(), "next"), QStringLiteral("turn-back"));
     QVERIFY(!asked.json()[QLatin1String("acted")].toBool());
-    const Ran done = cli.json("clear-alarm 5 --move");
+    const ProgramResult done = cli.json("clear-alarm 5 --move");
     QCOMPARE(done.exit, 0);
     QVERIFY(done.json()[QLatin1String("cleared")].toBool());
     QVERIFY(done.json()[QLatin1String("alarms")].toArray().isEmpty());
     QVERIFY(cli.run("clear-alarm 5").out.contains(QStringLiteral("overload")));
 }
 
-void TestCliShapes::identifyPutsTheLedBack()
+void TestCliOutputFormats::identifyRestoresTheLed()
 {
     CliProgram cli;
-    const Ran ran = cli.json("identify 1");
-    QCOMPARE(ran.exit, 0);
-    QVERIFY(ran.json()[QLatin1String("blinks")].toInt() >= 3);
-    QCOMPARE(named(ran.json(), "register"), QStringLiteral("led_alarm_condition"));
+    const ProgramResult result = cli.json("identify 1");
+    QCOMPARE(result.exit, 0);
+    QVERIFY(result.json()[QLatin1String("blinks")].toInt() >= 3);
+    QCOMPARE(named(result.json(), "register"), QStringLiteral("led_alarm_condition"));
     QCOMPARE(cli.json("recover").json()[QLatin1String("intents")].toArray().size(), 0);
 }
 
-void TestCliShapes::setIdMovesTheServo()
+void TestCliOutputFormats::setIdChangesTheId()
 {
     CliProgram cli;
-    const Ran ran = cli.json("set-id 1 77");
-    QCOMPARE(ran.exit, 0);
-    const QJsonObject json = ran.json();
+    const ProgramResult result = cli.json("set-id 1 77");
+    QCOMPARE(result.exit, 0);
+    const QJsonObject json = result.json();
     QCOMPARE(named(json, "lock"), QStringLiteral("closed"));
     const QJsonValue write = json[QLatin1String("writes")].toArray()[0];
     QCOMPARE(write[QLatin1String("address")].toInt(), 5);
@@ -326,12 +326,12 @@ void TestCliShapes::setIdMovesTheServo()
     QCOMPARE(write[QLatin1String("outcome")].toString(), QStringLiteral("kept"));
 }
 
-void TestCliShapes::moveArrives()
+void TestCliOutputFormats::moveReachesItsGoal()
 {
     CliProgram cli;
-    const Ran ran = cli.json("move 1=90deg 2=1700 --how sync --wait");
-    QCOMPARE(ran.exit, 0);
-    const QJsonArray moves = ran.json()[QLatin1String("moves")].toArray();
+    const ProgramResult result = cli.json("move 1=90deg 2=1700 --how sync --wait");
+    QCOMPARE(result.exit, 0);
+    const QJsonArray moves = result.json()[QLatin1String("moves")].toArray();
     QCOMPARE(moves.size(), 2);
     QCOMPARE(moves[0][QLatin1String("goal")].toInt(), 1024);
     QVERIFY(std::abs(moves[0][QLatin1String("value")].toDouble() - 90.0) < 2.0);
@@ -339,12 +339,12 @@ void TestCliShapes::moveArrives()
     QCOMPARE(moves[0][QLatin1String("fields")].toArray().size(), 1);
 }
 
-void TestCliShapes::watchStreamsOneDocument()
+void TestCliOutputFormats::watchStreamsOneDocument()
 {
     CliProgram cli;
-    const Ran ran = cli.json("watch 1 5 --rate 50 --for 0.3");
-    QCOMPARE(ran.exit, 0);
-    const QJsonObject json = ran.json();
+    const ProgramResult result = cli.json("watch 1 5 --rate 50 --for 0.3");
+    QCOMPARE(result.exit, 0);
+    const QJsonObject json = result.json();
     QCOMPARE(keysOf(json), names("port columns rows summary"));
     const QJsonArray rows = json[QLatin1String("rows")].toArray();
     const qsizetype columns = json[QLatin1String("columns")].toArray().size();
@@ -359,7 +359,7 @@ void TestCliShapes::watchStreamsOneDocument()
     QCOMPARE(json[QLatin1String("summary")][QLatin1String("readings")].toInt(), rows.size());
 }
 
-void TestCliShapes::csvHasOneHeaderLine()
+void TestCliOutputFormats::csvHasOneHeaderLine()
 {
     CliProgram cli;
     const QString path = cli.dataFolder() + QStringLiteral("/w.csv");
@@ -378,62 +378,62 @@ void TestCliShapes::csvHasOneHeaderLine()
     }
 }
 
-void TestCliShapes::rawShowsTheAnswer()
+void TestCliOutputFormats::rawShowsTheReply()
 {
     CliProgram cli;
-    const Ran ran = cli.json("raw FF FF 01 02 01 FB");
-    QCOMPARE(ran.exit, 0);
-    QCOMPARE(named(ran.json(), "received"), QStringLiteral("FF FF 01 02 00 FC"));
+    const ProgramResult result = cli.json("raw FF FF 01 02 01 FB");
+    QCOMPARE(result.exit, 0);
+    QCOMPARE(named(result.json(), "received"), QStringLiteral("FF FF 01 02 00 FC"));
     QCOMPARE(cli.json("raw FFFF630201 99").exit, 4); // nobody has ID 99
 }
 
-void TestCliShapes::snapshotRoundTrip()
+void TestCliOutputFormats::snapshotRoundTrip()
 {
     CliProgram cli;
     const QString path = cli.dataFolder() + QStringLiteral("/one.servo.json");
     QCOMPARE(cli.run(support::words("snapshot save 3") << path).exit, 0);
     cli.setPort({});
-    const Ran shown = cli.run(support::words("snapshot show --json") << path);
+    const ProgramResult shown = cli.run(support::words("snapshot show --json") << path);
     QCOMPARE(shown.exit, 0);
     const QJsonObject json = shown.json();
     QCOMPARE(named(json, "model"), QStringLiteral("STS3250"));
     QCOMPARE(registerIn(json, "max_angle_limit")[QLatin1String("raw")].toInt(), 4095);
 }
 
-void TestCliShapes::restoreDefaultsSavesASnapshotFirst()
+void TestCliOutputFormats::restoreDefaultsSavesASnapshotFirst()
 {
     CliProgram cli;
-    const Ran ran = cli.json("restore-defaults 1");
-    QCOMPARE(ran.exit, 0);
-    const QString saved = named(ran.json(), "snapshot");
+    const ProgramResult result = cli.json("restore-defaults 1");
+    QCOMPARE(result.exit, 0);
+    const QString saved = named(result.json(), "snapshot");
     QVERIFY2(saved.startsWith(cli.dataFolder()), qPrintable(saved));
     QVERIFY(QFile::exists(saved));
-    QCOMPARE(named(ran.json(), "lock"), QStringLiteral("closed"));
+    QCOMPARE(named(result.json(), "lock"), QStringLiteral("closed"));
 }
 
-void TestCliShapes::recoverWithoutOpenChangesNeedsNoPort()
+void TestCliOutputFormats::recoverWithoutOpenChangesNeedsNoPort()
 {
     CliProgram cli;
     cli.setPort({});
-    const Ran ran = cli.json("recover");
-    QCOMPARE(ran.exit, 0);
-    QCOMPARE(ran.json()[QLatin1String("intents")].toArray().size(), 0);
+    const ProgramResult result = cli.json("recover");
+    QCOMPARE(result.exit, 0);
+    QCOMPARE(result.json()[QLatin1String("intents")].toArray().size(), 0);
 }
 
-void TestCliShapes::portsListSimulatedBuses()
+void TestCliOutputFormats::portsListSimulatedBuses()
 {
     CliProgram cli;
     cli.setPort({});
-    const Ran ran = cli.json("ports");
-    QCOMPARE(ran.exit, 0);
+    const ProgramResult result = cli.json("ports");
+    QCOMPARE(result.exit, 0);
     QStringList paths;
-    for (const QJsonValue& port : ran.json()[QLatin1String("ports")].toArray())
+    for (const QJsonValue& port : result.json()[QLatin1String("ports")].toArray())
         paths << port[QLatin1String("path")].toString();
     QVERIFY(paths.contains(QStringLiteral("sim:demo")));
     QVERIFY(paths.contains(QStringLiteral("sim:trouble")));
 }
 
-void TestCliShapes::humanTablesInBothLanguages_data()
+void TestCliOutputFormats::humanTablesInBothLanguages_data()
 {
     QTest::addColumn<QString>("command");
     for (const char* command :
@@ -443,23 +443,23 @@ void TestCliShapes::humanTablesInBothLanguages_data()
         QTest::newRow(command) << QString::fromLatin1(command);
 }
 
-void TestCliShapes::humanTablesInBothLanguages()
+void TestCliOutputFormats::humanTablesInBothLanguages()
 {
     QFETCH(QString, command);
     CliProgram cli;
-    const Ran english = cli.run(support::words(qPrintable(command)));
+    const ProgramResult english = cli.run(support::words(qPrintable(command)));
     QCOMPARE(english.exit, 0);
     QVERIFY(!english.out.isEmpty());
-    QVERIFY2(!hasChinese(english.out + english.err), qPrintable(english.out));
-    const Ran chinese =
+    QVERIFY2(!containsChinese(english.out + english.err), qPrintable(english.out));
+    const ProgramResult chinese =
         cli.run(support::words(qPrintable(command + QStringLiteral(" --lang zh_CN"))));
     QCOMPARE(chinese.exit, 0);
-    QVERIFY2(hasChinese(chinese.out), qPrintable(chinese.out));
+    QVERIFY2(containsChinese(chinese.out), qPrintable(chinese.out));
     static const QRegularExpression placeholder(QStringLiteral("%[0-9]"));
     QVERIFY(!english.out.contains(placeholder) && !chinese.out.contains(placeholder));
 }
 
-void TestCliShapes::helpInBothLanguages_data()
+void TestCliOutputFormats::helpInBothLanguages_data()
 {
     QTest::addColumn<QString>("command");
     QTest::newRow("all") << QString();
@@ -472,28 +472,30 @@ void TestCliShapes::helpInBothLanguages_data()
         QTest::newRow(command) << QString::fromLatin1(command);
 }
 
-void TestCliShapes::helpInBothLanguages()
+void TestCliOutputFormats::helpInBothLanguages()
 {
     QFETCH(QString, command);
     CliProgram cli;
-    const Ran english = cli.run(support::words(qPrintable(command)) << QStringLiteral("--help"));
+    const ProgramResult english =
+        cli.run(support::words(qPrintable(command)) << QStringLiteral("--help"));
     QCOMPARE(english.exit, 0);
     QVERIFY(english.out.contains(QStringLiteral("Usage: servodesk-cli")));
     QVERIFY(english.out.contains(command));
-    QVERIFY(!hasChinese(english.out));
+    QVERIFY(!containsChinese(english.out));
     cli.setEnvironment(QStringLiteral("LANG"), QStringLiteral("zh_CN.UTF-8"));
-    const Ran chinese = cli.run(support::words(qPrintable(command)) << QStringLiteral("--help"));
+    const ProgramResult chinese =
+        cli.run(support::words(qPrintable(command)) << QStringLiteral("--help"));
     QCOMPARE(chinese.exit, 0);
     QVERIFY(chinese.out.contains(QStringLiteral("用法：")));
 }
 
-void TestCliShapes::tourProvesWhatItSays()
+void TestCliOutputFormats::tourVerifiesItsClaims()
 {
     CliProgram cli;
     cli.setPort({});
-    const Ran ran = cli.json("tour");
-    QCOMPARE(ran.exit, 0);
-    const QJsonObject json = ran.json();
+    const ProgramResult result = cli.json("tour");
+    QCOMPARE(result.exit, 0);
+    const QJsonObject json = result.json();
     QCOMPARE(json[QLatin1String("found")].toArray().size(), 6);
     QCOMPARE(json[QLatin1String("kept_survived")].toBool(), true);
     QCOMPARE(json[QLatin1String("temporary_gone")].toBool(), true);
@@ -501,14 +503,14 @@ void TestCliShapes::tourProvesWhatItSays()
     QVERIFY(QFile::exists(named(json, "snapshot")));
 }
 
-void TestCliShapes::tourRefusesARealPort()
+void TestCliOutputFormats::tourRefusesARealPort()
 {
     CliProgram cli;
     cli.setPort(QStringLiteral("/dev/ttyUSB0"));
-    const Ran ran = cli.run("tour");
-    QCOMPARE(ran.exit, 2);
-    QVERIFY(ran.err.contains(QStringLiteral("sim:demo")));
+    const ProgramResult result = cli.run("tour");
+    QCOMPARE(result.exit, 2);
+    QVERIFY(result.err.contains(QStringLiteral("sim:demo")));
 }
 
-QTEST_GUILESS_MAIN(TestCliShapes)
+QTEST_GUILESS_MAIN(TestCliOutputFormats)
 #include "tst_cli_shapes.moc"

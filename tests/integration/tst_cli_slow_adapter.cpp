@@ -10,13 +10,13 @@
 #include "byte_bus.h"
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using namespace std::chrono_literals;
 
 namespace {
-QString errorCode(const Ran& ran)
+QString errorCode(const ProgramResult& result)
 {
-    return ran.json()[QLatin1String("error")][QLatin1String("code")].toString();
+    return result.json()[QLatin1String("error")][QLatin1String("code")].toString();
 }
 
 QString text(const char* latin)
@@ -31,12 +31,12 @@ class TestCliSlowAdapter : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void takenIdStaysTaken_data() { links(); }
-    void takenIdStaysTaken();
-    void freeIdIsGiven_data() { links(); }
-    void freeIdIsGiven();
-    void restartIsProvenOrNotClaimed_data();
-    void restartIsProvenOrNotClaimed();
+    void takenIdIsRefused_data() { links(); }
+    void takenIdIsRefused();
+    void freeIdIsAssigned_data() { links(); }
+    void freeIdIsAssigned();
+    void restartIsVerifiedOrNotReported_data();
+    void restartIsVerifiedOrNotReported();
 
 private:
     static void links()
@@ -47,7 +47,7 @@ private:
             QTest::addRow("%d ms", latency) << latency << QString();
         QTest::newRow("60 ms, --timeout 200") << 60 << text("--timeout 200");
     }
-    static void use(CliProgram& cli, const bytes::Bus& bus, const QString& options = {})
+    static void setUp(CliProgram& cli, const bytes::Bus& bus, const QString& options = {})
     {
         cli.setPort(bus.port());
         if (!options.isEmpty())
@@ -55,29 +55,29 @@ private:
     }
 };
 
-void TestCliSlowAdapter::takenIdStaysTaken()
+void TestCliSlowAdapter::takenIdIsRefused()
 {
     QFETCH(int, latency);
     QFETCH(QString, options);
     bytes::Bus bus({1, 9}, std::chrono::milliseconds(latency));
     CliProgram cli;
-    use(cli, bus, options);
-    const Ran ran = cli.json("set-id 1 9");
-    QCOMPARE(ran.exit, 1);
-    QCOMPARE(errorCode(ran), text("id-in-use"));
+    setUp(cli, bus, options);
+    const ProgramResult result = cli.json("set-id 1 9");
+    QCOMPARE(result.exit, 1);
+    QCOMPARE(errorCode(result), text("id-in-use"));
     QCOMPARE(bus.writes(), 0);
     QVERIFY(bus.has(1) && bus.has(9));
 }
 
-void TestCliSlowAdapter::freeIdIsGiven()
+void TestCliSlowAdapter::freeIdIsAssigned()
 {
     QFETCH(int, latency);
     QFETCH(QString, options);
     bytes::Bus bus({1, 2}, std::chrono::milliseconds(latency));
     CliProgram cli;
-    use(cli, bus, options);
-    const Ran ran = cli.json("set-id 1 9");
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out));
+    setUp(cli, bus, options);
+    const ProgramResult result = cli.json("set-id 1 9");
+    QVERIFY2(result.exit == 0, qPrintable(result.out));
     QVERIFY(!bus.has(1));
     QVERIFY(bus.has(2));
     QVERIFY(bus.has(9));
@@ -85,36 +85,37 @@ void TestCliSlowAdapter::freeIdIsGiven()
     QVERIFY(cli.json("recover").json()[QLatin1String("intents")].toArray().isEmpty());
 }
 
-void TestCliSlowAdapter::restartIsProvenOrNotClaimed_data()
+void TestCliSlowAdapter::restartIsVerifiedOrNotReported_data()
 {
-    QTest::addColumn<bytes::Restart>("restart");
+    QTest::addColumn<bytes::RestartBehavior>("restart");
     QTest::addColumn<int>("latency");
     QTest::addColumn<int>("exit");
     QTest::addColumn<QString>("says");
     for (const int latency : {0, 60}) {
         QTest::addRow("ignored, %d ms", latency)
-            << bytes::Restart::Ignored << latency << 1 << text("it did not restart");
+            << bytes::RestartBehavior::Ignored << latency << 1 << text("it did not restart");
         QTest::addRow("acknowledged only, %d ms", latency)
-            << bytes::Restart::AcknowledgedOnly << latency << 1
+            << bytes::RestartBehavior::AcknowledgedOnly << latency << 1
             << text("it acknowledged the restart but did not restart");
         QTest::addRow("too quick to see, %d ms", latency)
-            << bytes::Restart::TooQuickToSee << latency << 0 << text("Servo 1 has restarted.");
+            << bytes::RestartBehavior::TooFastToDetect << latency << 0
+            << text("Servo 1 has restarted.");
     }
 }
 
-void TestCliSlowAdapter::restartIsProvenOrNotClaimed()
+void TestCliSlowAdapter::restartIsVerifiedOrNotReported()
 {
-    QFETCH(bytes::Restart, restart);
+    QFETCH(bytes::RestartBehavior, restart);
     QFETCH(int, latency);
     QFETCH(int, exit);
     QFETCH(QString, says);
     bytes::Bus bus({1}, std::chrono::milliseconds(latency), restart);
     CliProgram cli;
-    use(cli, bus);
-    const Ran ran = cli.run("reboot 1");
+    setUp(cli, bus);
+    const ProgramResult result = cli.run("reboot 1");
     QVERIFY(bus.restarts() > 0);
-    QCOMPARE(ran.exit, exit);
-    const QString all = ran.out + ran.err;
+    QCOMPARE(result.exit, exit);
+    const QString all = result.out + result.err;
     QVERIFY2(all.contains(says), qPrintable(all));
     QCOMPARE(all.contains(text("has restarted")), exit == 0);
     QCOMPARE(bus.byteAt(1, 48) + 256 * bus.byteAt(1, 49), 1000); // the mark is gone

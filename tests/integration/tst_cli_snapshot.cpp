@@ -9,7 +9,7 @@
 #include <QTest>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using support::SimProgram;
 using support::words;
 
@@ -43,17 +43,17 @@ private Q_SLOTS:
     }
     void cleanup() { m_cli.reset(); }
 
-    void savedChangedComparedRestored();
+    void saveChangeCompareRestore();
     void aRefusedWriteLeavesNone();
     void aDryRunWritesNothing();
-    void consentIsAsked();
-    void limitsOfAnotherModelAreNamed();
-    void identityIsAsked();
+    void consentIsRequested();
+    void limitsOfAnotherModelAreReported();
+    void identityNeedsConsent();
     void aFileHasLabelNoteAndCsv();
     void factoryDefaultsAreAColumn();
     void templatesForSeveralServos();
-    void whatIsLeftOutIsSaidAndCounts();
-    void bundlesGoBackById();
+    void skippedRowsAreReportedAndCounted();
+    void bundlesAreRestoredById();
     void badFilesAreFileErrors_data();
     void badFilesAreFileErrors();
     void badArgumentsAreUsageErrors_data();
@@ -61,16 +61,17 @@ private Q_SLOTS:
 
 private:
     QString path(const char* name) const { return m_folder->filePath(text(name)); }
-    Ran run(const char* line)
+    ProgramResult run(const char* line)
     {
         return m_cli->run(QStringList(
             words(text(line).replace(text("@"), m_folder->path() + u'/').toUtf8().constData())));
     }
-    Ran json(const char* line) { return run(qPrintable(text(line) + text(" --json"))); }
+    ProgramResult json(const char* line) { return run(qPrintable(text(line) + text(" --json"))); }
     int raw(int id, const char* key)
     {
-        const Ran ran = json(qPrintable(text("read %1 %2").arg(id).arg(text(key))));
-        return ran.json()[text("registers")].toArray()[0][text("raw")].toInt(-1);
+        const ProgramResult programResult =
+            json(qPrintable(text("read %1 %2").arg(id).arg(text(key))));
+        return programResult.json()[text("registers")].toArray()[0][text("raw")].toInt(-1);
     }
     int snapshots() const
     {
@@ -84,11 +85,11 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-void TestCliSnapshot::savedChangedComparedRestored()
+void TestCliSnapshot::saveChangeCompareRestore()
 {
     QCOMPARE(run("snapshot save 1 @a.servo.json").exit, 0);
     QCOMPARE(run("write 1 position_p=50 min_angle_limit=300").exit, 0);
-    const Ran diff = json("snapshot diff 1 @a.servo.json");
+    const ProgramResult diff = json("snapshot diff 1 @a.servo.json");
     QCOMPARE(diff.exit, 0);
     QCOMPARE(diff.json()[text("different")].toInt(), 2);
     const QJsonArray rows = diff.json()[text("rows")].toArray();
@@ -97,7 +98,7 @@ void TestCliSnapshot::savedChangedComparedRestored()
     QCOMPARE(rows[1][text("cells")][1][text("raw")].toInt(), 32);
 
     const int before = snapshots();
-    const Ran restored = json("snapshot restore 1 @a.servo.json --result @r.csv");
+    const ProgramResult restored = json("snapshot restore 1 @a.servo.json --result @r.csv");
     QVERIFY2(restored.exit == 0, qPrintable(restored.out + restored.err));
     QCOMPARE(restored.json()[text("verdict")].toString(), text("done"));
     QCOMPARE(keysOf(restored.json()[text("results")].toArray()),
@@ -111,7 +112,7 @@ void TestCliSnapshot::savedChangedComparedRestored()
     QVERIFY(result.open(QIODevice::ReadOnly));
     QCOMPARE(result.readAll().trimmed().count('\n'), 2);
 
-    const Ran again = json("snapshot restore 1 @a.servo.json");
+    const ProgramResult again = json("snapshot restore 1 @a.servo.json");
     QCOMPARE(again.exit, 0);
     QCOMPARE(again.json()[text("verdict")].toString(), text("already-so"));
     QVERIFY(!again.json().contains(text("snapshot")));
@@ -122,7 +123,7 @@ void TestCliSnapshot::savedChangedComparedRestored()
 void TestCliSnapshot::aRefusedWriteLeavesNone()
 {
     const QDir saved(m_cli->dataFolder() + text("/snapshots"));
-    const Ran refused = m_cli->run("write 1 max_temperature=250");
+    const ProgramResult refused = m_cli->run("write 1 max_temperature=250");
     QVERIFY(refused.exit != 0);
     QCOMPARE(saved.entryList(QDir::Files), QStringList());
     QVERIFY2(refused.err.contains(text("removed again")), qPrintable(refused.err));
@@ -136,7 +137,7 @@ void TestCliSnapshot::aDryRunWritesNothing()
     QCOMPARE(run("snapshot save 1 @a.servo.json").exit, 0);
     QCOMPARE(run("write 1 position_p=50").exit, 0);
     const int before = snapshots();
-    const Ran dry = json("snapshot restore 1 @a.servo.json --dry-run");
+    const ProgramResult dry = json("snapshot restore 1 @a.servo.json --dry-run");
     QCOMPARE(dry.exit, 0);
     QCOMPARE(dry.json()[text("dry_run")].toBool(), true);
     QCOMPARE(keysOf(dry.json()[text("writes")].toArray()), QStringList{text("position_p")});
@@ -147,16 +148,16 @@ void TestCliSnapshot::aDryRunWritesNothing()
     QVERIFY(!dry.json().contains(text("verdict")));
     QCOMPARE(raw(1, "position_p"), 50);
     QCOMPARE(snapshots(), before);
-    const Ran people = run("snapshot restore 1 @a.servo.json --dry-run");
-    QVERIFY2(people.out.contains(text("50")) && people.out.contains(text("close the lock")),
-             qPrintable(people.out));
+    const ProgramResult textOutput = run("snapshot restore 1 @a.servo.json --dry-run");
+    QVERIFY2(textOutput.out.contains(text("50")) && textOutput.out.contains(text("close the lock")),
+             qPrintable(textOutput.out));
 }
 
-void TestCliSnapshot::consentIsAsked()
+void TestCliSnapshot::consentIsRequested()
 {
     QCOMPARE(run("snapshot save 1 @a.servo.json").exit, 0);
     QCOMPARE(run("write 1 position_offset=40 --dangerous").exit, 0);
-    const Ran without = json("snapshot restore 1 @a.servo.json");
+    const ProgramResult without = json("snapshot restore 1 @a.servo.json");
     QCOMPARE(without.exit, 0);
     const QJsonArray left = without.json()[text("left_out")].toArray();
     QCOMPARE(keysOf(left), QStringList{text("position_offset")});
@@ -169,14 +170,14 @@ void TestCliSnapshot::consentIsAsked()
 }
 
 /// A snapshot of a servo for 8 V is no reason to put one at 12 V into an alarm.
-void TestCliSnapshot::limitsOfAnotherModelAreNamed()
+void TestCliSnapshot::limitsOfAnotherModelAreReported()
 {
     m_simulator = std::make_unique<SimProgram>(words("--servos sts3215@1,sts3250@4"));
     m_cli->setPort(m_simulator->port());
     QCOMPARE(run("write 1 max_voltage=80 position_p=50").exit, 0);
     QCOMPARE(run("snapshot save 1 @a.servo.json").exit, 0);
     const int before = raw(4, "max_voltage");
-    const Ran dry = json("snapshot restore 4 @a.servo.json --dry-run --dangerous");
+    const ProgramResult dry = json("snapshot restore 4 @a.servo.json --dry-run --dangerous");
     QCOMPARE(dry.exit, 0);
     QVERIFY(dry.json()[text("other_model")].toBool());
     QVERIFY(!keysOf(dry.json()[text("writes")].toArray()).contains(text("max_voltage")));
@@ -184,33 +185,34 @@ void TestCliSnapshot::limitsOfAnotherModelAreNamed()
     QCOMPARE(keysOf(alarms), QStringList{text("max_voltage")});
     QCOMPARE(alarms[0][text("alarm")].toString(), text("voltage"));
     QCOMPARE(alarms[0][text("selected")].toBool(true), false);
-    const Ran people = run("snapshot restore 4 @a.servo.json --dry-run");
-    QVERIFY2(people.out.contains(text("voltage alarm at once: limit 8.0 V, supply 1")),
-             qPrintable(people.out));
-    QVERIFY2(people.out.contains(text("--only KEY --dangerous")), qPrintable(people.out));
+    const ProgramResult textOutput = run("snapshot restore 4 @a.servo.json --dry-run");
+    QVERIFY2(textOutput.out.contains(text("voltage alarm at once: limit 8.0 V, supply 1")),
+             qPrintable(textOutput.out));
+    QVERIFY2(textOutput.out.contains(text("--only KEY --dangerous")), qPrintable(textOutput.out));
 
     (void)run("snapshot restore 4 @a.servo.json --dangerous");
     QCOMPARE(raw(4, "position_p"), 50);
     QCOMPARE(raw(4, "max_voltage"), before);
     (void)run("snapshot restore 4 @a.servo.json --only max_voltage");
     QCOMPARE(raw(4, "max_voltage"), before);
-    const Ran named = run("snapshot restore 4 @a.servo.json --only max_voltage --dangerous");
+    const ProgramResult named =
+        run("snapshot restore 4 @a.servo.json --only max_voltage --dangerous");
     QVERIFY2(named.out.contains(text("! max_voltage: voltage alarm at once")),
              qPrintable(named.out));
     QCOMPARE(raw(4, "max_voltage"), 80);
 }
 
-void TestCliSnapshot::identityIsAsked()
+void TestCliSnapshot::identityNeedsConsent()
 {
     QCOMPARE(run("snapshot save 1 @a.servo.json").exit, 0);
     QCOMPARE(run("set-id 1 9").exit, 0);
     QCOMPARE(json("snapshot restore 9 @a.servo.json").json()[text("new_id")].toInt(), 9);
-    const Ran with = json("snapshot restore 9 @a.servo.json --identity");
+    const ProgramResult with = json("snapshot restore 9 @a.servo.json --identity");
     QVERIFY2(with.exit == 0, qPrintable(with.out + with.err));
     QCOMPARE(with.json()[text("new_id")].toInt(), 1);
     QCOMPARE(raw(1, "id"), 1);
     // An ID that is taken is left where it is, and that is said.
-    const Ran taken = json("snapshot restore 2 @a.servo.json --identity");
+    const ProgramResult taken = json("snapshot restore 2 @a.servo.json --identity");
     QCOMPARE(taken.exit, 1);
     QCOMPARE(taken.json()[text("verdict")].toString(), text("failed"));
     QCOMPARE(taken.json()[text("results")][0][text("error")].toString(), text("id-in-use"));
@@ -223,11 +225,11 @@ void TestCliSnapshot::aFileHasLabelNoteAndCsv()
                         text("--label"), text("left knee"), text("--note"), text("左膝, new")})
                  .exit,
              0);
-    const Ran shown = json("snapshot show @a.servo.json");
+    const ProgramResult shown = json("snapshot show @a.servo.json");
     QCOMPARE(shown.json()[text("label")].toString(), text("left knee"));
     QCOMPARE(shown.json()[text("note")].toString(), text("左膝, new"));
     QVERIFY(run("snapshot show @a.servo.json").out.contains(text("左膝, new")));
-    const Ran csv = run("snapshot show @a.servo.json --csv");
+    const ProgramResult csv = run("snapshot show @a.servo.json --csv");
     QVERIFY(csv.out.startsWith(text("id,model,firmware,map,label,time,key,")));
     QCOMPARE(csv.out.count(u'\n'), shown.json()[text("registers")].toArray().size() + 1);
 }
@@ -236,7 +238,7 @@ void TestCliSnapshot::factoryDefaultsAreAColumn()
 {
     QCOMPARE(run("snapshot save 2 @b.servo.json").exit, 0);
     QCOMPARE(run("write 2 position_p=50").exit, 0);
-    const Ran diff = json("snapshot diff 2 @b.servo.json default 1");
+    const ProgramResult diff = json("snapshot diff 2 @b.servo.json default 1");
     QVERIFY2(diff.exit == 0, qPrintable(diff.out + diff.err));
     const QJsonArray columns = diff.json()[text("columns")].toArray();
     QCOMPARE(columns.size(), 4);
@@ -247,11 +249,11 @@ void TestCliSnapshot::factoryDefaultsAreAColumn()
         if (row[text("key")].toString() == text("max_voltage"))
             QCOMPARE(row[text("verdict")].toString(), text("unknown"));
     }
-    const Ran alone = json("snapshot diff @b.servo.json default");
+    const ProgramResult alone = json("snapshot diff @b.servo.json default");
     QCOMPARE(alone.exit, 0); // needs no servo
-    const Ran people = run("snapshot diff 2 @b.servo.json");
-    QVERIFY2(people.out.contains(text("≠")) && people.out.contains(text("1 different")),
-             qPrintable(people.out));
+    const ProgramResult textOutput = run("snapshot diff 2 @b.servo.json");
+    QVERIFY2(textOutput.out.contains(text("≠")) && textOutput.out.contains(text("1 different")),
+             qPrintable(textOutput.out));
 }
 
 void TestCliSnapshot::templatesForSeveralServos()
@@ -261,13 +263,13 @@ void TestCliSnapshot::templatesForSeveralServos()
     QVERIFY(json("snapshot show @t.servo.json").json()[text("template")].toBool());
     QCOMPARE(run("template make 1 @i.servo.json id").exit, 2);
     QVERIFY(!QFile::exists(path("i.servo.json")));
-    const Ran dry = json("template apply @t.servo.json 1-3 --dry-run");
+    const ProgramResult dry = json("template apply @t.servo.json 1-3 --dry-run");
     QVERIFY2(dry.exit == 0, qPrintable(dry.out + dry.err));
     const QJsonArray planned = dry.json()[text("servos")].toArray();
     QCOMPARE(planned[0][text("verdict")].toString(), text("already-so"));
     QCOMPARE(planned[1][text("verdict")].toString(), text("planned"));
     QCOMPARE(raw(2, "position_p"), 32);
-    const Ran applied = json("template apply @t.servo.json 1,2,9 --result @r.json");
+    const ProgramResult applied = json("template apply @t.servo.json 1,2,9 --result @r.json");
     QCOMPARE(applied.exit, 1); // one of them is not there
     const QJsonArray servos = applied.json()[text("servos")].toArray();
     QCOMPARE(servos[1][text("verdict")].toString(), text("done"));
@@ -278,11 +280,11 @@ void TestCliSnapshot::templatesForSeveralServos()
     QCOMPARE(run("template apply @t.servo.json 1,2").exit, 0);
 }
 
-void TestCliSnapshot::whatIsLeftOutIsSaidAndCounts()
+void TestCliSnapshot::skippedRowsAreReportedAndCounted()
 {
     // Rows the other family does not have: nothing happens on the wire, and not all is so.
     QCOMPARE(run("template make 1 @t.servo.json speed_p protection_time overload_torque").exit, 0);
-    const Ran lacks = json("template apply @t.servo.json 3");
+    const ProgramResult lacks = json("template apply @t.servo.json 3");
     QCOMPARE(lacks.exit, 1);
     const QJsonValue servo = lacks.json()[text("servos")].toArray()[0];
     QCOMPARE(servo[text("verdict")].toString(), text("already-so"));
@@ -290,42 +292,43 @@ void TestCliSnapshot::whatIsLeftOutIsSaidAndCounts()
     QVERIFY(!left.isEmpty());
     for (const QJsonValue& row : left)
         QVERIFY(row[text("asked")].toBool() && !row[text("reasons")].toArray().isEmpty());
-    const Ran people = run("template apply @t.servo.json 3");
-    QCOMPARE(people.exit, 1);
-    QVERIFY2(people.out.contains(text("left out: ")) &&
-                 people.out.contains(text("this servo has no such register")),
-             qPrintable(people.out));
-    QVERIFY2(!(people.out + people.err).contains(text("so already")), qPrintable(people.err));
+    const ProgramResult textOutput = run("template apply @t.servo.json 3");
+    QCOMPARE(textOutput.exit, 1);
+    QVERIFY2(textOutput.out.contains(text("left out: ")) &&
+                 textOutput.out.contains(text("this servo has no such register")),
+             qPrintable(textOutput.out));
+    QVERIFY2(!(textOutput.out + textOutput.err).contains(text("so already")),
+             qPrintable(textOutput.err));
     QCOMPARE(run("template apply @t.servo.json 3 --dry-run").exit, 0);
     QCOMPARE(run("template apply @t.servo.json 2").exit, 0);
 
     // Without consent: said of a whole snapshot, a failure where it was asked for by name.
     QCOMPARE(run("snapshot save 1 @a.servo.json").exit, 0);
     QCOMPARE(run("write 1 position_offset=40 --dangerous").exit, 0);
-    const Ran whole = run("snapshot restore 1 @a.servo.json");
+    const ProgramResult whole = run("snapshot restore 1 @a.servo.json");
     QCOMPARE(whole.exit, 0);
     QVERIFY2(whole.out.contains(text("1 row was left out: position_offset (")),
              qPrintable(whole.out));
     QVERIFY2(!(whole.out + whole.err).contains(text("so already")), qPrintable(whole.err));
     QCOMPARE(run("snapshot restore 1 @a.servo.json --only position_offset").exit, 1);
     QCOMPARE(run("snapshot restore 1 @a.servo.json --only position_offset --dangerous").exit, 0);
-    const Ran so = run("snapshot restore 1 @a.servo.json");
+    const ProgramResult so = run("snapshot restore 1 @a.servo.json");
     QCOMPARE(so.exit, 0);
     QVERIFY2(!so.out.contains(text("left out")), qPrintable(so.out));
     QVERIFY2((so.out + so.err).contains(text("so already")), qPrintable(so.err));
 }
 
-void TestCliSnapshot::bundlesGoBackById()
+void TestCliSnapshot::bundlesAreRestoredById()
 {
-    const Ran saved = json("bundle save @all.bundle.json");
+    const ProgramResult saved = json("bundle save @all.bundle.json");
     QVERIFY2(saved.exit == 0, qPrintable(saved.out + saved.err));
     QCOMPARE(saved.json()[text("servos")].toArray().size(), 3);
     QCOMPARE(run("write 2 position_p=50").exit, 0);
     QCOMPARE(run("write 3 position_p=20").exit, 0);
-    const Ran dry = json("bundle restore @all.bundle.json --dry-run");
+    const ProgramResult dry = json("bundle restore @all.bundle.json --dry-run");
     QCOMPARE(dry.exit, 0);
     QCOMPARE(raw(2, "position_p"), 50);
-    const Ran restored = json("bundle restore @all.bundle.json");
+    const ProgramResult restored = json("bundle restore @all.bundle.json");
     QVERIFY2(restored.exit == 0, qPrintable(restored.out + restored.err));
     QStringList verdicts;
     for (const QJsonValue& servo : restored.json()[text("servos")].toArray())
@@ -356,9 +359,9 @@ void TestCliSnapshot::badFilesAreFileErrors()
     QVERIFY(broken.open(QIODevice::WriteOnly));
     broken.write("{\"format\": \"servodesk-snapshot\", \"version\": 99}");
     broken.close();
-    const Ran ran = run(qPrintable(line));
-    QCOMPARE(ran.exit, 5);
-    QVERIFY(ran.err.contains(text(".json")));
+    const ProgramResult programResult = run(qPrintable(line));
+    QCOMPARE(programResult.exit, 5);
+    QVERIFY(programResult.err.contains(text(".json")));
 }
 
 void TestCliSnapshot::badArgumentsAreUsageErrors_data()
@@ -378,8 +381,8 @@ void TestCliSnapshot::badArgumentsAreUsageErrors()
 {
     QFETCH(const QString, line);
     QCOMPARE(run("snapshot save 1 @a.servo.json").exit, 0);
-    const Ran ran = run(qPrintable(line));
-    QVERIFY2(ran.exit == 2, qPrintable(ran.out + ran.err));
+    const ProgramResult programResult = run(qPrintable(line));
+    QVERIFY2(programResult.exit == 2, qPrintable(programResult.out + programResult.err));
     QVERIFY(!QFile::exists(path("x.json")));
 }
 

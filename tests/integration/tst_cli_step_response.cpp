@@ -12,7 +12,7 @@
 #include <csignal>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using support::SimProgram;
 
 namespace {
@@ -38,44 +38,44 @@ private Q_SLOTS:
     void beforeAndAfter();
     void reports_data();
     void reports();
-    void mistakesAreNamed_data();
-    void mistakesAreNamed();
-    void anotherModeIsSwitchedIfAsked();
-    void aKilledTrialIsFoundByRecover();
+    void usageErrorsAreReported_data();
+    void usageErrorsAreReported();
+    void modeIsSwitchedOnRequest();
+    void recoverFindsAKilledTrial();
 };
 
 void TestCliStepResponse::oneRun()
 {
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
-    const Ran ran = cli.run("step-response 1 --size 300 --repeats 1 --hold 500");
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
-    QVERIFY(ran.out.contains(text("Rise time")));
-    QVERIFY(ran.out.contains(text("position_p=32")));
+    const ProgramResult result = cli.run("step-response 1 --size 300 --repeats 1 --hold 500");
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+    QVERIFY(result.out.contains(text("Rise time")));
+    QVERIFY(result.out.contains(text("position_p=32")));
 }
 
 void TestCliStepResponse::beforeAndAfter()
 {
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
-    const Ran ran = cli.json("step-response 1 --size 300 --repeats 1 --hold 900 "
-                             "--try position_p=10,position_d=0");
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
-    const QJsonObject document = ran.json();
+    const ProgramResult result = cli.json("step-response 1 --size 300 --repeats 1 --hold 900 "
+                                          "--try position_p=10,position_d=0");
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+    const QJsonObject document = result.json();
     QCOMPARE(document[text("runs")].toArray().size(), 2);
     QVERIFY(!document[text("differences")].toArray().isEmpty());
-    bool raisesI = false;
+    bool integralIncreased = false;
     for (const QJsonValue& advice : document[text("advice")].toArray())
-        raisesI |= advice[text("key")].toString() == text("position_i") &&
-                   advice[text("try")].toInt() == 1;
-    QVERIFY(raisesI);
-    const auto runs = record::decodeStepRuns(ran.out.toUtf8());
+        integralIncreased |= advice[text("key")].toString() == text("position_i") &&
+                             advice[text("try")].toInt() == 1;
+    QVERIFY(integralIncreased);
+    const auto runs = record::decodeStepRuns(result.out.toUtf8());
     QVERIFY2(runs, runs ? "" : qPrintable(runs.error().detail));
     QVERIFY(runs->at(0).spec.trial.empty());
     QCOMPARE(runs->at(1).spec.trial.size(), std::size_t(2));
-    QVERIFY(runs->at(1).putBack);
-    const Ran shown = cli.run("step-response 1 --size 300 --repeats 1 --hold 900 "
-                              "--try position_p=10,position_d=0");
+    QVERIFY(runs->at(1).isReverted);
+    const ProgramResult shown = cli.run("step-response 1 --size 300 --repeats 1 --hold 900 "
+                                        "--try position_p=10,position_d=0");
     QVERIFY(shown.out.contains(text("Before")) && shown.out.contains(text("Raise I")));
 }
 
@@ -93,10 +93,10 @@ void TestCliStepResponse::reports()
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
     const QString path = cli.dataFolder() + text("/lab.") + text(QTest::currentDataTag());
-    const Ran ran = cli.run(QStringList{
+    const ProgramResult result = cli.run(QStringList{
         text("step-response"), text("1"), text("--size"), text("300"), text("--repeats"), text("1"),
         text("--hold"), text("500"), text("--try"), text("position_p=40"), text("--report"), path});
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
     const QByteArray file = contents(path);
     QVERIFY2(file.startsWith(begins), file.left(80).constData());
     if (path.endsWith(text("html"))) {
@@ -105,7 +105,7 @@ void TestCliStepResponse::reports()
     }
 }
 
-void TestCliStepResponse::mistakesAreNamed_data()
+void TestCliStepResponse::usageErrorsAreReported_data()
 {
     QTest::addColumn<QString>("options");
     QTest::addColumn<int>("exit");
@@ -124,35 +124,36 @@ void TestCliStepResponse::mistakesAreNamed_data()
     QTest::newRow("report") << text("--size 300 --report a.txt") << 2 << text(".html");
 }
 
-void TestCliStepResponse::mistakesAreNamed()
+void TestCliStepResponse::usageErrorsAreReported()
 {
     QFETCH(QString, options);
     QFETCH(int, exit);
     QFETCH(QString, says);
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
-    const Ran ran =
+    const ProgramResult result =
         cli.run(QStringList{text("step-response"), text("1")} + options.split(QLatin1Char(' ')));
-    QVERIFY2(ran.exit == exit, qPrintable(ran.out + ran.err));
-    QVERIFY2(ran.err.contains(says), qPrintable(ran.err));
+    QVERIFY2(result.exit == exit, qPrintable(result.out + result.err));
+    QVERIFY2(result.err.contains(says), qPrintable(result.err));
 }
 
-void TestCliStepResponse::anotherModeIsSwitchedIfAsked()
+void TestCliStepResponse::modeIsSwitchedOnRequest()
 {
     const SimProgram sim(support::words("--servos sts3215@1"));
     QVERIFY(!sim.port().isEmpty());
     CliProgram cli;
     cli.setPort(sim.port());
     QCOMPARE(cli.run("mode 1 speed").exit, 0);
-    const Ran refused = cli.run("step-response 1 --size 300 --repeats 1");
+    const ProgramResult refused = cli.run("step-response 1 --size 300 --repeats 1");
     QCOMPARE(refused.exit, 2);
     QVERIFY2(refused.err.contains(text("--switch-mode")), qPrintable(refused.err));
-    const Ran done = cli.run("step-response 1 --size 300 --repeats 1 --hold 500 --switch-mode");
+    const ProgramResult done =
+        cli.run("step-response 1 --size 300 --repeats 1 --hold 500 --switch-mode");
     QVERIFY2(done.exit == 0, qPrintable(done.out + done.err));
     QVERIFY(cli.run("read 1 operating_mode").out.contains(text("speed")));
 }
 
-void TestCliStepResponse::aKilledTrialIsFoundByRecover()
+void TestCliStepResponse::recoverFindsAKilledTrial()
 {
     const SimProgram sim(support::words("--servos sts3215@1"));
     QVERIFY(!sim.port().isEmpty());
@@ -160,15 +161,15 @@ void TestCliStepResponse::aKilledTrialIsFoundByRecover()
     cli.setPort(sim.port());
     cli.start(support::words("step-response 1 --size 300 --repeats 1 --hold 3000 "
                              "--try position_p=20"));
-    QVERIFY(cli.waitForRemark("trial: 50"));
+    QVERIFY(cli.waitForError("trial: 50"));
     cli.signal(SIGKILL);
     (void)cli.finish();
     QVERIFY(cli.run("read 1 position_p").out.contains(text("20")));
-    const Ran found = cli.json("recover");
+    const ProgramResult found = cli.json("recover");
     const QJsonArray intents = found.json()[text("intents")].toArray();
     QCOMPARE(intents.size(), 1);
     QCOMPARE(intents[0][text("kind")].toString(), text("trial"));
-    const Ran undone = cli.run("recover --undo");
+    const ProgramResult undone = cli.run("recover --undo");
     QVERIFY2(undone.exit == 0, qPrintable(undone.out + undone.err));
     QVERIFY(cli.run("read 1 position_p").out.contains(text("32")));
     QVERIFY(cli.json("recover").json()[text("intents")].toArray().isEmpty());

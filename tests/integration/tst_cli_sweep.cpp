@@ -16,7 +16,7 @@
 #include <map>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 
 namespace {
 QString text(const char* latin)
@@ -90,22 +90,25 @@ private Q_SLOTS:
     void goodAndBadServos();
     void reportsOfEveryKind_data();
     void reportsOfEveryKind();
-    void figuresCanBeWorkedOutFromTheReadings();
-    void mistakesAreNamed_data();
-    void mistakesAreNamed();
-    void tooShortADelayIsTold();
+    void metricsMatchTheSamples();
+    void usageErrorsAreReported_data();
+    void usageErrorsAreReported();
+    void tooShortADelayIsReported();
     void ctrlCEndsItSafely();
     void silenceInTheLastLegIsALostLink();
-    void aSuspendedRunSaysSo();
+    void aSuspendedRunIsReported();
 };
 
-void TestCliSweep::tooShortADelayIsTold()
+void TestCliSweep::tooShortADelayIsReported()
 {
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
-    const Ran hasty = cli.run("sweep 1 --from 1000 --to 3000 --delay 150 --cycles 1 --speed 3000");
-    QVERIFY2(hasty.err.contains(text("turns round before it arrives")), qPrintable(hasty.err));
-    const Ran calm = cli.run("sweep 1 --from 2000 --to 2200 --delay 700 --cycles 1 --speed 3000");
+    const ProgramResult coarseUpdates =
+        cli.run("sweep 1 --from 1000 --to 3000 --delay 150 --cycles 1 --speed 3000");
+    QVERIFY2(coarseUpdates.err.contains(text("turns round before it arrives")),
+             qPrintable(coarseUpdates.err));
+    const ProgramResult calm =
+        cli.run("sweep 1 --from 2000 --to 2200 --delay 700 --cycles 1 --speed 3000");
     QVERIFY2(!calm.err.contains(text("turns round")), qPrintable(calm.err));
 }
 
@@ -114,10 +117,10 @@ void TestCliSweep::goodAndBadServos()
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1,sts3215@2+overshoot=10"));
     const char* good = "sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 4 --speed 3000";
-    const Ran passed = cli.run(good);
+    const ProgramResult passed = cli.run(good);
     QVERIFY2(passed.exit == 0, qPrintable(passed.out + passed.err));
     QVERIFY(passed.out.contains(text("Passed")));
-    const Ran failed =
+    const ProgramResult failed =
         cli.json("sweep 2 --from 1500 --to 2500 --dwell 200 --cycles 4 --speed 3000");
     QCOMPARE(failed.exit, 1);
     QCOMPARE(failed.json()[text("verdict")].toString(), text("fail"));
@@ -143,10 +146,11 @@ void TestCliSweep::reportsOfEveryKind()
     cli.setPort(text("sim:sts3215@1"));
     const QString path =
         cli.dataFolder() + text("/report.") + QLatin1String(QTest::currentDataTag());
-    const Ran ran = cli.run(text("sweep 1 --from 1800 --to 2200 --delay 500 --cycles 3 --report ")
-                                .split(QLatin1Char(' '), Qt::SkipEmptyParts)
-                            << path);
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+    const ProgramResult result =
+        cli.run(text("sweep 1 --from 1800 --to 2200 --delay 500 --cycles 3 --report ")
+                    .split(QLatin1Char(' '), Qt::SkipEmptyParts)
+                << path);
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.readAll().startsWith(begins));
@@ -154,16 +158,16 @@ void TestCliSweep::reportsOfEveryKind()
 }
 
 /// A defect of each kind, so that no figure is 0 by chance.
-void TestCliSweep::figuresCanBeWorkedOutFromTheReadings()
+void TestCliSweep::metricsMatchTheSamples()
 {
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1+overshoot=4+static-error=5+supply-ohms=0.4"));
     const QString path = cli.dataFolder() + text("/report.json");
-    const Ran ran =
+    const ProgramResult result =
         cli.run(text("sweep 1 --from 1500 --to 2500 --dwell 400 --cycles 4 --speed 3000 --report ")
                     .split(QLatin1Char(' '), Qt::SkipEmptyParts)
                 << path);
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
     const QJsonObject report = loaded(path);
     const auto all = readings(cli.dataFolder() + text("/report.readings.csv"));
     const QJsonArray legs = report[text("legs")].toArray();
@@ -207,7 +211,7 @@ void TestCliSweep::figuresCanBeWorkedOutFromTheReadings()
     QVERIFY(worst > 4 && worst < 6);
 }
 
-void TestCliSweep::mistakesAreNamed_data()
+void TestCliSweep::usageErrorsAreReported_data()
 {
     QTest::addColumn<QString>("options");
     QTest::addColumn<int>("exit");
@@ -241,17 +245,17 @@ void TestCliSweep::mistakesAreNamed_data()
     row("--from 1000 --to 2000 --delay 500 --random -1", 2, "--random \"-1\"");
 }
 
-void TestCliSweep::mistakesAreNamed()
+void TestCliSweep::usageErrorsAreReported()
 {
     QFETCH(QString, options);
     QFETCH(int, exit);
     QFETCH(QString, word);
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
-    const Ran ran =
+    const ProgramResult result =
         cli.run(QStringList{text("sweep"), text("1")} + options.split(QLatin1Char(' ')));
-    QVERIFY2(ran.exit == exit, qPrintable(QString::number(ran.exit) + ran.err));
-    QVERIFY2(ran.err.contains(word), qPrintable(ran.err));
+    QVERIFY2(result.exit == exit, qPrintable(QString::number(result.exit) + result.err));
+    QVERIFY2(result.err.contains(word), qPrintable(result.err));
 }
 
 void TestCliSweep::silenceInTheLastLegIsALostLink()
@@ -264,29 +268,29 @@ void TestCliSweep::silenceInTheLastLegIsALostLink()
                   .split(QLatin1Char(' ')));
     QTRY_VERIFY_WITH_TIMEOUT(cable.writes() == 3, 60'000); // to the start, there, and back
     QTest::qWait(200); // usually the goal has been read back by then; else it is lost a leg earlier
-    cable.loseAll();
-    const Ran ran = cli.finish();
-    QVERIFY2(ran.exit == 3, qPrintable(QString::number(ran.exit) + ran.out + ran.err));
-    QCOMPARE(ran.json()[text("end")].toString(), text("link-lost"));
-    QCOMPARE(ran.json()[text("verdict")].toString(), text("not-measured"));
+    cable.dropAll();
+    const ProgramResult result = cli.finish();
+    QVERIFY2(result.exit == 3, qPrintable(QString::number(result.exit) + result.out + result.err));
+    QCOMPARE(result.json()[text("end")].toString(), text("link-lost"));
+    QCOMPARE(result.json()[text("verdict")].toString(), text("not-measured"));
     for (const char* servo : {"Servo 1 may still have torque", "Servo 2 may still have torque"})
-        QVERIFY2(ran.err.contains(text(servo)), qPrintable(ran.err));
+        QVERIFY2(result.err.contains(text(servo)), qPrintable(result.err));
 }
 
 /// Ctrl-Z and fg: what the servo did meanwhile is not known, and it is not to blame.
-void TestCliSweep::aSuspendedRunSaysSo()
+void TestCliSweep::aSuspendedRunIsReported()
 {
     support::SimProgram sim({text("--servos"), text("sts3215@1")});
     CliProgram cli;
     cli.setPort(sim.port());
     cli.start(text("sweep 1 --from 1500 --to 2500 --dwell 200 --cycles 8").split(QLatin1Char(' ')));
-    QVERIFY(cli.waitForRemark("cycle 2"));
+    QVERIFY(cli.waitForError("cycle 2"));
     cli.signal(SIGSTOP);
     QTest::qWait(2000); // so long it is suspended
     cli.signal(SIGCONT);
-    const Ran ran = cli.finish();
-    QVERIFY2(ran.out.contains(text("Without readings: ")), qPrintable(ran.out));
-    QVERIFY2(!ran.out.contains(text("stood still")), qPrintable(ran.out));
+    const ProgramResult result = cli.finish();
+    QVERIFY2(result.out.contains(text("Without readings: ")), qPrintable(result.out));
+    QVERIFY2(!result.out.contains(text("stood still")), qPrintable(result.out));
 }
 
 void TestCliSweep::ctrlCEndsItSafely()
@@ -297,21 +301,21 @@ void TestCliSweep::ctrlCEndsItSafely()
     cli.start(text("sweep 1 --from 1000 --to 3000 --delay 1500 --cycles 1000 --release --report ")
                   .split(QLatin1Char(' '), Qt::SkipEmptyParts)
               << path);
-    QVERIFY(cli.waitForRemark("cycle 1"));
+    QVERIFY(cli.waitForError("cycle 1"));
     cli.signal(SIGINT);
-    const Ran ran = cli.finish();
-    QCOMPARE(ran.exit, 1);
+    const ProgramResult result = cli.finish();
+    QCOMPARE(result.exit, 1);
     const QJsonObject report = loaded(path);
     QCOMPARE(report[text("end")].toString(), text("stopped"));
     QVERIFY(!report[text("legs")].toArray().isEmpty());
     QCOMPARE(report[text("verdict")].toString(), text("not-measured"));
     QCOMPARE(report[text("servos")][0][text("verdict")].toString(), text("not-measured"));
     QCOMPARE(report[text("servos")][0][text("no_verdict")].toString(), text("ended"));
-    QVERIFY2(ran.out.contains(text(" 1: No verdict")), qPrintable(ran.out));
-    QVERIFY2(ran.out.contains(text("Verdict: No verdict")), qPrintable(ran.out));
+    QVERIFY2(result.out.contains(text(" 1: No verdict")), qPrintable(result.out));
+    QVERIFY2(result.out.contains(text("Verdict: No verdict")), qPrintable(result.out));
     const QJsonValue kept = cli.json("sweep-runs").json()[text("runs")][0];
     QCOMPARE(kept[text("servos")][0][text("verdict")].toString(), text("not-measured"));
-    const Ran reference = cli.run("sweep-reference 1");
+    const ProgramResult reference = cli.run("sweep-reference 1");
     QCOMPARE(reference.exit, 1);
     QVERIFY2(reference.err.contains(text("did not finish")), qPrintable(reference.err));
     QVERIFY(readings(cli.dataFolder() + text("/report.readings.csv")).size() > 50);

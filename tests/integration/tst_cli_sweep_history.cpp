@@ -12,7 +12,7 @@
 #include <QTest>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 
 namespace {
 QString text(const char* utf8)
@@ -39,27 +39,29 @@ class TestCliSweepHistory : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void keptListedComparedAndMarked();
-    void anUnusableHistoryCostsNothingElse();
-    void mistakesAreNamed_data();
-    void mistakesAreNamed();
+    void saveListCompareAndMark();
+    void anUnusableHistoryBreaksNothingElse();
+    void usageErrorsAreReported_data();
+    void usageErrorsAreReported();
 };
 
-void TestCliSweepHistory::keptListedComparedAndMarked()
+void TestCliSweepHistory::saveListCompareAndMark()
 {
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1,sts3215@2+static-error=6"));
-    const Ran none = cli.json("sweep-runs");
+    const ProgramResult none = cli.json("sweep-runs");
     QCOMPARE(none.exit, 0);
     QVERIFY(none.json()[text("runs")].toArray().isEmpty());
     QVERIFY(!QFile::exists(cli.dataFolder() + text("/history.sqlite")));
 
     const QString report = cli.dataFolder() + text("/one.json");
-    const Ran first = cli.run(text(shortTest).split(QLatin1Char(' '))
-                              << text("--report") << report << text("--note") << text("先行"));
+    const ProgramResult first =
+        cli.run(text(shortTest).split(QLatin1Char(' '))
+                << text("--report") << report << text("--note") << text("先行"));
     QVERIFY2(first.exit == 0, qPrintable(first.out + first.err));
     QVERIFY2(first.out.contains(text("test run 1")), qPrintable(first.out));
-    const Ran both = cli.run("sweep 1 2 --from 1500 --to 2200 --dwell 100 --cycles 4 --speed 3000");
+    const ProgramResult both =
+        cli.run("sweep 1 2 --from 1500 --to 2200 --dwell 100 --cycles 4 --speed 3000");
     QVERIFY2(both.out.contains(text("test run 2")), qPrintable(both.out + both.err));
 
     const QJsonArray runs = cli.json("sweep-runs --model sts3215").json()[text("runs")].toArray();
@@ -74,9 +76,10 @@ void TestCliSweepHistory::keptListedComparedAndMarked()
     QVERIFY(cli.run("sweep-runs --model HLS3606").out.contains(text("No test run")));
 
     // The report file and what the history kept of it are the same test.
-    const Ran same = cli.json("sweep-compare 1 one.json");
+    const ProgramResult same = cli.json("sweep-compare 1 one.json");
     QCOMPARE(same.exit, 5); // not in this folder
-    const Ran equal = cli.run({text("sweep-compare"), text("#1"), report, text("--json")});
+    const ProgramResult equal =
+        cli.run({text("sweep-compare"), text("#1"), report, text("--json")});
     QVERIFY2(equal.exit == 0, qPrintable(equal.out + equal.err));
     QVERIFY(equal.json()[text("comparable")].toBool());
     QVERIFY(equal.json()[text("tests")].toArray().isEmpty());
@@ -85,7 +88,7 @@ void TestCliSweepHistory::keptListedComparedAndMarked()
         QVERIFY(row[text("difference")].toDouble() == 0.0);
 
     const QString page = cli.dataFolder() + text("/compare.html");
-    const Ran pair = cli.run(
+    const ProgramResult pair = cli.run(
         {text("sweep-compare"), text("2:1"), text("2:2"), text("--report"), page, text("--json")});
     QVERIFY2(pair.exit == 0, qPrintable(pair.out + pair.err));
     const QJsonObject error =
@@ -95,7 +98,7 @@ void TestCliSweepHistory::keptListedComparedAndMarked()
     QFile file(page);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.readAll().startsWith("<!DOCTYPE html>"));
-    const Ran other = cli.run("sweep-compare 1 2:1");
+    const ProgramResult other = cli.run("sweep-compare 1 2:1");
     QVERIFY2(other.out.contains(text("cannot be compared")), qPrintable(other.out));
     QVERIFY(other.out.contains(text("1500 … 2200")));
 
@@ -117,23 +120,23 @@ void TestCliSweepHistory::keptListedComparedAndMarked()
     QCOMPARE(marked(), QStringList());
 }
 
-void TestCliSweepHistory::anUnusableHistoryCostsNothingElse()
+void TestCliSweepHistory::anUnusableHistoryBreaksNothingElse()
 {
     CliProgram cli;
     cli.setPort(text("sim:sts3215@1"));
     QVERIFY(QDir().mkpath(cli.dataFolder() + text("/history.sqlite")));
-    const Ran ran = cli.run(shortTest);
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
-    QVERIFY(ran.out.contains(text("Passed")));
-    QVERIFY2(ran.err.contains(text("history")), qPrintable(ran.err));
+    const ProgramResult result = cli.run(shortTest);
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+    QVERIFY(result.out.contains(text("Passed")));
+    QVERIFY2(result.err.contains(text("history")), qPrintable(result.err));
     const QStringList left = QDir(cli.dataFolder()).entryList({text("sweep-*.json")});
     QCOMPARE(left.size(), 1);
-    QVERIFY(ran.err.contains(left[0]));
+    QVERIFY(result.err.contains(left[0]));
     QVERIFY(record::loadSweepRun(cli.dataFolder() + QLatin1Char('/') + left[0]));
     QCOMPARE(cli.run("sweep-runs").exit, 5);
 }
 
-void TestCliSweepHistory::mistakesAreNamed_data()
+void TestCliSweepHistory::usageErrorsAreReported_data()
 {
     QTest::addColumn<QString>("command");
     QTest::addColumn<int>("exit");
@@ -151,15 +154,15 @@ void TestCliSweepHistory::mistakesAreNamed_data()
     row("sweep-runs --servo x", 2, "x");
 }
 
-void TestCliSweepHistory::mistakesAreNamed()
+void TestCliSweepHistory::usageErrorsAreReported()
 {
     QFETCH(QString, command);
     QFETCH(int, exit);
     QFETCH(QString, word);
     CliProgram cli;
-    const Ran ran = cli.run(command.split(QLatin1Char(' ')));
-    QCOMPARE(ran.exit, exit);
-    QVERIFY2(ran.err.contains(word), qPrintable(ran.err));
+    const ProgramResult result = cli.run(command.split(QLatin1Char(' ')));
+    QCOMPARE(result.exit, exit);
+    QVERIFY2(result.err.contains(word), qPrintable(result.err));
 }
 
 QTEST_GUILESS_MAIN(TestCliSweepHistory)

@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using support::words;
 
 namespace {
@@ -51,7 +51,7 @@ QString hostileSnapshot(CliProgram& cli)
     return path;
 }
 /// What comes when stdout is a terminal.
-QByteArray onATerminal(CliProgram& cli, const QStringList& line)
+QByteArray runOnTerminal(CliProgram& cli, const QStringList& line)
 {
     const support::Terminal terminal = support::makeTerminal(O_NONBLOCK);
     cli.process().setChildProcessModifier([&terminal] { dup2(terminal.slave, STDOUT_FILENO); });
@@ -77,58 +77,60 @@ class TestCliTerminal : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void aFileDoesNotCommandTheTerminal();
-    void aDocumentDoesNotCommandTheTerminal();
-    void anArgumentDoesNotCommandTheTerminal();
-    void whatIsNoFileIsNotRead_data();
-    void whatIsNoFileIsNotRead();
+    void fileNamesAreEscaped();
+    void documentContentIsEscaped();
+    void argumentsAreEscaped();
+    void nonFilesAreNotRead_data();
+    void nonFilesAreNotRead();
 };
 
-void TestCliTerminal::aFileDoesNotCommandTheTerminal()
+void TestCliTerminal::fileNamesAreEscaped()
 {
     CliProgram cli;
     const QString path = hostileSnapshot(cli);
     QVERIFY(!path.isEmpty());
-    const Ran text = cli.run(QStringList{QStringLiteral("snapshot"), QStringLiteral("show"), path});
+    const ProgramResult text =
+        cli.run(QStringList{QStringLiteral("snapshot"), QStringLiteral("show"), path});
     QCOMPARE(text.exit, 0);
     QVERIFY(text.out.contains(QStringLiteral("owned")));
     QVERIFY2(isHarmless(text.out + text.err), qPrintable(text.out));
 
-    const Ran json = cli.run(QStringList{QStringLiteral("snapshot"), QStringLiteral("show"), path,
-                                         QStringLiteral("--json")});
+    const ProgramResult json = cli.run(QStringList{
+        QStringLiteral("snapshot"), QStringLiteral("show"), path, QStringLiteral("--json")});
     QVERIFY2(isHarmless(json.out), qPrintable(json.out));
     QCOMPARE(json.json()[QLatin1String("label")].toString(), hostile); // and nothing is lost
 
-    const Ran diff = cli.run(
+    const ProgramResult diff = cli.run(
         QStringList{QStringLiteral("snapshot"), QStringLiteral("diff"), path, QStringLiteral("1")});
     QVERIFY2(isHarmless(diff.out + diff.err), qPrintable(diff.out + diff.err));
 }
 
 /// What goes into a file as it is does not go to a terminal as it is.
-void TestCliTerminal::aDocumentDoesNotCommandTheTerminal()
+void TestCliTerminal::documentContentIsEscaped()
 {
     CliProgram cli;
     const QString path = hostileSnapshot(cli);
     QVERIFY(!path.isEmpty());
     const QStringList line{QStringLiteral("snapshot"), QStringLiteral("show"), path,
                            QStringLiteral("--csv")};
-    const Ran piped = cli.run(line);
+    const ProgramResult piped = cli.run(line);
     QVERIFY(!isHarmless(QString(piped.out).remove(u'\r')));
 
-    const QByteArray seen = onATerminal(cli, line);
+    const QByteArray seen = runOnTerminal(cli, line);
     QVERIFY2(seen.contains("owned"), seen.constData());
     QVERIFY2(isHarmless(QString::fromUtf8(seen)), seen.constData());
 }
 
-void TestCliTerminal::anArgumentDoesNotCommandTheTerminal()
+void TestCliTerminal::argumentsAreEscaped()
 {
     CliProgram cli;
-    const Ran ran = cli.run(QStringList{QStringLiteral("read"), QStringLiteral("1"), hostile});
-    QCOMPARE(ran.exit, 2);
-    QVERIFY2(isHarmless(ran.err), qPrintable(ran.err));
+    const ProgramResult result =
+        cli.run(QStringList{QStringLiteral("read"), QStringLiteral("1"), hostile});
+    QCOMPARE(result.exit, 2);
+    QVERIFY2(isHarmless(result.err), qPrintable(result.err));
 }
 
-void TestCliTerminal::whatIsNoFileIsNotRead_data()
+void TestCliTerminal::nonFilesAreNotRead_data()
 {
     QTest::addColumn<QString>("command");
     for (const char* command :
@@ -138,7 +140,7 @@ void TestCliTerminal::whatIsNoFileIsNotRead_data()
         QTest::newRow(command) << QString::fromLatin1(command);
 }
 
-void TestCliTerminal::whatIsNoFileIsNotRead()
+void TestCliTerminal::nonFilesAreNotRead()
 {
     QFETCH(const QString, command);
     CliProgram cli;
@@ -148,8 +150,8 @@ void TestCliTerminal::whatIsNoFileIsNotRead()
     QFile file(huge);
     QVERIFY(file.open(QIODevice::WriteOnly) && file.resize(qint64(1) << 36)); // sparse
     for (const QString& path : {pipe, QStringLiteral("/dev/zero"), cli.dataFolder(), huge}) {
-        const Ran ran = cli.run(command.arg(path).split(QLatin1Char(' ')));
-        QVERIFY2(ran.exit == 5, qPrintable(path + ran.out + ran.err));
+        const ProgramResult result = cli.run(command.arg(path).split(QLatin1Char(' ')));
+        QVERIFY2(result.exit == 5, qPrintable(path + result.out + result.err));
     }
 }
 

@@ -10,7 +10,7 @@
 #include "byte_bus.h"
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 
 namespace {
 QString text(const char* latin)
@@ -18,20 +18,20 @@ QString text(const char* latin)
     return QString::fromLatin1(latin);
 }
 
-QJsonObject errorOf(const Ran& ran)
+QJsonObject errorOf(const ProgramResult& result)
 {
-    return ran.json()[QLatin1String("error")].toObject();
+    return result.json()[QLatin1String("error")].toObject();
 }
 
 /// Firmware 3.25 and byte order flag 1; the model list has 9.3 with flag 0.
-void contradict(bytes::Bus& bus)
+void setConflictingIdentity(bytes::Bus& bus)
 {
     bus.setByte(1, 1, 25);
     bus.setByte(1, 2, 1);
 }
 } // namespace
 
-class TestCliUnclear : public QObject {
+class TestCliFamilyConflict : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -40,13 +40,13 @@ private Q_SLOTS:
     void noCommandWrites_data();
     void noCommandWrites();
     void torqueGoesOff();
-    void anUnknownFirmwareIsTheReason();
-    void theByteAtTheLockIsTheReason();
-    void theTableIsRead();
-    void consentNamesItsOption();
+    void unknownFirmwareIsTheReason();
+    void invalidLockValueIsTheReason();
+    void theTableCanBeRead();
+    void consentErrorNamesTheOption();
 };
 
-void TestCliUnclear::noCommandWrites_data()
+void TestCliFamilyConflict::noCommandWrites_data()
 {
     QTest::addColumn<QString>("command");
     for (const char* command :
@@ -56,68 +56,68 @@ void TestCliUnclear::noCommandWrites_data()
         QTest::newRow(command) << text(command);
 }
 
-void TestCliUnclear::noCommandWrites()
+void TestCliFamilyConflict::noCommandWrites()
 {
     QFETCH(QString, command);
     bytes::Bus bus({1}, std::chrono::milliseconds(0));
-    contradict(bus);
+    setConflictingIdentity(bus);
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.json(qPrintable(command));
+    const ProgramResult result = cli.json(qPrintable(command));
     QCOMPARE(bus.writes(), 0);
-    QCOMPARE(errorOf(ran)[QLatin1String("code")].toString(), text("family-unclear"));
-    const QString message = errorOf(ran)[QLatin1String("message")].toString();
+    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), text("family-unclear"));
+    const QString message = errorOf(result)[QLatin1String("message")].toString();
     for (const char* fact : {"3.25", "byte order flag 1", "9.3 (STS3215"})
         QVERIFY2(message.contains(text(fact)), qPrintable(message));
 }
 
-void TestCliUnclear::torqueGoesOff()
+void TestCliFamilyConflict::torqueGoesOff()
 {
     for (const char* command : {"torque 1 off", "stop 1"}) {
         bytes::Bus bus({1}, std::chrono::milliseconds(0));
-        contradict(bus);
+        setConflictingIdentity(bus);
         bus.setByte(1, 40, 1);
         CliProgram cli;
         cli.setPort(bus.port());
-        const Ran ran = cli.run(command);
-        QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+        const ProgramResult result = cli.run(command);
+        QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
         QCOMPARE(bus.byteAt(1, 40), 0);
     }
 }
 
-void TestCliUnclear::anUnknownFirmwareIsTheReason()
+void TestCliFamilyConflict::unknownFirmwareIsTheReason()
 {
     bytes::Bus bus({1}, std::chrono::milliseconds(0));
     bus.setByte(1, 0, 8);
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.json("write 1 max_temperature=61");
-    QCOMPARE(errorOf(ran)[QLatin1String("code")].toString(), text("unknown-model"));
+    const ProgramResult result = cli.json("write 1 max_temperature=61");
+    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), text("unknown-model"));
     QCOMPARE(bus.writes(), 0);
 }
 
-void TestCliUnclear::theByteAtTheLockIsTheReason()
+void TestCliFamilyConflict::invalidLockValueIsTheReason()
 {
     bytes::Bus bus({1}, std::chrono::milliseconds(0));
     bus.setByte(1, 55, 77);
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.json("write 1 max_temperature=61");
-    QCOMPARE(errorOf(ran)[QLatin1String("code")].toString(), text("family-unclear"));
-    QVERIFY(errorOf(ran)[QLatin1String("message")].toString().contains(text("77 stands there")));
+    const ProgramResult result = cli.json("write 1 max_temperature=61");
+    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), text("family-unclear"));
+    QVERIFY(errorOf(result)[QLatin1String("message")].toString().contains(text("77 stands there")));
     QCOMPARE(bus.writes(), 0);
     QVERIFY(cli.run("info 1").out.contains(text("77 stands there")));
 }
 
-void TestCliUnclear::theTableIsRead()
+void TestCliFamilyConflict::theTableCanBeRead()
 {
     bytes::Bus bus({1}, std::chrono::milliseconds(0));
-    contradict(bus);
+    setConflictingIdentity(bus);
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.json("read 1 byte_48 byte_55");
-    QCOMPARE(ran.exit, 0);
-    const QJsonArray rows = ran.json()[QLatin1String("registers")].toArray();
+    const ProgramResult result = cli.json("read 1 byte_48 byte_55");
+    QCOMPARE(result.exit, 0);
+    const QJsonArray rows = result.json()[QLatin1String("registers")].toArray();
     QCOMPARE(rows.size(), 2);
     QCOMPARE(rows[0][QLatin1String("raw")].toInt(), 0xE8);
     QCOMPARE(rows[1][QLatin1String("raw")].toInt(), 1);
@@ -127,16 +127,16 @@ void TestCliUnclear::theTableIsRead()
     QCOMPARE(bus.writes(), 0);
 }
 
-void TestCliUnclear::consentNamesItsOption()
+void TestCliFamilyConflict::consentErrorNamesTheOption()
 {
     bytes::Bus bus({1}, std::chrono::milliseconds(0));
     CliProgram cli;
     cli.setPort(bus.port());
-    const Ran ran = cli.json("write 1 return_delay=3 phase=0");
-    QCOMPARE(errorOf(ran)[QLatin1String("code")].toString(), text("needs-consent"));
-    QVERIFY(errorOf(ran)[QLatin1String("remedy")].toString().contains(text("--dangerous")));
+    const ProgramResult result = cli.json("write 1 return_delay=3 phase=0");
+    QCOMPARE(errorOf(result)[QLatin1String("code")].toString(), text("needs-consent"));
+    QVERIFY(errorOf(result)[QLatin1String("remedy")].toString().contains(text("--dangerous")));
     QCOMPARE(bus.writes(), 0);
 }
 
-QTEST_GUILESS_MAIN(TestCliUnclear)
+QTEST_GUILESS_MAIN(TestCliFamilyConflict)
 #include "tst_cli_unclear.moc"

@@ -21,7 +21,7 @@ using jobs::CommissionStep;
 using jobs::CommissionView;
 using record::CommissionRow;
 using record::CommissionVerdict;
-using support::CommissionBench;
+using support::CommissionFixture;
 using support::templateOf;
 
 namespace {
@@ -33,13 +33,13 @@ QString q(const char* text)
 QStringList words(const CommissionRow& row)
 {
     QStringList all;
-    for (const record::CommissionTrouble& trouble : row.troubles)
-        all.append(trouble.word);
+    for (const record::CommissionIssue& issue : row.issues)
+        all.append(issue.word);
     return all;
 }
 
 /// Everything there is to be written.
-void pullSpec(CommissionBench& line)
+void unplugSpec(CommissionFixture& line)
 {
     line.spec.baud = 500'000;
     line.spec.center = true;
@@ -47,28 +47,28 @@ void pullSpec(CommissionBench& line)
 }
 
 /// Asked whether it is the one that was begun.
-CommissionAnswer truthOf(const CommissionView& view, bool same)
+CommissionAnswer groundTruth(const CommissionView& view, bool same)
 {
-    if (view.doubtfulId >= 0)
+    if (view.candidateId >= 0)
         return same ? CommissionAnswer::SameServo : CommissionAnswer::Continue;
-    return view.halfDone && !same ? CommissionAnswer::SetAside : CommissionAnswer::Continue;
+    return view.isResumed && !same ? CommissionAnswer::Skip : CommissionAnswer::Continue;
 }
 
-bool lockedAndOff(const sim::VirtualServo& servo)
+bool isLockedAndOff(const sim::VirtualServo& servo)
 {
     return servo.raw(q("lock")) == 1 && servo.raw(q("torque_switch")) == 0;
 }
 } // namespace
 
-class tst_Commission : public QObject {
+class TestCommission : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void sixFactoryServosWithoutAClick()
+    void sixFactoryServosAutomatically()
     {
-        CommissionBench line;
+        CommissionFixture line;
         line.spec.baud = 500'000;
         const auto end = line.run();
         QVERIFY2(end, qPrintable(end ? QString() : end.error().detail));
@@ -86,14 +86,14 @@ private Q_SLOTS:
             const auto& servo = line.servoAt(i);
             QCOMPARE(servo.id(), 11 + int(i));
             QCOMPARE(servo.baud(), 500'000);
-            QVERIFY(lockedAndOff(servo));
+            QVERIFY(isLockedAndOff(servo));
             QVERIFY2(line.spans[i] <= 10s, qPrintable(QString::number(line.spans[i] / 1ms)));
         }
-        QVERIFY(line.keptInTime);
+        QVERIFY(line.savedInTime);
         QCOMPARE(line.saved.size(), std::size_t{6});
         QVERIFY(line.batch.pending.empty());
-        QVERIFY(!line.saw(CommissionStep::Confirm));
-        QCOMPARE(line.bench.journal().open()->size(), std::size_t{0});
+        QVERIFY(!line.hasSeen(CommissionStep::Confirm));
+        QCOMPARE(line.fixture.journal().open()->size(), std::size_t{0});
         QFile csv(line.csv());
         QVERIFY(csv.open(QIODevice::ReadOnly));
         const QByteArrayList lines = csv.readAll().trimmed().split('\n');
@@ -101,9 +101,9 @@ private Q_SLOTS:
         QVERIFY(lines[1].contains(",good,,STS3215,3.10,1,1000000,11,500000,"));
     }
 
-    void labelsAreKeptAsSoonAsThereIsAnId()
+    void labelsAreSavedWithTheId()
     {
-        CommissionBench line;
+        CommissionFixture line;
         line.spec.count = 2;
         line.spec.baud = 500'000;
         QStringList kept;
@@ -117,9 +117,9 @@ private Q_SLOTS:
         QCOMPARE(line.batch.count(CommissionVerdict::Good), 2);
     }
 
-    void aLabelThatCannotBeKeptIsARemark()
+    void anUnsavedLabelIsARemark()
     {
-        CommissionBench line;
+        CommissionFixture line;
         line.spec.count = 1;
         line.name = [](const device::Servo&, const QString&, bool) -> base::Result<void> {
             return base::fail(base::ErrorCode::DiskFull);
@@ -130,9 +130,9 @@ private Q_SLOTS:
         QCOMPARE(line.servoAt(0).id(), 11);
     }
 
-    void oneClickAServoAndNotMore()
+    void oneClickPerServo()
     {
-        CommissionBench line;
+        CommissionFixture line;
         line.spec.automatic = false;
         int clicks = 0;
         line.answer = [&] {
@@ -144,30 +144,30 @@ private Q_SLOTS:
         QCOMPARE(clicks, 6);
     }
 
-    void withoutTheClickNothingIsWritten()
+    void nothingIsWrittenWithoutAClick()
     {
-        CommissionBench line;
+        CommissionFixture line;
         line.spec.automatic = false;
         int asked = 0;
         line.answer = [&] {
             if (++asked == 40)
-                line.bench.stop().request();
+                line.fixture.stop().request();
             return CommissionAnswer::None;
         };
         QVERIFY(line.run());
         QCOMPARE(asked, 40);
-        QVERIFY(line.bench.onlyAsked());
+        QVERIFY(line.fixture.onlyReadsSent());
         QVERIFY(line.batch.rows.empty());
         QVERIFY(line.saved.empty());
     }
 
-    void whoIsPulledBeforeTheClickIsForgotten()
+    void servoUnpluggedBeforeTheClickIsForgotten()
     {
-        CommissionBench line;
+        CommissionFixture line;
         line.spec.automatic = false;
         line.spec.count = 1;
         int confirms = 0;
-        line.hand = [&](const CommissionView& view) {
+        line.onView = [&](const CommissionView& view) {
             if (view.step == CommissionStep::Confirm && ++confirms == 1) {
                 line.unplugAll();
                 return true;
@@ -184,9 +184,9 @@ private Q_SLOTS:
         QCOMPARE(line.servoAt(1).id(), 11);
     }
 
-    void templateAndMiddleAreSet()
+    void templateAndCenterAreSet()
     {
-        CommissionBench line;
+        CommissionFixture line;
         line.spec.settings = templateOf(
             "sts3215", {{"position_p", 24}, {"max_temperature", 65}, {"protection_torque", 30}});
         line.spec.templateName = q("joint.servo.json");
@@ -198,7 +198,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < 2; ++i) {
             const CommissionRow& row = line.batch.rows[i];
             QVERIFY2(row.verdict == CommissionVerdict::Good, qPrintable(words(row).join(q(" "))));
-            QVERIFY(row.centred);
+            QVERIFY(row.centered);
             QCOMPARE(row.written, 3);
             QCOMPARE(row.templateName, q("joint.servo.json"));
             auto& servo = line.servoAt(i);
@@ -206,45 +206,45 @@ private Q_SLOTS:
             QCOMPARE(servo.raw(q("position_p")), 24);
             QCOMPARE(servo.raw(q("max_temperature")), 65);
             QVERIFY(std::abs(servo.raw(q("present_position")) - 2048) <= 12);
-            QVERIFY(lockedAndOff(servo));
+            QVERIFY(isLockedAndOff(servo));
             QVERIFY(line.spans[i] <= 10s);
         }
     }
 
-    void twoServosAreNeverTouched_data()
+    void twoServosAreNeverWritten_data()
     {
         QTest::addColumn<QString>("servos");
         QTest::addColumn<CommissionObstacle>("obstacle");
         const auto row = [](const char* servos, CommissionObstacle obstacle) {
             QTest::newRow(servos) << q(servos) << obstacle;
         };
-        row("sts3215@1:1000000,sts3215@1:1000000", CommissionObstacle::TwinIds);
-        row("sts3215@1:1000000,sts3215@7:1000000", CommissionObstacle::SeveralServos);
-        row("sts3215@1:1000000,sts3215@1:115200", CommissionObstacle::SeveralServos);
-        row("sts3215@1:1000000,lx16a@1", CommissionObstacle::SeveralServos);
-        row("sts3215@1:1000000,sts3215@9:500000", CommissionObstacle::SeveralServos);
-        row("lx16a@1,lx16a@2", CommissionObstacle::SeveralServos);
-        row("lx16a@1,lx16a@1", CommissionObstacle::TwinIds);
+        row("sts3215@1:1000000,sts3215@1:1000000", CommissionObstacle::DuplicateIds);
+        row("sts3215@1:1000000,sts3215@7:1000000", CommissionObstacle::DuplicateId);
+        row("sts3215@1:1000000,sts3215@1:115200", CommissionObstacle::DuplicateId);
+        row("sts3215@1:1000000,lx16a@1", CommissionObstacle::DuplicateId);
+        row("sts3215@1:1000000,sts3215@9:500000", CommissionObstacle::DuplicateId);
+        row("lx16a@1,lx16a@2", CommissionObstacle::DuplicateId);
+        row("lx16a@1,lx16a@1", CommissionObstacle::DuplicateIds);
     }
-    void twoServosAreNeverTouched()
+    void twoServosAreNeverWritten()
     {
         QFETCH(QString, servos);
         QFETCH(CommissionObstacle, obstacle);
-        CommissionBench line(servos);
+        CommissionFixture line(servos);
         line.spec.baud = servos.contains(q("500000")) ? 500'000 : 0;
         line.spec.count = 1;
         line.servoAt(0).setTemperature(31); // no two read the same
         bool parted = false;
-        line.hand = [&](const CommissionView& view) {
-            if (view.step == CommissionStep::Waiting && !line.somebodyPlugged()) {
+        line.onView = [&](const CommissionView& view) {
+            if (view.step == CommissionStep::Waiting && !line.isAnyPlugged()) {
                 line.plug(0);
                 line.plug(1);
             } else if (view.step == CommissionStep::Blocked) {
-                if (!line.bench.onlyAsked())
+                if (!line.fixture.onlyReadsSent())
                     return true;
                 if (!parted) {
                     parted = true;
-                    line.bench.withWire([](sim::VirtualBus& wire) { wire.unplug(1); });
+                    line.fixture.withBus([](sim::VirtualBus& wire) { wire.unplug(1); });
                 }
                 return true;
             }
@@ -253,7 +253,7 @@ private Q_SLOTS:
         const auto end = line.run();
         QVERIFY2(end, qPrintable(end ? QString() : end.error().detail));
         QVERIFY(parted);
-        QVERIFY(line.saw(obstacle));
+        QVERIFY(line.hasSeen(obstacle));
         QCOMPARE(*end, CommissionEnd::CountReached);
         QCOMPARE(line.servoAt(0).id(), 11);
         QVERIFY(line.servoAt(1).id() != 11);
@@ -261,7 +261,7 @@ private Q_SLOTS:
 
     void secondServoWhileTheFirstWaitsForItsClick()
     {
-        CommissionBench line;
+        CommissionFixture line;
         line.spec.automatic = false;
         bool second = false;
         line.answer = [&] {
@@ -271,28 +271,28 @@ private Q_SLOTS:
             }
             return CommissionAnswer::Continue;
         };
-        line.hand = [&](const CommissionView& view) {
+        line.onView = [&](const CommissionView& view) {
             if (view.step == CommissionStep::Blocked)
-                line.bench.stop().request();
+                line.fixture.stop().request();
             return false;
         };
         QVERIFY(line.run());
         QVERIFY(second);
-        QVERIFY(line.saw(CommissionStep::Blocked));
-        QVERIFY(line.bench.onlyAsked());
+        QVERIFY(line.hasSeen(CommissionStep::Blocked));
+        QVERIFY(line.fixture.onlyReadsSent());
     }
 
-    void otherRatesAndLanguagesAreFound_data()
+    void otherRatesAndProtocolsAreFound_data()
     {
         QTest::addColumn<QString>("servo");
         for (const char* servo : {"sts3215@1:115200", "sts3215@1:38400", "sts3215@1:250000",
                                   "sm40blhv@1", "scs15@1:500000", "scs15@1:57600"})
             QTest::newRow(servo) << q(servo);
     }
-    void otherRatesAndLanguagesAreFound()
+    void otherRatesAndProtocolsAreFound()
     {
         QFETCH(QString, servo);
-        CommissionBench line(servo);
+        CommissionFixture line(servo);
         line.spec.baud = 1'000'000;
         const int before = line.servoAt(0).baud();
         line.spec.count = 1;
@@ -308,7 +308,7 @@ private Q_SLOTS:
 
     void lxServosKeepTheirRate()
     {
-        CommissionBench line(q("lx16a@1,smsmb@1"));
+        CommissionFixture line(q("lx16a@1,smsmb@1"));
         line.spec.count = 2;
         const auto end = line.run();
         QCOMPARE(*end, CommissionEnd::CountReached);
@@ -320,30 +320,30 @@ private Q_SLOTS:
         }
     }
 
-    void aRateTheServoCannotHaveSetsItAside()
+    void anUnsupportedRateRejectsTheServo()
     {
-        CommissionBench line(q("lx16a@1,sts3215@1"));
+        CommissionFixture line(q("lx16a@1,sts3215@1"));
         line.spec.baud = 1'000'000;
         QVERIFY(line.run());
-        QCOMPARE(line.batch.rows[0].verdict, CommissionVerdict::Aside);
+        QCOMPARE(line.batch.rows[0].verdict, CommissionVerdict::Skipped);
         QCOMPARE(words(line.batch.rows[0]), QStringList{q("no-such-rate")});
         QCOMPARE(line.servoAt(0).id(), 1);
         QCOMPARE(line.batch.rows[1].verdict, CommissionVerdict::Good);
         QCOMPARE(line.servoAt(1).id(), 11); // no ID was spent on the first
     }
 
-    void troublesAreSetAsideWithoutAnId()
+    void problemServosAreRejectedWithoutAnId()
     {
-        CommissionBench line(q("line-trouble"));
+        CommissionFixture line(q("line-trouble"));
         line.spec.baud = 500'000;
         QVERIFY(line.run());
         QCOMPARE(line.batch.rows.size(), std::size_t{6});
         const std::vector<std::pair<CommissionVerdict, QStringList>> expected{
             {CommissionVerdict::Good, {}},
-            {CommissionVerdict::Aside, {q("alarm")}},
-            {CommissionVerdict::Aside, {q("other-id")}},
+            {CommissionVerdict::Skipped, {q("alarm")}},
+            {CommissionVerdict::Skipped, {q("other-id")}},
             {CommissionVerdict::Good, {}},
-            {CommissionVerdict::Aside, {q("no-such-rate")}},
+            {CommissionVerdict::Skipped, {q("no-such-rate")}},
             {CommissionVerdict::Good, {}},
         };
         for (std::size_t i = 0; i < 6; ++i) {
@@ -356,9 +356,9 @@ private Q_SLOTS:
         QCOMPARE(line.saved.size(), std::size_t{3});
     }
 
-    void theUserMaySetUpWhatHasAnAlarm()
+    void servosWithAlarmsCanBeAccepted()
     {
-        CommissionBench line(q("line-trouble"));
+        CommissionFixture line(q("line-trouble"));
         line.spec.automatic = false;
         line.answer = [] { return CommissionAnswer::Continue; };
         QVERIFY(line.run());
@@ -370,58 +370,58 @@ private Q_SLOTS:
         QCOMPARE(line.servoAt(2).id(), 13);
     }
 
-    void anotherModelThanTheTemplatesIsSetAside()
+    void modelsUnlikeTheTemplateAreRejected()
     {
-        CommissionBench line(q("scs15@1,sts3215@1"));
+        CommissionFixture line(q("scs15@1,sts3215@1"));
         line.spec.settings = templateOf("sts3215", {{"position_p", 24}});
         QVERIFY(line.run());
-        QCOMPARE(line.batch.rows[0].verdict, CommissionVerdict::Aside);
+        QCOMPARE(line.batch.rows[0].verdict, CommissionVerdict::Skipped);
         QVERIFY(words(line.batch.rows[0]).contains(q("other-model")));
         QCOMPARE(line.batch.rows[1].verdict, CommissionVerdict::Good);
         QCOMPARE(line.servoAt(1).id(), 11);
     }
 
-    void idsAreUsedUp()
+    void idsRunOut()
     {
-        CommissionBench line;
+        CommissionFixture line;
         line.spec.ids = {20, 21};
         const auto end = line.run();
-        QCOMPARE(*end, CommissionEnd::IdsUsedUp);
+        QCOMPARE(*end, CommissionEnd::IdsExhausted);
         QCOMPARE(line.batch.rows.size(), std::size_t{2});
         line.restart();
-        QCOMPARE(*line.run(), CommissionEnd::IdsUsedUp);
+        QCOMPARE(*line.run(), CommissionEnd::IdsExhausted);
         QCOMPARE(line.batch.rows.size(), std::size_t{2});
         line.restart();
         line.spec.ids = {20, 21, 22};
-        QCOMPARE(*line.run(), CommissionEnd::IdsUsedUp);
+        QCOMPARE(*line.run(), CommissionEnd::IdsExhausted);
         QCOMPARE(line.batch.rows.back().newId, 22);
     }
 
-    void whoIsLeftOnTheWireIsNotTakenAgain()
+    void aServoLeftConnectedIsNotCommissionedAgain()
     {
-        CommissionBench line;
-        line.hand = [&](const CommissionView& view) {
+        CommissionFixture line;
+        line.onView = [&](const CommissionView& view) {
             if (view.step == CommissionStep::Unplug) {
-                line.bench.stop().request(); // the user goes home
+                line.fixture.stop().request(); // the user goes home
                 return true;
             }
             return false;
         };
         QVERIFY(line.run());
-        QVERIFY(line.batch.onWire);
+        QVERIFY(line.batch.attachedServo);
         line.restart();
-        line.hand = nullptr;
+        line.onView = nullptr;
         QVERIFY(line.run());
         QCOMPARE(line.views.front().step, CommissionStep::Unplug);
         QCOMPARE(line.views.front().newId, 11);
         QCOMPARE(line.batch.rows.size(), std::size_t{6});
     }
 
-    void aServoThatIsDoneIsRecognised()
+    void aFinishedServoIsRecognized()
     {
-        CommissionBench line;
+        CommissionFixture line;
         bool again = false;
-        line.hand = [&](const CommissionView& view) {
+        line.onView = [&](const CommissionView& view) {
             if (view.step == CommissionStep::Waiting && line.batch.rows.size() == 2 && !again) {
                 again = true;
                 line.unplugAll();
@@ -434,23 +434,24 @@ private Q_SLOTS:
         QVERIFY(again);
         QCOMPARE(line.batch.rows.size(), std::size_t{6});
         QCOMPARE(line.servoAt(0).id(), 11);
-        const bool told = std::any_of(line.views.begin(), line.views.end(), [](const auto& view) {
-            return view.step == CommissionStep::Unplug && view.newId == 11 &&
-                   !view.concerns.empty() && view.concerns.front().word == q("already-done");
-        });
-        QVERIFY(told);
+        const bool reported =
+            std::any_of(line.views.begin(), line.views.end(), [](const auto& view) {
+                return view.step == CommissionStep::Unplug && view.newId == 11 &&
+                       !view.issues.empty() && view.issues.front().word == q("already-done");
+            });
+        QVERIFY(reported);
     }
 
-    void pulledInTheMiddle_data()
+    void unpluggedMidway_data()
     {
         QTest::addColumn<int>("frame");
         QTest::addColumn<bool>("heard");
         QTest::addColumn<bool>("killed");
         int changes = 0;
-        CommissionBench line(q("sts3215@1"));
-        pullSpec(line);
-        line.bench.tap().onWrite = [&changes](const base::Bytes& bytes) {
-            changes += support::isChange(bytes) ? 1 : 0;
+        CommissionFixture line(q("sts3215@1"));
+        unplugSpec(line);
+        line.fixture.tap().onWrite = [&changes](const base::Bytes& bytes) {
+            changes += support::isWriteFrame(bytes) ? 1 : 0;
         };
         QVERIFY(line.run());
         QVERIFY(changes > 6);
@@ -465,48 +466,48 @@ private Q_SLOTS:
     }
     /// At every frame that changes something: before the servo hears it, or after; and the program
     /// goes on, or is killed at that very moment.
-    void pulledInTheMiddle()
+    void unpluggedMidway()
     {
         QFETCH(int, frame);
         QFETCH(bool, heard);
         QFETCH(bool, killed);
-        CommissionBench line(q("sts3215@1,sts3215@1"));
-        pullSpec(line);
+        CommissionFixture line(q("sts3215@1,sts3215@1"));
+        unplugSpec(line);
         int changes = 0;
         bool pulled = false;
         const auto pull = [&] {
             pulled = true;
-            line.bench.tap().onWrite = nullptr;
+            line.fixture.tap().onWrite = nullptr;
             line.unplugAll();
             if (killed) {
-                line.bench.cutLink();
-                line.bench.journal().failWith(base::ErrorCode::DiskFull);
+                line.fixture.cutLink();
+                line.fixture.journal().setError(base::ErrorCode::DiskFull);
             }
         };
         bool next = false;
-        line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
+        line.fixture.tap().onWrite = [&](const base::Bytes& bytes) {
             if (next)
                 return pull();
-            if (support::isChange(bytes) && changes++ == frame) {
+            if (support::isWriteFrame(bytes) && changes++ == frame) {
                 if (heard)
                     next = true;
                 else
                     pull();
             }
         };
-        line.hand = [&](const CommissionView& view) {
-            if (view.step != CommissionStep::Waiting || !pulled || line.somebodyPlugged() ||
+        line.onView = [&](const CommissionView& view) {
+            if (view.step != CommissionStep::Waiting || !pulled || line.isAnyPlugged() ||
                 !line.batch.rows.empty())
                 return false;
             line.plug(0); // the same one again
             return true;
         };
-        line.answer = [&] { return truthOf(line.views.back(), true); };
+        line.answer = [&] { return groundTruth(line.views.back(), true); };
         auto end = line.run();
         if (pulled && killed) {
             QVERIFY(!end);
-            line.bench.journal().failWith(std::nullopt);
-            line.bench.restoreLink();
+            line.fixture.journal().setError(std::nullopt);
+            line.fixture.restoreLink();
             line.restart();
             end = line.run();
         }
@@ -521,7 +522,7 @@ private Q_SLOTS:
             QCOMPARE(servo.baud(), 500'000);
             QCOMPARE(servo.raw(q("position_p")), 24);
             QCOMPARE(servo.raw(q("max_temperature")), 65);
-            QVERIFY(lockedAndOff(servo));
+            QVERIFY(isLockedAndOff(servo));
         }
         QCOMPARE(ids.size(), std::size_t{2});
         QCOMPARE(line.batch.done(), 2);
@@ -529,39 +530,39 @@ private Q_SLOTS:
             QVERIFY2(ids.count(row.newId) == 1, "the batch says what is so");
     }
 
-    void swappedInAMoment_data() { pulledInTheMiddle_data(); }
+    void swappedQuickly_data() { unpluggedMidway_data(); }
 
     /// Pulled and plugged in again before anybody could notice, the same servo or another of its
     /// kind: whatever the journal still holds open is counted as unfinished, and who is said to be
     /// good has all of it.
-    void swappedInAMoment()
+    void swappedQuickly()
     {
         QFETCH(int, frame);
         QFETCH(bool, heard);
         QFETCH(bool, killed); // here: another one
-        CommissionBench line(q("sts3215@1,sts3215@1"));
-        pullSpec(line);
+        CommissionFixture line(q("sts3215@1,sts3215@1"));
+        unplugSpec(line);
         int changes = 0;
         const auto swap = [&] {
-            line.bench.tap().onWrite = nullptr;
+            line.fixture.tap().onWrite = nullptr;
             line.unplugAll();
             line.plug(killed ? 1U : 0U);
         };
         bool next = false;
-        line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
+        line.fixture.tap().onWrite = [&](const base::Bytes& bytes) {
             if (next)
                 return swap();
-            if (support::isChange(bytes) && changes++ == frame) {
+            if (support::isWriteFrame(bytes) && changes++ == frame) {
                 if (heard)
                     next = true;
                 else
                     swap();
             }
         };
-        line.answer = [&] { return truthOf(line.views.back(), !killed); };
+        line.answer = [&] { return groundTruth(line.views.back(), !killed); };
         const auto end = line.run();
         QVERIFY2(end, qPrintable(end ? QString() : base::errorName(end.error().code)));
-        if (!line.bench.journal().open()->empty())
+        if (!line.fixture.journal().open()->empty())
             QVERIFY2(!line.batch.pending.empty(), "an open change is unfinished");
         std::set<int> ids;
         for (std::size_t place : {0U, 1U}) {
@@ -578,12 +579,12 @@ private Q_SLOTS:
                     continue;
                 QCOMPARE(servo.raw(q("position_p")), 24);
                 QCOMPARE(servo.raw(q("max_temperature")), 65);
-                QVERIFY(lockedAndOff(servo));
+                QVERIFY(isLockedAndOff(servo));
             }
         }
     }
 
-    void exchangedAfterTheIdIsWritten_data()
+    void replacedAfterTheIdIsWritten_data()
     {
         QTest::addColumn<int>("gone");
         QTest::addColumn<int>("comes");
@@ -594,15 +595,15 @@ private Q_SLOTS:
 
     /// Another servo with the factory's ID takes the place of the one that has its new ID and an
     /// open lock: nothing of the first one is written to it, and the first one stays unfinished.
-    void exchangedAfterTheIdIsWritten()
+    void replacedAfterTheIdIsWritten()
     {
         QFETCH(const int, gone);
         QFETCH(const int, comes);
-        CommissionBench line(q("sts3215@1,sts3215@1"));
-        line.keepsTables = true;
+        CommissionFixture line(q("sts3215@1,sts3215@1"));
+        line.savesSnapshotFiles = true;
         line.spec.count = 1;
         int frames = -1;
-        line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
+        line.fixture.tap().onWrite = [&](const base::Bytes& bytes) {
             const bool idWrite =
                 bytes.size() > 6 && bytes[4] == support::Write && bytes[5] == 5 && bytes[6] == 11;
             if (idWrite && frames < 0)
@@ -615,12 +616,12 @@ private Q_SLOTS:
                 line.plug(1);
         };
         bool asked = false;
-        line.hand = [&](const CommissionView& view) {
+        line.onView = [&](const CommissionView& view) {
             asked = asked || view.step == CommissionStep::Confirm;
             const bool over = view.step == CommissionStep::Confirm ||
-                              (view.step == CommissionStep::Unplug && line.somebodyPlugged());
+                              (view.step == CommissionStep::Unplug && line.isAnyPlugged());
             if (over)
-                line.bench.stop().request();
+                line.fixture.stop().request();
             return over || frames >= 0;
         };
         QVERIFY(line.run());
@@ -634,53 +635,53 @@ private Q_SLOTS:
         if (finished)
             return;
         QVERIFY(!line.batch.pending.empty());
-        const record::CommissionPending& left = line.batch.pending.front();
+        const record::PendingCommission& left = line.batch.pending.front();
         QCOMPARE(left.newId, 11);
-        QVERIFY(left.idSent);
-        QVERIFY2(asked || left.idRead, "the user is asked");
-        QCOMPARE(left.lockOpen, !line.bench.journal().open()->empty());
+        QVERIFY(left.isIdSent);
+        QVERIFY2(asked || left.isIdConfirmed, "the user is asked");
+        QCOMPARE(left.lockOpen, !line.fixture.journal().open()->empty());
         QVERIFY2(left.lockOpen || first.raw(q("lock")) == 1, "an open lock is told");
     }
 
     /// It never left: its row says what was written and that the lock is open.
     void aLockThatDoesNotClose()
     {
-        CommissionBench line(q("sts3215@1"));
-        pullSpec(line);
-        line.keepsTables = true;
+        CommissionFixture line(q("sts3215@1"));
+        unplugSpec(line);
+        line.savesSnapshotFiles = true;
         bool opened = false;
-        line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
+        line.fixture.tap().onWrite = [&](const base::Bytes& bytes) {
             if (bytes.size() < 7) // a ping, or another protocol's
                 return;
             opened = opened || (bytes[4] == support::Write && bytes[5] == 55 && bytes[6] == 0);
             if (opened && bytes[4] == support::Read)
                 line.servoAt(0).poke(q("lock"), 0);
         };
-        line.hand = [&](const CommissionView& view) {
+        line.onView = [&](const CommissionView& view) {
             if (view.step == CommissionStep::Waiting && opened)
-                line.bench.stop().request();
+                line.fixture.stop().request();
             return view.step == CommissionStep::Waiting && opened;
         };
         (void)line.run();
         QCOMPARE(line.batch.rows.size(), std::size_t{1});
         const CommissionRow& row = line.batch.rows.front();
         QCOMPARE(row.verdict, CommissionVerdict::Failed);
-        QCOMPARE(row.troubles.back().word, q("lock-open"));
+        QCOMPARE(row.issues.back().word, q("lock-open"));
         QVERIFY(row.written > 0);
         QVERIFY(!line.batch.pending.empty());
-        QVERIFY(!line.bench.journal().open()->empty());
+        QVERIFY(!line.fixture.journal().open()->empty());
     }
 
     /// The click was about the one that stood there when it was asked for.
     void swappedBeforeTheClick()
     {
-        CommissionBench line(q("sts3215@1,sts3215@1"));
+        CommissionFixture line(q("sts3215@1,sts3215@1"));
         line.spec.automatic = false;
         line.spec.count = 1;
         line.spec.settings = templateOf("sts3215", {{"position_p", 24}, {"max_temperature", 65}});
         line.plug(1);
-        device::Servo other = line.bench.servo(1);
-        QVERIFY(device::write(line.bench.context(), other, {{q("max_temperature"), 60}}, {}));
+        device::Servo other = line.fixture.servo(1);
+        QVERIFY(device::write(line.fixture.context(), other, {{q("max_temperature"), 60}}, {}));
         line.unplugAll();
         int asked = 0;
         line.answer = [&] {
@@ -699,11 +700,11 @@ private Q_SLOTS:
 
     /// A servo comes back at its old ID while a write of its template has not ended: the user is
     /// asked whether it is the one.
-    void whoMayBeAnotherIsAskedAbout()
+    void possiblyReplacedServoNeedsConfirmation()
     {
         bool everOpen = false;
         for (int frame = 1; frame <= 6; ++frame) {
-            CommissionBench line(q("sts3215@1,sts3215@1"));
+            CommissionFixture line(q("sts3215@1,sts3215@1"));
             line.spec.automatic = false;
             line.spec.count = 1;
             line.spec.settings =
@@ -711,36 +712,36 @@ private Q_SLOTS:
             bool pulled = false;
             bool open = false;
             int changes = 0;
-            line.bench.tap().onWrite = [&](const base::Bytes& bytes) {
-                if (!pulled && support::isChange(bytes) && ++changes == frame) {
+            line.fixture.tap().onWrite = [&](const base::Bytes& bytes) {
+                if (!pulled && support::isWriteFrame(bytes) && ++changes == frame) {
                     pulled = true;
                     line.unplugAll();
                 }
             };
-            line.hand = [&](const CommissionView& view) {
-                if (view.step != CommissionStep::Waiting || !pulled || line.somebodyPlugged())
+            line.onView = [&](const CommissionView& view) {
+                if (view.step != CommissionStep::Waiting || !pulled || line.isAnyPlugged())
                     return false;
-                open = !line.bench.journal().open()->empty();
+                open = !line.fixture.journal().open()->empty();
                 line.plug(0);
                 return true;
             };
-            bool doubted = false;
+            bool questionAsked = false;
             line.answer = [&] {
-                const bool doubts = line.views.back().doubtfulId == 11;
-                doubted = doubted || doubts;
+                const bool doubts = line.views.back().candidateId == 11;
+                questionAsked = questionAsked || doubts;
                 return doubts ? CommissionAnswer::SameServo : CommissionAnswer::Continue;
             };
             QVERIFY(line.run());
             QVERIFY(pulled);
-            QVERIFY2(doubted || !open, qPrintable(QString::number(frame)));
+            QVERIFY2(questionAsked || !open, qPrintable(QString::number(frame)));
             everOpen = everOpen || open;
             QCOMPARE(line.batch.done(), 1);
             QCOMPARE(line.servoAt(0).id(), 11);
-            QVERIFY(line.bench.journal().open()->empty());
+            QVERIFY(line.fixture.journal().open()->empty());
         }
         QVERIFY(everOpen);
     }
 };
 
-QTEST_GUILESS_MAIN(tst_Commission)
+QTEST_GUILESS_MAIN(TestCommission)
 #include "tst_commission.moc"

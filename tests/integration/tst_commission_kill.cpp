@@ -16,7 +16,7 @@
 using support::CliProgram;
 using support::KillCable;
 using support::KillPoint;
-using support::Ran;
+using support::ProgramResult;
 
 namespace {
 // Of an STS3215.
@@ -26,14 +26,14 @@ constexpr int gainAddress = 21;
 
 constexpr int gain = 24; ///< the template's, another than the factory's
 
-QJsonArray listOf(const Ran& ran, const char* name)
+QJsonArray listOf(const ProgramResult& result, const char* name)
 {
-    return ran.json()[QLatin1String(name)].toArray();
+    return result.json()[QLatin1String(name)].toArray();
 }
 
 /// The line on one batch, with the servos' bag and the cable between.
-struct Killed {
-    Killed()
+struct CommissionKillFixture {
+    CommissionKillFixture()
         : sim(support::words("--preset line+deaf=1+run-to-goal=1"))
         , cable(sim.port())
     {
@@ -50,17 +50,17 @@ struct Killed {
     QString file(const char* name) const { return folder.filePath(QLatin1String(name)); }
     void start()
     {
-        cable.connectAnew();
+        cable.resetConnection();
         cli.start(line);
     }
-    void hand(const char* deed)
+    void sendHotplugCommand(const char* command)
     {
-        sim.tell(deed);
+        sim.sendLine(command);
         (void)sim.nextLine(); // done
     }
-    Ran run(const char* words)
+    ProgramResult run(const char* words)
     {
-        cable.connectAnew();
+        cable.resetConnection();
         return cli.run(words);
     }
     record::CommissionBatch batch() const
@@ -69,7 +69,7 @@ struct Killed {
     }
     QMap<QString, int> values(int id)
     {
-        const Ran read = run(qPrintable(
+        const ProgramResult read = run(qPrintable(
             QStringLiteral("read %1 lock torque_switch position_p max_temperature --baud 500000 "
                            "--json")
                 .arg(id)));
@@ -86,10 +86,10 @@ struct Killed {
     QStringList line;
 };
 
-const QMap<QString, int> asWanted{{QStringLiteral("lock"), 1},
-                                  {QStringLiteral("torque_switch"), 0},
-                                  {QStringLiteral("position_p"), gain},
-                                  {QStringLiteral("max_temperature"), 65}};
+const QMap<QString, int> expectedValues{{QStringLiteral("lock"), 1},
+                                        {QStringLiteral("torque_switch"), 0},
+                                        {QStringLiteral("position_p"), gain},
+                                        {QStringLiteral("max_temperature"), 65}};
 } // namespace
 
 class TestCommissionKill : public QObject {
@@ -97,15 +97,15 @@ class TestCommissionKill : public QObject {
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
-    void killedWhileAServoIsSetUp_data();
-    void killedWhileAServoIsSetUp();
+    void killedWhileCommissioningAServo_data();
+    void killedWhileCommissioningAServo();
 
 private:
-    void finishesTheFirst(Killed& bench);
-    void setsUpTheNext(Killed& bench);
+    void verifyFirstIsFinished(CommissionKillFixture& fixture);
+    void verifyNextIsConfigured(CommissionKillFixture& fixture);
 };
 
-void TestCommissionKill::killedWhileAServoIsSetUp_data()
+void TestCommissionKill::killedWhileCommissioningAServo_data()
 {
     QTest::addColumn<int>("address");
     QTest::addColumn<bool>("heard");
@@ -115,41 +115,41 @@ void TestCommissionKill::killedWhileAServoIsSetUp_data()
     QTest::newRow("rate, heard") << rateAddress << true;
 }
 
-void TestCommissionKill::killedWhileAServoIsSetUp()
+void TestCommissionKill::killedWhileCommissioningAServo()
 {
     QFETCH(int, address);
     QFETCH(bool, heard);
-    Killed bench;
-    bench.hand("next");
-    bench.start();
-    bench.cable.killAt({address, heard}, bench.cli.process().processId());
-    const Ran killed = bench.cli.finish();
-    QVERIFY2(bench.cable.killed(), qPrintable(killed.out + killed.err));
+    CommissionKillFixture fixture;
+    fixture.sendHotplugCommand("next");
+    fixture.start();
+    fixture.cable.killAt({address, heard}, fixture.cli.process().processId());
+    const ProgramResult killed = fixture.cli.finish();
+    QVERIFY2(fixture.cable.killed(), qPrintable(killed.out + killed.err));
     QCOMPARE(killed.exit, -1);
     // Nothing is said to be done; what was begun is known, with the table it came with.
-    const record::CommissionBatch left = bench.batch();
+    const record::CommissionBatch left = fixture.batch();
     QVERIFY(left.rows.empty());
     QCOMPARE(left.pending.size(), std::size_t{1});
     QCOMPARE(left.pending.front().newId, 11);
     QVERIFY(killed.out.isEmpty());
     QVERIFY(killed.err.contains(left.pending.front().snapshot));
-    finishesTheFirst(bench);
+    verifyFirstIsFinished(fixture);
     if (address == idAddress && !QTest::currentTestFailed())
-        setsUpTheNext(bench);
+        verifyNextIsConfigured(fixture);
 }
 
-void TestCommissionKill::finishesTheFirst(Killed& bench)
+void TestCommissionKill::verifyFirstIsFinished(CommissionKillFixture& fixture)
 {
-    const QString firstTable = bench.batch().pending.front().snapshot;
-    bench.start();
-    const bool done = bench.cli.waitForRemark("Unplug: ID 11 is done.");
-    bench.cli.signal(SIGINT); // it stays on the wire, to be looked at
-    const Ran ran = bench.cli.finish();
-    QVERIFY2(done, qPrintable(ran.out + ran.err));
-    QCOMPARE(bench.values(11), asWanted);
-    QVERIFY(listOf(bench.run("recover --json"), "intents").isEmpty());
+    const QString firstTable = fixture.batch().pending.front().snapshot;
+    fixture.start();
+    const bool done = fixture.cli.waitForError("Unplug: ID 11 is done.");
+    fixture.cli.signal(SIGINT); // it stays on the wire, to be looked at
+    const ProgramResult result = fixture.cli.finish();
+    QVERIFY2(done, qPrintable(result.out + result.err));
+    QCOMPARE(fixture.values(11), expectedValues);
+    QVERIFY(listOf(fixture.run("recover --json"), "intents").isEmpty());
 
-    const record::CommissionBatch batch = bench.batch();
+    const record::CommissionBatch batch = fixture.batch();
     QVERIFY(batch.pending.empty());
     QCOMPARE(batch.rows.size(), std::size_t{1});
     const record::CommissionRow& row = batch.rows.front();
@@ -165,25 +165,25 @@ void TestCommissionKill::finishesTheFirst(Killed& bench)
     QVERIFY(table->find(QStringLiteral("position_p"))->raw != gain);
 }
 
-void TestCommissionKill::setsUpTheNext(Killed& bench)
+void TestCommissionKill::verifyNextIsConfigured(CommissionKillFixture& fixture)
 {
-    bench.hand("next");
-    bench.start();
-    const bool done = bench.cli.waitForRemark("Unplug: ID 12 is done.");
-    bench.hand("unplug");
-    const Ran ran = bench.cli.finish();
-    QVERIFY2(done, qPrintable(ran.out + ran.err));
-    QCOMPARE(ran.exit, 0);
-    bench.hand("plug 1");
-    bench.hand("plug 2");
+    fixture.sendHotplugCommand("next");
+    fixture.start();
+    const bool done = fixture.cli.waitForError("Unplug: ID 12 is done.");
+    fixture.sendHotplugCommand("unplug");
+    const ProgramResult result = fixture.cli.finish();
+    QVERIFY2(done, qPrintable(result.out + result.err));
+    QCOMPARE(result.exit, 0);
+    fixture.sendHotplugCommand("plug 1");
+    fixture.sendHotplugCommand("plug 2");
     for (const int id : {11, 12})
-        QCOMPARE(bench.values(id), asWanted);
-    const record::CommissionBatch batch = bench.batch();
+        QCOMPARE(fixture.values(id), expectedValues);
+    const record::CommissionBatch batch = fixture.batch();
     QCOMPARE(batch.done(), 2);
     QCOMPARE(batch.rows.back().newId, 12);
     // Each has its name in the history.
     QStringList labels;
-    for (const QJsonValue& one : listOf(bench.run("history --kind servos --json"), "servos")) {
+    for (const QJsonValue& one : listOf(fixture.run("history --kind servos --json"), "servos")) {
         if (one[QLatin1String("id")].toInt() > 10)
             labels.append(one[QLatin1String("label")].toString());
     }

@@ -8,73 +8,74 @@
 #include "unit/session/session_bench.h"
 
 namespace {
-struct DriveBench {
-    DriveBench()
+struct StoredMoveFixture {
+    StoredMoveFixture()
         : simulator(support::words("--servos sts3215@1,sts3215@2 --baud 1000000"))
         , cable(simulator.port(), false)
-        , bench(cable.port())
+        , fixture(cable.port())
     {}
     bool ready()
     {
-        if (!bench.opened || !bench.search({.firstId = 1, .lastId = 3, .bauds = {}}) ||
-            bench.desk.servos().size() != 2)
+        if (!fixture.opened || !fixture.search({.firstId = 1, .lastId = 3, .bauds = {}}) ||
+            fixture.desk.servos().size() != 2)
             return false;
-        drive.setServos(bench.desk.servos());
+        drive.setServos(fixture.desk.servos());
         drive.setTorque(device::Torque::On);
-        return settled();
+        return waitUntilIdle();
     }
-    bool settled()
+    bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !drive.busy() && !bench.desk.busy(); }, 20'000);
+        return QTest::qWaitFor([this] { return !drive.isBusy() && !fixture.desk.isBusy(); },
+                               20'000);
     }
     bool hold()
     {
-        return drive.move({.goal = QStringLiteral("2300"), .how = device::MoveHow::Async}) &&
-               settled();
+        return drive.move({.goal = QStringLiteral("2300"), .how = device::MoveMethod::Async}) &&
+               waitUntilIdle();
     }
 
     support::SimProgram simulator;
     support::CutCable cable;
-    Bench bench;
-    session::Drive drive{bench.desk};
+    SessionFixture fixture;
+    session::MotionController drive{fixture.desk};
 };
 } // namespace
 
-class TestDriveHeld : public QObject {
+class TestHeldGoals : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aHoldThatWasNeverHeardIsNotOffered()
+    void aLostStoredGoalCannotBeExecuted()
     {
-        DriveBench bench;
-        QVERIFY(bench.ready());
-        QSignalSpy failed(&bench.drive, &session::Drive::failed);
-        bench.cable.lose(support::RegWrite);
-        QVERIFY(bench.hold());
+        StoredMoveFixture fixture;
+        QVERIFY(fixture.ready());
+        QSignalSpy failed(&fixture.drive, &session::MotionController::failed);
+        fixture.cable.dropInstruction(support::RegWrite);
+        QVERIFY(fixture.hold());
         QCOMPARE(failed.count(), 1);
-        QCOMPARE(bench.drive.held(), 0);
+        QCOMPARE(fixture.drive.heldCount(), 0);
     }
 
-    void aStartThatWasNeverHeardCanBeRepeated()
+    void aLostActionCanBeRepeated()
     {
-        DriveBench bench;
-        QVERIFY(bench.ready());
-        QSignalSpy failed(&bench.drive, &session::Drive::failed);
-        QSignalSpy started(&bench.drive, &session::Drive::started);
-        QVERIFY(bench.hold());
-        QCOMPARE(bench.drive.held(), 2);
-        bench.cable.lose(support::Action);
-        bench.drive.execute();
-        QVERIFY(bench.settled());
+        StoredMoveFixture fixture;
+        QVERIFY(fixture.ready());
+        QSignalSpy failed(&fixture.drive, &session::MotionController::failed);
+        QSignalSpy started(&fixture.drive, &session::MotionController::heldMovesStarted);
+        QVERIFY(fixture.hold());
+        QCOMPARE(fixture.drive.heldCount(), 2);
+        fixture.cable.dropInstruction(support::Action);
+        fixture.drive.startHeldMoves();
+        QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(failed.count(), 1);
-        QCOMPARE(bench.drive.held(), 2);
-        bench.cable.lose(0);
-        bench.drive.execute();
-        QVERIFY(bench.settled());
+        QCOMPARE(fixture.drive.heldCount(), 2);
+        fixture.cable.dropInstruction(0);
+        fixture.drive.startHeldMoves();
+        QVERIFY(fixture.waitUntilIdle());
         QCOMPARE(started.count(), 1);
-        QCOMPARE(bench.drive.held(), 0);
+        QCOMPARE(fixture.drive.heldCount(), 0);
     }
 };
 
-QTEST_GUILESS_MAIN(TestDriveHeld)
+QTEST_GUILESS_MAIN(TestHeldGoals)
 #include "tst_drive_held.moc"

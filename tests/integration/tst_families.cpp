@@ -11,7 +11,7 @@
 #include <cmath>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using support::SimProgram;
 using support::words;
 
@@ -25,19 +25,20 @@ QJsonObject only(const QJsonArray& list)
 
 QJsonObject readOne(CliProgram& cli, int id, const QString& key)
 {
-    const Ran ran = cli.json(qPrintable(QStringLiteral("read %1 %2").arg(id).arg(key)));
-    return only(ran.json()[QLatin1String("registers")].toArray());
+    const ProgramResult result =
+        cli.json(qPrintable(QStringLiteral("read %1 %2").arg(id).arg(key)));
+    return only(result.json()[QLatin1String("registers")].toArray());
 }
 } // namespace
 
-class TestFamilies : public QObject {
+class TestFamilyTasks : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init();
 
-    void sameTasksEverywhere_data();
-    void sameTasksEverywhere();
+    void sameTasksForEveryFamily_data();
+    void sameTasksForEveryFamily();
 
 private:
     void scan(CliProgram& cli, int id);
@@ -48,12 +49,12 @@ private:
     void watch(CliProgram& cli, int id);
 };
 
-void TestFamilies::init()
+void TestFamilyTasks::init()
 {
     QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
 }
 
-void TestFamilies::sameTasksEverywhere_data()
+void TestFamilyTasks::sameTasksForEveryFamily_data()
 {
     QTest::addColumn<QString>("model");
     QTest::addColumn<QString>("baud");
@@ -81,13 +82,13 @@ void TestFamilies::sameTasksEverywhere_data()
 }
 
 /// Without being told who is there and what it speaks.
-void TestFamilies::scan(CliProgram& cli, int id)
+void TestFamilyTasks::scan(CliProgram& cli, int id)
 {
     QFETCH(QString, protocol);
     QFETCH(QString, map);
-    const Ran ran = cli.json("scan --ids 0-6");
-    QCOMPARE(ran.exit, 0);
-    const QJsonObject found = only(ran.json()[servosName].toArray());
+    const ProgramResult result = cli.json("scan --ids 0-6");
+    QCOMPARE(result.exit, 0);
+    const QJsonObject found = only(result.json()[servosName].toArray());
     QCOMPARE(found[QLatin1String("id")].toInt(-1), id);
     QCOMPARE(found[QLatin1String("protocol")].toString(), protocol);
     QCOMPARE(found[QLatin1String("map")].toString(), map);
@@ -95,12 +96,12 @@ void TestFamilies::scan(CliProgram& cli, int id)
     QCOMPARE(found[QLatin1String("status")].isNull(), protocol == QLatin1String("lx"));
 }
 
-void TestFamilies::dump(CliProgram& cli, int id)
+void TestFamilyTasks::dump(CliProgram& cli, int id)
 {
     QFETCH(int, registers);
-    const Ran ran = cli.json(qPrintable(QStringLiteral("dump %1").arg(id)));
-    QCOMPARE(ran.exit, 0);
-    const QJsonArray rows = ran.json()[QLatin1String("registers")].toArray();
+    const ProgramResult result = cli.json(qPrintable(QStringLiteral("dump %1").arg(id)));
+    QCOMPARE(result.exit, 0);
+    const QJsonArray rows = result.json()[QLatin1String("registers")].toArray();
     QCOMPARE(rows.size(), registers);
     for (const QJsonValue& row : rows) {
         const QString key = row[QLatin1String("key")].toString();
@@ -110,29 +111,30 @@ void TestFamilies::dump(CliProgram& cli, int id)
     }
 }
 
-void TestFamilies::write(CliProgram& cli, int id)
+void TestFamilyTasks::write(CliProgram& cli, int id)
 {
     QFETCH(QString, key);
     QFETCH(int, value);
     const auto assignment = QStringLiteral("write %1 %2=%3").arg(id).arg(key).arg(value);
-    const Ran ran = cli.json(qPrintable(assignment));
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
-    const QJsonObject write = only(ran.json()[QLatin1String("writes")].toArray());
+    const ProgramResult result = cli.json(qPrintable(assignment));
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+    const QJsonObject write = only(result.json()[QLatin1String("writes")].toArray());
     QCOMPARE(write[QLatin1String("outcome")].toString(), QStringLiteral("kept"));
     QCOMPARE(write[QLatin1String("read_back")].toInt(-1), value);
     QVERIFY(write[QLatin1String("old")].toInt(-1) != value);
-    const QString lock = ran.json()[QLatin1String("lock")].toString();
+    const QString lock = result.json()[QLatin1String("lock")].toString();
     QVERIFY2(lock == QLatin1String("closed") || lock == QLatin1String("none"), qPrintable(lock));
 }
 
-void TestFamilies::setId(CliProgram& cli, int from, int to)
+void TestFamilyTasks::setId(CliProgram& cli, int from, int to)
 {
-    const Ran ran = cli.json(qPrintable(QStringLiteral("set-id %1 %2").arg(from).arg(to)));
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
-    QCOMPARE(ran.json()[QLatin1String("id")].toInt(-1), to);
+    const ProgramResult result =
+        cli.json(qPrintable(QStringLiteral("set-id %1 %2").arg(from).arg(to)));
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
+    QCOMPARE(result.json()[QLatin1String("id")].toInt(-1), to);
 }
 
-void TestFamilies::move(CliProgram& cli, int id)
+void TestFamilyTasks::move(CliProgram& cli, int id)
 {
     QFETCH(QString, position);
     QFETCH(QString, model);
@@ -142,22 +144,23 @@ void TestFamilies::move(CliProgram& cli, int id)
     const bool degrees = readOne(cli, id, position)[QLatin1String("unit")] == QLatin1String("deg");
     const double goal = degrees ? 100 : 400;
     QVERIFY(std::abs(now() - goal) > 10);
-    const Ran ran = cli.json(qPrintable(
+    const ProgramResult result = cli.json(qPrintable(
         QStringLiteral("move %1=%2%3 --wait").arg(id).arg(goal).arg(degrees ? "deg" : "")));
-    QVERIFY2(ran.exit == 0, qPrintable(ran.out + ran.err));
+    QVERIFY2(result.exit == 0, qPrintable(result.out + result.err));
     // What counts as arrival: a 64th of a turn, 16 of 1024 steps. Friction decides where inside it.
     const double arrived = degrees ? 360.0 / 64 : 16;
     QTRY_VERIFY(std::abs(now() - goal) <= arrived); // it may still come to rest
     QCOMPARE(cli.run(qPrintable(QStringLiteral("torque %1 off").arg(id))).exit, 0);
 }
 
-void TestFamilies::watch(CliProgram& cli, int id)
+void TestFamilyTasks::watch(CliProgram& cli, int id)
 {
     QFETCH(QString, position);
-    const Ran ran = cli.json(qPrintable(QStringLiteral("watch %1 --rate 20 --for 0.5").arg(id)));
-    QCOMPARE(ran.exit, 0);
-    const QJsonArray columns = ran.json()[QLatin1String("columns")].toArray();
-    const QJsonArray rows = ran.json()[QLatin1String("rows")].toArray();
+    const ProgramResult result =
+        cli.json(qPrintable(QStringLiteral("watch %1 --rate 20 --for 0.5").arg(id)));
+    QCOMPARE(result.exit, 0);
+    const QJsonArray columns = result.json()[QLatin1String("columns")].toArray();
+    const QJsonArray rows = result.json()[QLatin1String("rows")].toArray();
     QVERIFY(rows.size() >= 5);
     int place = -1;
     for (int i = 0; i < columns.size(); ++i) {
@@ -174,10 +177,10 @@ void TestFamilies::watch(CliProgram& cli, int id)
         QVERIFY(values[place].isDouble());
         ++read;
     }
-    QVERIFY2(read >= 5, qPrintable(ran.out));
+    QVERIFY2(read >= 5, qPrintable(result.out));
 }
 
-void TestFamilies::sameTasksEverywhere()
+void TestFamilyTasks::sameTasksForEveryFamily()
 {
     QFETCH(QString, model);
     QFETCH(QString, baud);
@@ -196,8 +199,8 @@ void TestFamilies::sameTasksEverywhere()
     {
         const SimProgram sim(arguments);
         connect(sim);
-        for (auto task : {&TestFamilies::scan, &TestFamilies::dump, &TestFamilies::write,
-                          &TestFamilies::move, &TestFamilies::watch}) {
+        for (auto task : {&TestFamilyTasks::scan, &TestFamilyTasks::dump, &TestFamilyTasks::write,
+                          &TestFamilyTasks::move, &TestFamilyTasks::watch}) {
             (this->*task)(cli, 1);
             if (failed())
                 return;
@@ -213,5 +216,5 @@ void TestFamilies::sameTasksEverywhere()
     QCOMPARE(cli.json("recover").json()[QLatin1String("intents")].toArray().size(), 0);
 }
 
-QTEST_GUILESS_MAIN(TestFamilies)
+QTEST_GUILESS_MAIN(TestFamilyTasks)
 #include "tst_families.moc"

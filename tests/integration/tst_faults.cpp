@@ -16,26 +16,26 @@
 using base::ErrorCode;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using support::BenchOptions;
-using support::SimBench;
+using support::SimFixture;
+using support::SimFixtureOptions;
 
 namespace {
 constexpr int fast = 1'000'000;
 
 /// Registers whose values differ from servo to servo and from one another, so that a reading that
 /// belongs elsewhere shows: temperature limit 50 + id, overload torque 60 + id, and so on.
-void makeDistinct(SimBench& bench, const std::vector<int>& ids)
+void setDistinctValues(SimFixture& fixture, const std::vector<int>& ids)
 {
     for (const int id : ids) {
-        bench.poke(id, QStringLiteral("max_temperature"), 50 + id);
-        bench.poke(id, QStringLiteral("max_voltage"), 80 + id);
-        bench.poke(id, QStringLiteral("position_p"), 20 + id);
-        bench.poke(id, QStringLiteral("cw_dead_zone"), id);
-        bench.poke(id, QStringLiteral("max_torque"), 900 + id);
+        fixture.poke(id, QStringLiteral("max_temperature"), 50 + id);
+        fixture.poke(id, QStringLiteral("max_voltage"), 80 + id);
+        fixture.poke(id, QStringLiteral("position_p"), 20 + id);
+        fixture.poke(id, QStringLiteral("cw_dead_zone"), id);
+        fixture.poke(id, QStringLiteral("max_torque"), 900 + id);
     }
 }
 
-struct Tally {
+struct CampaignTotals {
     int right = 0;
     int wrong = 0;
     std::map<ErrorCode, int> failed;
@@ -49,13 +49,14 @@ struct Tally {
 };
 
 /// Reads one register after the other, of one servo after the other.
-Tally readRegisters(SimBench& bench, const std::vector<int>& ids, const QStringList& keys,
-                    int rounds, int retries, base::Duration patience = {})
+CampaignTotals readRegisters(SimFixture& fixture, const std::vector<int>& ids,
+                             const QStringList& keys, int rounds, int retries,
+                             base::Duration timeout = {})
 {
     std::map<int, device::Servo> servos;
     for (const int id : ids)
         servos[id].profile = support::builtInCatalog().resolve({3, 10, 0, 9, 3});
-    Tally tally;
+    CampaignTotals tally;
     for (int round = 0; round < rounds; ++round) {
         for (const int id : ids) {
             for (const QString& key : keys) {
@@ -64,14 +65,14 @@ Tally readRegisters(SimBench& bench, const std::vector<int>& ids, const QStringL
                 bus::Transaction read;
                 read.request = protocol::Request::read(id, reg.address, reg.size);
                 read.retries = retries;
-                read.patience = patience;
-                const auto outcome = bench.bus().transact(read);
+                read.timeout = timeout;
+                const auto outcome = fixture.bus().transact(read);
                 if (!outcome) {
                     ++tally.failed[outcome.error().code];
                     continue;
                 }
                 servo.image.store(reg.address, outcome->data(), {});
-                ++(servo.raw(reg) == bench.raw(id, key) ? tally.right : tally.wrong);
+                ++(servo.raw(reg) == fixture.raw(id, key) ? tally.right : tally.wrong);
             }
         }
     }
@@ -89,22 +90,22 @@ class TestFaults : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void aBadLineGivesNoWrongValue_data();
-    void aBadLineGivesNoWrongValue();
-    void blocksFromABadLineAreRightToo();
-    void lateRepliesAreNeverTakenForAnother_data();
-    void lateRepliesAreNeverTakenForAnother();
-    void occasionalLateRepliesAreNeverTakenForAnother();
-    void watchingABadLineShowsNothingWrong();
-    void watchingThroughASlowAdapterShowsNothingWrong();
-    void scanOfABadLineListsNobodyWhoIsNotThere_data();
-    void scanOfABadLineListsNobodyWhoIsNotThere();
-    void troublePresetIsTold();
+    void aNoisyLineGivesNoWrongValue_data();
+    void aNoisyLineGivesNoWrongValue();
+    void blocksFromANoisyLineAreCorrect();
+    void lateRepliesAreNeverMismatched_data();
+    void lateRepliesAreNeverMismatched();
+    void occasionalLateRepliesAreNeverMismatched();
+    void watchingANoisyLineShowsNoWrongValue();
+    void watchingThroughASlowAdapterShowsNoWrongValue();
+    void scanOfANoisyLineListsNoAbsentServo_data();
+    void scanOfANoisyLineListsNoAbsentServo();
+    void troublePresetIsReported();
     void echoingAdapterChangesNothing();
-    void aCutLinkFailsEveryCallAfterwards();
+    void aLostLinkFailsEveryLaterCall();
 };
 
-void TestFaults::aBadLineGivesNoWrongValue_data()
+void TestFaults::aNoisyLineGivesNoWrongValue_data()
 {
     QTest::addColumn<int>("seed");
     QTest::addColumn<int>("retries");
@@ -114,20 +115,20 @@ void TestFaults::aBadLineGivesNoWrongValue_data()
     }
 }
 
-void TestFaults::aBadLineGivesNoWrongValue()
+void TestFaults::aNoisyLineGivesNoWrongValue()
 {
     QFETCH(int, seed);
     QFETCH(int, retries);
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.seed = std::uint64_t(seed);
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2,sts3215@3"), options);
-    makeDistinct(bench, {1, 2, 3});
-    sim::FaultPlan& faults = bench.wireConfig().faults;
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2,sts3215@3"), options);
+    setDistinctValues(fixture, {1, 2, 3});
+    sim::FaultPlan& faults = fixture.wireConfig().faults;
     faults.drop = 0.05;
     faults.corrupt = 0.02;
     faults.garbage = 0.05;
     faults.truncate = 0.01;
-    const Tally tally = readRegisters(bench, {1, 2, 3}, mixedKeys, 300, retries);
+    const CampaignTotals tally = readRegisters(fixture, {1, 2, 3}, mixedKeys, 300, retries);
     QCOMPARE(tally.wrong, 0);
     QCOMPARE(tally.right + tally.failures(), 300 * 3 * 5);
     // About 8 in 100 answers fail; with two repetitions fewer than 1 in 1000 readings.
@@ -136,22 +137,22 @@ void TestFaults::aBadLineGivesNoWrongValue()
              qPrintable(QString::number(tally.failures())));
     QVERIFY(retries > 0 || tally.failures() > expectedFailures / 2);
     for (const auto& [code, count] : tally.failed)
-        QVERIFY(code == ErrorCode::NoAnswer || code == ErrorCode::Garbled);
-    const bus::Statistics statistics = bench.bus().statistics();
-    QVERIFY(statistics.total.timeOuts > 0);
-    QVERIFY(statistics.total.badChecks > 0);
+        QVERIFY(code == ErrorCode::NoReply || code == ErrorCode::Garbled);
+    const bus::Statistics statistics = fixture.bus().statistics();
+    QVERIFY(statistics.total.timeouts > 0);
+    QVERIFY(statistics.total.badChecksums > 0);
     QVERIFY(statistics.total.noiseBytes > 0);
     QCOMPARE(statistics.total.retried > 0, retries > 0);
 }
 
-void TestFaults::blocksFromABadLineAreRightToo()
+void TestFaults::blocksFromANoisyLineAreCorrect()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.seed = 4;
-    SimBench bench(QStringLiteral("sts3215@1,sts3250@2"), options);
-    makeDistinct(bench, {1, 2});
-    device::Servo servos[] = {bench.servo(1), bench.servo(2)};
-    sim::FaultPlan& faults = bench.wireConfig().faults;
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3250@2"), options);
+    setDistinctValues(fixture, {1, 2});
+    device::Servo servos[] = {fixture.servo(1), fixture.servo(2)};
+    sim::FaultPlan& faults = fixture.wireConfig().faults;
     faults.drop = 0.05;
     faults.corrupt = 0.02;
     faults.garbage = 0.05;
@@ -159,88 +160,88 @@ void TestFaults::blocksFromABadLineAreRightToo()
     for (int round = 0; round < 500; ++round) {
         for (device::Servo& servo : servos) {
             servo.image.clear();
-            if (!device::readSettings(bench.context(), servo))
+            if (!device::readSettings(fixture.context(), servo))
                 continue;
             ++read;
             for (const QString& key : mixedKeys)
-                QCOMPARE(servo.raw(key), std::optional(bench.raw(servo.id, key)));
+                QCOMPARE(servo.raw(key), std::optional(fixture.raw(servo.id, key)));
         }
     }
     QVERIFY(read > 990);
 }
 
-void TestFaults::lateRepliesAreNeverTakenForAnother_data()
+void TestFaults::lateRepliesAreNeverMismatched_data()
 {
     QTest::addColumn<int>("latencyMs");
-    QTest::addColumn<int>("patienceMs");
+    QTest::addColumn<int>("timeoutMs");
     QTest::addColumn<int>("retries");
     for (const int latency : {6, 16, 19}) {
-        for (const int patience : {1, 5, 12}) {
+        for (const int timeout : {1, 5, 12}) {
             for (const int retries : {0, 2})
-                QTest::addRow("latency %d, patience %d, retries %d", latency, patience, retries)
-                    << latency << patience << retries;
+                QTest::addRow("latency %d, patience %d, retries %d", latency, timeout, retries)
+                    << latency << timeout << retries;
         }
     }
 }
 
 // The trap of short deadlines: two registers of equal length in turn, every answer too late for its
 // own request and just in time for the next.
-void TestFaults::lateRepliesAreNeverTakenForAnother()
+void TestFaults::lateRepliesAreNeverMismatched()
 {
     QFETCH(int, latencyMs);
-    QFETCH(int, patienceMs);
+    QFETCH(int, timeoutMs);
     QFETCH(int, retries);
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.adapterLatency = milliseconds(latencyMs);
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"), options);
-    makeDistinct(bench, {1, 2});
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"), options);
+    setDistinctValues(fixture, {1, 2});
     const QStringList equalLength = {QStringLiteral("max_temperature"),
                                      QStringLiteral("position_p"), QStringLiteral("max_voltage")};
-    const Tally tally =
-        readRegisters(bench, {1, 2}, equalLength, 100, retries, milliseconds(patienceMs));
+    const CampaignTotals tally =
+        readRegisters(fixture, {1, 2}, equalLength, 100, retries, milliseconds(timeoutMs));
     QCOMPARE(tally.wrong, 0);
     QCOMPARE(tally.right + tally.failures(), 600);
-    const Tally same =
-        readRegisters(bench, {1}, equalLength, 200, retries, milliseconds(patienceMs));
+    const CampaignTotals same =
+        readRegisters(fixture, {1}, equalLength, 200, retries, milliseconds(timeoutMs));
     QCOMPARE(same.wrong, 0);
-    QVERIFY(latencyMs < patienceMs || tally.failures() + same.failures() > 0);
+    QVERIFY(latencyMs < timeoutMs || tally.failures() + same.failures() > 0);
 }
 
-void TestFaults::occasionalLateRepliesAreNeverTakenForAnother()
+void TestFaults::occasionalLateRepliesAreNeverMismatched()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.seed = 5;
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"), options);
-    makeDistinct(bench, {1, 2});
-    bench.wireConfig().faults.late = 0.1;
-    bench.wireConfig().faults.lateBy = milliseconds(30);
-    const Tally tally = readRegisters(bench, {1, 2}, mixedKeys, 400, 2);
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"), options);
+    setDistinctValues(fixture, {1, 2});
+    fixture.wireConfig().faults.late = 0.1;
+    fixture.wireConfig().faults.lateBy = milliseconds(30);
+    const CampaignTotals tally = readRegisters(fixture, {1, 2}, mixedKeys, 400, 2);
     QCOMPARE(tally.wrong, 0);
     // The bus has learnt to wait: late is not lost.
     QVERIFY2(tally.failures() < 10, qPrintable(QString::number(tally.failures())));
 }
 
-void TestFaults::watchingABadLineShowsNothingWrong()
+void TestFaults::watchingANoisyLineShowsNoWrongValue()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.seed = 6;
     options.servoBaud = fast;
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2,sts3215@3,scs15@4"), options);
-    makeDistinct(bench, {1, 2, 3});
-    bench.poke(4, QStringLiteral("max_temperature"), 54);
-    bench.poke(4, QStringLiteral("max_torque"), 904);
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2,sts3215@3,scs15@4"), options);
+    setDistinctValues(fixture, {1, 2, 3});
+    fixture.poke(4, QStringLiteral("max_temperature"), 54);
+    fixture.poke(4, QStringLiteral("max_torque"), 904);
     jobs::WatchSpec spec;
     for (const int id : {1, 2, 3, 4})
-        spec.servos.push_back(bench.servo(id));
+        spec.servos.push_back(fixture.servo(id));
     spec.keys = {QStringLiteral("max_temperature"), QStringLiteral("max_torque"),
                  QStringLiteral("present_temperature")};
     spec.length = seconds(30);
-    sim::FaultPlan& faults = bench.wireConfig().faults;
+    sim::FaultPlan& faults = fixture.wireConfig().faults;
     faults.drop = 0.05;
     faults.corrupt = 0.02;
     faults.garbage = 0.05;
     int wrong = 0;
-    const auto report = jobs::watch(bench.context(), spec, [&](const jobs::WatchRow& row) {
+    const auto report = jobs::watch(fixture.context(), spec, [&](const jobs::WatchRow& row) {
         wrong += row.values[0].value_or(50 + row.id) == 50 + row.id ? 0 : 1;
         wrong += std::abs(row.values[1].value_or(90 + 0.1 * row.id) - (90 + 0.1 * row.id)) < 1e-6
                      ? 0
@@ -254,23 +255,23 @@ void TestFaults::watchingABadLineShowsNothingWrong()
     QVERIFY(report->missed > 100);
 }
 
-void TestFaults::watchingThroughASlowAdapterShowsNothingWrong()
+void TestFaults::watchingThroughASlowAdapterShowsNoWrongValue()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.adapterLatency = milliseconds(16);
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"), options);
-    makeDistinct(bench, {1, 2});
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"), options);
+    setDistinctValues(fixture, {1, 2});
     jobs::WatchSpec spec;
     for (const int id : {1, 2})
-        spec.servos.push_back(bench.servo(id));
+        spec.servos.push_back(fixture.servo(id));
     // Two blocks of equal length.
     spec.keys = {QStringLiteral("max_temperature"), QStringLiteral("present_temperature")};
     spec.length = seconds(20);
-    bench.bus().setPatience(milliseconds(5));
-    bench.wireConfig().faults.late = 0.2;
-    bench.wireConfig().faults.lateBy = milliseconds(12);
+    fixture.bus().setTimeout(milliseconds(5));
+    fixture.wireConfig().faults.late = 0.2;
+    fixture.wireConfig().faults.lateBy = milliseconds(12);
     int wrong = 0;
-    const auto report = jobs::watch(bench.context(), spec, [&](const jobs::WatchRow& row) {
+    const auto report = jobs::watch(fixture.context(), spec, [&](const jobs::WatchRow& row) {
         wrong += row.values[0].value_or(50 + row.id) == 50 + row.id ? 0 : 1;
         wrong += row.values[1].value_or(25) == 25 ? 0 : 1;
         return base::Result<void>{};
@@ -280,98 +281,98 @@ void TestFaults::watchingThroughASlowAdapterShowsNothingWrong()
     QVERIFY(report->rows > 100);
 }
 
-void TestFaults::scanOfABadLineListsNobodyWhoIsNotThere_data()
+void TestFaults::scanOfANoisyLineListsNoAbsentServo_data()
 {
     QTest::addColumn<int>("seed");
     for (int seed = 1; seed <= 8; ++seed)
         QTest::addRow("seed %d", seed) << seed;
 }
 
-void TestFaults::scanOfABadLineListsNobodyWhoIsNotThere()
+void TestFaults::scanOfANoisyLineListsNoAbsentServo()
 {
     QFETCH(int, seed);
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.seed = std::uint64_t(seed);
     options.wire.faults.corrupt = 0.02;
     options.wire.faults.garbage = 0.05;
     options.wire.adapterLatency = milliseconds(seed % 2 == 0 ? 16 : 0);
-    SimBench bench(QStringLiteral("demo"), options);
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(QStringLiteral("demo"), options);
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QList<int> ids;
-    for (const jobs::Found& found : report->found) {
+    for (const jobs::FoundServo& found : report->found) {
         ids.append(found.servo.id);
         // Identified means rightly identified.
         if (found.servo.profile)
             QCOMPARE(found.servo.raw(QStringLiteral("model_minor")),
-                     std::optional(bench.raw(found.servo.id, QStringLiteral("model_minor"))));
+                     std::optional(fixture.raw(found.servo.id, QStringLiteral("model_minor"))));
     }
     QCOMPARE(ids, QList<int>({1, 2, 3, 4, 5, 6}));
 }
 
-void TestFaults::troublePresetIsTold()
+void TestFaults::troublePresetIsReported()
 {
-    SimBench bench(QStringLiteral("trouble"));
+    SimFixture fixture(QStringLiteral("trouble"));
     jobs::ScanSpec spec;
     spec.lastId = 20;
     spec.bauds = {fast, 500'000, 115'200};
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
-    std::map<int, const jobs::Found*> found;
-    for (const jobs::Found& one : report->found)
+    std::map<int, const jobs::FoundServo*> found;
+    for (const jobs::FoundServo& one : report->found)
         found[one.servo.id] = &one;
     QCOMPARE(found.size(), std::size_t{5});
-    QVERIFY(found.at(1)->twinsSuspected);
+    QVERIFY(found.at(1)->duplicateSuspected);
     QCOMPARE(found.at(2)->servo.baud, 500'000);
     QCOMPARE(found.at(3)->servo.baud, 115'200);
-    QVERIFY(!found.at(4)->twinsSuspected);
+    QVERIFY(!found.at(4)->duplicateSuspected);
     QCOMPARE(int(found.at(5)->servo.status), 32); // overload, listed all the same
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(bench.raw(4, QStringLiteral("lock")), std::int64_t{0}); // looking closes nothing
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(fixture.raw(4, QStringLiteral("lock")), std::int64_t{0}); // looking closes nothing
 }
 
 void TestFaults::echoingAdapterChangesNothing()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.echo = true;
     options.wire.seed = 9;
-    SimBench bench(QStringLiteral("sts3215@0,sts3215@1,sts3215@2"), options);
-    QVERIFY(bench.bus().echoes());
-    makeDistinct(bench, {0, 1, 2});
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(QStringLiteral("sts3215@0,sts3215@1,sts3215@2"), options);
+    QVERIFY(fixture.bus().hasEcho());
+    setDistinctValues(fixture, {0, 1, 2});
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QCOMPARE(report->found.size(), std::size_t{3});
-    for (const jobs::Found& found : report->found) {
+    for (const jobs::FoundServo& found : report->found) {
         QCOMPARE(int(found.servo.status), 0); // the echo of PING 1 would read "voltage error"
-        QVERIFY(!found.twinsSuspected && !found.heardLate);
+        QVERIFY(!found.duplicateSuspected && !found.lateReplySeen);
     }
-    bench.wireConfig().faults.drop = 0.05;
-    bench.wireConfig().faults.corrupt = 0.02;
-    const Tally tally = readRegisters(bench, {0, 1, 2}, mixedKeys, 100, 2);
+    fixture.wireConfig().faults.drop = 0.05;
+    fixture.wireConfig().faults.corrupt = 0.02;
+    const CampaignTotals tally = readRegisters(fixture, {0, 1, 2}, mixedKeys, 100, 2);
     QCOMPARE(tally.wrong, 0);
     QVERIFY(tally.failures() < 10);
 }
 
-void TestFaults::aCutLinkFailsEveryCallAfterwards()
+void TestFaults::aLostLinkFailsEveryLaterCall()
 {
-    SimBench bench(QStringLiteral("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    bench.cutLink();
-    const auto read = device::readSettings(bench.context(), servo);
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    fixture.cutLink();
+    const auto read = device::readSettings(fixture.context(), servo);
     QVERIFY(!read);
     QCOMPARE(read.error().code, ErrorCode::LinkLost);
-    const auto scan = jobs::scan(bench.context(), {});
+    const auto scan = jobs::scan(fixture.context(), {});
     QVERIFY(!scan);
     QCOMPARE(scan.error().code, ErrorCode::LinkLost);
     jobs::WatchSpec spec;
     spec.servos = {servo};
-    const auto watch = jobs::watch(bench.context(), spec,
+    const auto watch = jobs::watch(fixture.context(), spec,
                                    [](const jobs::WatchRow&) { return base::Result<void>{}; });
     QVERIFY(!watch);
     QCOMPARE(watch.error().code, ErrorCode::LinkLost);
 
-    bench.reconnect(fast);
-    QVERIFY(device::readSettings(bench.context(), servo));
+    fixture.reconnect(fast);
+    QVERIFY(device::readSettings(fixture.context(), servo));
 }
 
 QTEST_GUILESS_MAIN(TestFaults)

@@ -10,9 +10,9 @@
 
 #include <algorithm>
 
-using session::FeedPlan;
-using session::FeedWish;
 using session::ServoEntry;
+using session::Subscription;
+using session::SubscriptionPlan;
 using namespace std::chrono_literals;
 
 namespace {
@@ -22,30 +22,30 @@ const QStringList feedback{QStringLiteral("present_position"), QStringLiteral("p
 const QString position = feedback.front();
 constexpr int fast = 1'000'000;
 
-struct Present {
-    explicit Present(const QString& list, const std::vector<int>& ids,
-                     base::Protocol protocol = base::Protocol::Feetech)
-        : bench(list, {protocol == base::Protocol::Feetech ? fast : 115'200})
+struct FeedFixture {
+    explicit FeedFixture(const QString& list, const std::vector<int>& ids,
+                         base::Protocol protocol = base::Protocol::Feetech)
+        : fixture(list, {protocol == base::Protocol::Feetech ? fast : 115'200})
     {
         for (const int id : ids) {
             ServoEntry entry;
             entry.ref = 100 + id;
-            entry.servo = bench.servo(id, protocol);
+            entry.servo = fixture.servo(id, protocol);
             entries.push_back(entry);
         }
     }
-    FeedPlan plan(const std::vector<FeedWish>& wishes) const
+    SubscriptionPlan plan(const std::vector<Subscription>& subscriptions) const
     {
         std::vector<const ServoEntry*> present;
         for (const ServoEntry& entry : entries)
             present.push_back(&entry);
-        return session::planFeed(wishes, present, bench.bus().baud());
+        return session::planSubscriptions(subscriptions, present, fixture.bus().baud());
     }
-    mutable support::SimBench bench;
+    mutable support::SimFixture fixture;
     std::vector<ServoEntry> entries;
 };
 
-int fastBytes(const std::vector<bus::PollSpan>& spans)
+int fastPollBytes(const std::vector<bus::PollSpan>& spans)
 {
     int bytes = 0;
     for (const bus::PollSpan& span : spans)
@@ -54,63 +54,63 @@ int fastBytes(const std::vector<bus::PollSpan>& spans)
 }
 } // namespace
 
-class TestFeedPlan : public QObject {
+class TestSubscriptionPlan : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void nothingWishedIsNothingRead()
+    void noSubscriptionReadsNothing()
     {
-        const Present present(QStringLiteral("sts3215@1"), {1});
+        const FeedFixture present(QStringLiteral("sts3215@1"), {1});
         QVERIFY(present.plan({}).targets.empty());
-        QVERIFY(present.plan({{{{999, feedback}}, {}}}).common.servos.empty());
+        QVERIFY(present.plan({{{{999, feedback}}, {}}}).primary.servos.empty());
         QVERIFY(present.plan({{{{101, {QStringLiteral("no_such_thing")}}}, {}}}).targets.empty());
     }
 
     void aFamilySharesOneSyncRead()
     {
-        const Present present(QStringLiteral("sts3215@1,sts3215@2,sts3250@3"), {1, 2, 3});
-        const FeedPlan plan =
+        const FeedFixture present(QStringLiteral("sts3215@1,sts3215@2,sts3250@3"), {1, 2, 3});
+        const SubscriptionPlan plan =
             present.plan({{{{101, feedback}, {102, feedback}, {103, feedback}}, {}}});
-        const auto groups = bus::planGroups(plan.common);
+        const auto groups = bus::planGroups(plan.primary);
         QCOMPARE(groups.size(), std::size_t(1));
         QVERIFY(groups.front().sync);
         QCOMPARE(groups.front().ids.size(), std::size_t(3));
         QCOMPARE(groups.front().blocks.size(), std::size_t(1));
-        QVERIFY(plan.beside.servos.empty());
+        QVERIFY(plan.secondary.servos.empty());
     }
 
     /// One register more of one of them costs less than a packet of its own.
-    void aLittleMoreIsReadOfAll()
+    void extraRegistersAreReadOfAll()
     {
-        const Present present(QStringLiteral("sts3215@1,sts3215@2"), {1, 2});
-        const FeedPlan plan = present.plan(
+        const FeedFixture present(QStringLiteral("sts3215@1,sts3215@2"), {1, 2});
+        const SubscriptionPlan plan = present.plan(
             {{{{101, feedback}, {102, feedback}}, {}},
              {{{102, {QStringLiteral("present_temperature"), QStringLiteral("goal_position")}}},
               20ms}});
-        const auto groups = bus::planGroups(plan.common);
+        const auto groups = bus::planGroups(plan.primary);
         QCOMPARE(groups.size(), std::size_t(1));
         QCOMPARE(groups.front().ids.size(), std::size_t(2));
-        QVERIFY(plan.common.period == 0us); // the shortest of all wishes
+        QVERIFY(plan.primary.period == 0us); // the shortest of all wishes
     }
 
     /// The table of one servo does not swell what is read of the others.
-    void aTableIsReadBeside()
+    void aTableIsReadAlongside()
     {
-        const Present present(QStringLiteral("sts3215@1,sts3215@2"), {1, 2});
+        const FeedFixture present(QStringLiteral("sts3215@1,sts3215@2"), {1, 2});
         QStringList table;
         for (const catalog::Register& reg : present.entries[0].servo.profile->registers)
             table << reg.key;
-        const FeedPlan alone = present.plan({{{{101, feedback}, {102, feedback}}, {}}});
-        const FeedPlan plan =
+        const SubscriptionPlan alone = present.plan({{{{101, feedback}, {102, feedback}}, {}}});
+        const SubscriptionPlan plan =
             present.plan({{{{101, feedback}, {102, feedback}}, {}}, {{{101, table}}, {}}});
-        QCOMPARE(plan.common.servos[1].spans, alone.common.servos[1].spans);
-        QCOMPARE(plan.common.servos[0].spans, plan.common.servos[1].spans);
-        QCOMPARE(plan.beside.servos.size(), std::size_t(1));
-        QCOMPARE(plan.beside.servos.front().id, 1);
+        QCOMPARE(plan.primary.servos[1].spans, alone.primary.servos[1].spans);
+        QCOMPARE(plan.primary.servos[0].spans, plan.primary.servos[1].spans);
+        QCOMPARE(plan.secondary.servos.size(), std::size_t(1));
+        QCOMPARE(plan.secondary.servos.front().id, 1);
         // And nothing of it is left out.
-        const session::FeedTarget& target = plan.targets.front();
+        const session::PollTarget& target = plan.targets.front();
         for (const QString& key : table) {
             const catalog::Register* reg = target.profile->find(key);
             if (!present.entries[0].servo.measures(*reg))
@@ -119,60 +119,60 @@ private Q_SLOTS:
                 return reg->offset >= span.address &&
                        reg->offset + reg->size <= span.address + span.count;
             };
-            QVERIFY2(std::any_of(target.common.begin(), target.common.end(), covers) ||
-                         std::any_of(target.beside.begin(), target.beside.end(), covers),
+            QVERIFY2(std::any_of(target.primary.begin(), target.primary.end(), covers) ||
+                         std::any_of(target.secondary.begin(), target.secondary.end(), covers),
                      qPrintable(key));
         }
     }
 
-    void familiesThatCannotAreReadSingly()
+    void familiesWithoutSyncReadAreReadSingly()
     {
-        const Present present(QStringLiteral("sts3215@1,scs15@5,scs15@6"), {1, 5, 6});
-        const FeedPlan plan =
+        const FeedFixture present(QStringLiteral("sts3215@1,scs15@5,scs15@6"), {1, 5, 6});
+        const SubscriptionPlan plan =
             present.plan({{{{101, {position}}, {105, {position}}, {106, {position}}}, {}}});
-        const auto groups = bus::planGroups(plan.common);
+        const auto groups = bus::planGroups(plan.primary);
         QCOMPARE(groups.size(), std::size_t(3));
     }
 
-    void whatIsWishedNowAndThenIsReadNowAndThen()
+    void slowSubscriptionsAreReadSlowly()
     {
-        const Present present(QStringLiteral("sts3215@1,sts3215@2"), {1, 2});
+        const FeedFixture present(QStringLiteral("sts3215@1,sts3215@2"), {1, 2});
         const QString mode = QStringLiteral("operating_mode");
-        const FeedPlan plan =
+        const SubscriptionPlan plan =
             present.plan({{{{101, {position}, {mode}}, {102, {position}}}, 10ms}});
-        QCOMPARE(bus::planGroups(plan.common).size(), std::size_t(1)); // still one packet
-        const auto& spans = plan.targets.front().common;
-        QCOMPARE(fastBytes(spans), 2);
+        QCOMPARE(bus::planGroups(plan.primary).size(), std::size_t(1)); // still one packet
+        const auto& spans = plan.targets.front().primary;
+        QCOMPARE(fastPollBytes(spans), 2);
         const auto slow = std::find_if(spans.begin(), spans.end(),
                                        [](const bus::PollSpan& span) { return span.every > 1; });
         QVERIFY(slow != spans.end());
         QCOMPARE(slow->every, 50); // twice a second
         // What is read fast anyway is not read slowly too.
-        const FeedPlan both = present.plan({{{{101, {position, mode}, {mode}}}, 10ms}});
-        QCOMPARE(bus::planGroups(both.common).front().blocks.size(),
-                 both.targets.front().common.size());
-        for (const bus::PollSpan& span : both.targets.front().common)
+        const SubscriptionPlan both = present.plan({{{{101, {position, mode}, {mode}}}, 10ms}});
+        QCOMPARE(bus::planGroups(both.primary).front().blocks.size(),
+                 both.targets.front().primary.size());
+        for (const bus::PollSpan& span : both.targets.front().primary)
             QCOMPARE(span.every, 1);
         // Somebody has to set the pace.
-        const FeedPlan onlySlow = present.plan({{{{101, {}, {mode}}}, {}}});
-        QVERIFY(onlySlow.common.period >= 100ms);
-        QCOMPARE(onlySlow.targets.front().common.front().every, 1);
+        const SubscriptionPlan onlySlow = present.plan({{{{101, {}, {mode}}}, {}}});
+        QVERIFY(onlySlow.primary.period >= 100ms);
+        QCOMPARE(onlySlow.targets.front().primary.front().every, 1);
     }
 
     /// LX tells neither faults nor several registers at once.
-    void alarmsAreSeenWhateverIsWatched()
+    void alarmsAreAlwaysPolled()
     {
-        const Present present(QStringLiteral("lx224@1"), {1}, base::Protocol::Lx);
+        const FeedFixture present(QStringLiteral("lx224@1"), {1}, base::Protocol::Lx);
         const QString here =
             present.entries[0].servo.profile->byRole(catalog::Role::PresentPosition)->key;
-        const FeedPlan plan = present.plan({{{{101, {here}}}, {}}});
+        const SubscriptionPlan plan = present.plan({{{{101, {here}}}, {}}});
         QCOMPARE(plan.targets.size(), std::size_t(1));
         int slow = 0;
-        for (const bus::PollSpan& span : plan.targets.front().common)
+        for (const bus::PollSpan& span : plan.targets.front().primary)
             slow += span.every > 1 ? 1 : 0;
         QCOMPARE(slow, 2); // temperature and voltage, now and then
     }
 };
 
-QTEST_GUILESS_MAIN(TestFeedPlan)
+QTEST_GUILESS_MAIN(TestSubscriptionPlan)
 #include "tst_feed_plan.moc"

@@ -25,13 +25,13 @@ using history_example::everything;
 using record::History;
 using record::HistoryServer;
 using session::HistorySender;
-using support::quickSender;
 using support::serverErrorKind;
+using support::shortSenderTimes;
 using Phase = session::SendState::Phase;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr int patienceMs = 60'000; ///< only a hung program ever needs it
+constexpr int timeoutMs = 60'000; ///< only a hung program ever needs it
 
 QString utf8(const char* words)
 {
@@ -39,7 +39,7 @@ QString utf8(const char* words)
 }
 } // namespace
 
-class TestHistorySender : public QObject, private support::ServerBench {
+class TestHistorySender : public QObject, private support::HistoryServerFixture {
     Q_OBJECT
 
 private:
@@ -56,135 +56,135 @@ private Q_SLOTS:
         newDatabase();
     }
 
-    void offUntilAServerIsSet();
-    void whatComesIsSent();
-    void otherProgramsChangesAreSentToo();
-    void awayAtFirstThenThere();
-    void aServerThatRestartsMissesNothing();
-    void aHungServerCountsAsTrouble();
+    void disabledUntilAServerIsSet();
+    void newEntriesAreSent();
+    void changesOfOtherProgramsAreSentToo();
+    void serverComesUpLater();
+    void aRestartedServerMissesNothing();
+    void aHungServerIsAnError();
     void servoWritesDoNotWait();
-    void theEndDoesNotWait_data();
-    void theEndDoesNotWait();
-    void anotherServerMidway();
+    void shutdownDoesNotWait_data();
+    void shutdownDoesNotWait();
+    void switchingServersMidway();
     void theWindowBrowses();
     void browsingAHungServer();
-    void theChoiceIsRemembered();
-    void aServerIsReachedOrNotStored();
+    void theServerIsRemembered();
+    void anUnreachableServerIsNotSaved();
     void theCommandLineSendsAndBrowses();
 };
 
-void TestHistorySender::offUntilAServerIsSet()
+void TestHistorySender::disabledUntilAServerIsSet()
 {
     Bench bench;
     history_example::fill(bench);
-    HistorySender sender(bench.path, quickSender(200ms));
-    sender.poke();
+    HistorySender sender(bench.path, shortSenderTimes(200ms));
+    sender.notifyChanged();
     QCOMPARE(int(sender.state().phase), int(Phase::Off));
     QVERIFY(sender.state().server.isEmpty());
 }
 
-void TestHistorySender::whatComesIsSent()
+void TestHistorySender::newEntriesAreSent()
 {
     Bench bench;
     history_example::fill(bench);
-    HistorySender::Times rare = quickSender(200ms);
-    rare.look = 1h;
-    HistorySender sender(bench.path, rare);
+    HistorySender::Timing slowTimes = shortSenderTimes(200ms);
+    slowTimes.checkInterval = 1h;
+    HistorySender sender(bench.path, slowTimes);
     QList<Phase> phases;
     connect(&sender, &HistorySender::stateChanged, this,
             [&] { phases.append(sender.state().phase); });
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     QVERIFY(phases.contains(Phase::Sending));
     QVERIFY(sender.state().upToDate.isValid());
-    QCOMPARE(sender.state().waiting, std::optional<std::int64_t>(0));
+    QCOMPARE(sender.state().pending, std::optional<std::int64_t>(0));
     QCOMPARE(sender.state().server,
              utf8("postgres@127.0.0.1:%1/%2").arg(m_pg.port()).arg(m_database));
     verifyCopied(bench);
 
     history_example::write(bench.journal, 4, 1);
-    sender.poke();
+    sender.notifyChanged();
     QCOMPARE(int(sender.state().phase), int(Phase::Waiting));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);
 }
 
-void TestHistorySender::otherProgramsChangesAreSentToo()
+void TestHistorySender::changesOfOtherProgramsAreSentToo()
 {
     Bench bench;
-    HistorySender sender(bench.path, quickSender(200ms));
+    HistorySender sender(bench.path, shortSenderTimes(200ms));
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     history_example::write(bench.journal, 4, 1); // nobody pokes
     const QString count = utf8("SELECT count(*) FROM servodesk.writes");
-    QTRY_COMPARE_WITH_TIMEOUT(m_pg.query(m_database, count), utf8("2"), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(m_pg.query(m_database, count), utf8("2"), timeoutMs);
 }
 
-void TestHistorySender::awayAtFirstThenThere()
+void TestHistorySender::serverComesUpLater()
 {
     Bench bench;
     history_example::fill(bench);
     m_pg.stop();
     {
-        HistorySender sender(bench.path, quickSender(200ms));
+        HistorySender sender(bench.path, shortSenderTimes(200ms));
         sender.setServer(address(), utf8("Bench 1"));
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
         QCOMPARE(serverErrorKind(*sender.state().error), utf8("away"));
         QVERIFY(sender.state().nextTry.isValid());
-        QVERIFY(!sender.state().waiting);
-        QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+        QVERIFY(!sender.state().pending);
+        QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
         QVERIFY(!sender.state().error);
         verifyCopied(bench);
     }
     // Missed by a program that has ended, sent by the next one.
     m_pg.stop();
     {
-        HistorySender sender(bench.path, quickSender(200ms));
+        HistorySender sender(bench.path, shortSenderTimes(200ms));
         sender.setServer(address(), utf8("Bench 1"));
         history_example::write(bench.journal, 1, 99);
-        sender.poke();
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+        sender.notifyChanged();
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
     }
-    QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
-    HistorySender sender(bench.path, quickSender(200ms));
+    QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
+    HistorySender sender(bench.path, shortSenderTimes(200ms));
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);
 }
 
-void TestHistorySender::aServerThatRestartsMissesNothing()
+void TestHistorySender::aRestartedServerMissesNothing()
 {
     Bench bench;
-    HistorySender sender(bench.path, quickSender(200ms));
+    HistorySender sender(bench.path, shortSenderTimes(200ms));
     sender.setServer(address(), utf8("Bench 1"));
     for (int round = 0; round < 3; ++round) {
         for (int i = 0; i < 40; ++i)
             history_example::write(bench.journal, 1 + i % 3, i);
-        sender.poke();
+        sender.notifyChanged();
         m_pg.kill();
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
         history_example::write(bench.journal, 1, round);
-        QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+        QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     }
-    QTRY_COMPARE_WITH_TIMEOUT(everything(*browse()), everything(*bench.open()), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(everything(*browse()), everything(*bench.open()), timeoutMs);
 }
 
-void TestHistorySender::aHungServerCountsAsTrouble()
+void TestHistorySender::aHungServerIsAnError()
 {
     Bench bench;
     history_example::fill(bench);
-    HistorySender sender(bench.path, quickSender(200ms));
+    HistorySender sender(bench.path, shortSenderTimes(200ms));
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
-    m_pg.freeze();
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
+    m_pg.suspend();
     history_example::write(bench.journal, 1, 1);
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
     QCOMPARE(serverErrorKind(*sender.state().error), utf8("hung"));
-    QCOMPARE(sender.state().waiting, std::optional<std::int64_t>(1));
-    m_pg.thaw();
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    QCOMPARE(sender.state().pending, std::optional<std::int64_t>(1));
+    m_pg.resume();
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);
 }
 
@@ -195,10 +195,10 @@ void TestHistorySender::servoWritesDoNotWait()
     Bench bench;
     history_example::write(bench.journal, 2, 1); // something to send from the beginning
     const support::SilentServer silent;
-    HistorySender sender(bench.path, quickSender(200ms));
+    HistorySender sender(bench.path, shortSenderTimes(200ms));
     sender.setServer(silent.address(), utf8("Bench 1"));
     QCOMPARE(int(sender.state().phase), int(Phase::Waiting));
-    support::SimBench wire(utf8("sts3215@1"));
+    support::SimFixture wire(utf8("sts3215@1"));
     const device::Context own = wire.context();
     const device::Context context{own.bus, own.catalog, bench.journal, own.stop, own.notices};
     device::Servo servo = wire.servo(1);
@@ -206,8 +206,8 @@ void TestHistorySender::servoWritesDoNotWait()
         const auto report =
             device::write(context, servo, {{utf8("max_temperature"), 50 + i % 20}}, {});
         QVERIFY(report.has_value());
-        QVERIFY(report->allGood());
-        sender.poke();
+        QVERIFY(report->isSuccessful());
+        sender.notifyChanged();
         QCoreApplication::processEvents();
         QVERIFY(sender.state().phase != Phase::UpToDate);
     }
@@ -215,14 +215,14 @@ void TestHistorySender::servoWritesDoNotWait()
     // The server has not said a word yet, and everything is done and written down.
     QCOMPARE(history_example::writes(*bench.open()).size(), qsizetype(52));
     QVERIFY(bench.journal.open().value().empty());
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
     QCOMPARE(serverErrorKind(*sender.state().error), utf8("hung"));
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);
 }
 
-void TestHistorySender::theEndDoesNotWait_data()
+void TestHistorySender::shutdownDoesNotWait_data()
 {
     QTest::addColumn<bool>("connecting");
     QTest::newRow("while connecting") << true;
@@ -230,37 +230,37 @@ void TestHistorySender::theEndDoesNotWait_data()
 }
 
 /// The server never answers: that this test ends at all is what it is about.
-void TestHistorySender::theEndDoesNotWait()
+void TestHistorySender::shutdownDoesNotWait()
 {
     QFETCH(bool, connecting);
     Bench bench;
     history_example::fill(bench);
     const support::SilentServer silent;
-    HistorySender::Times times = quickSender(200ms);
+    HistorySender::Timing times = shortSenderTimes(200ms);
     times.silence = 24h;
     auto sender = std::make_unique<HistorySender>(bench.path, times);
     if (connecting) {
         sender->setServer(silent.address() + utf8(" connect_timeout=100000"), utf8("Bench 1"));
     } else {
         sender->setServer(address(), utf8("Bench 1"));
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender->state().phase), int(Phase::UpToDate), patienceMs);
-        m_pg.freeze();
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender->state().phase), int(Phase::UpToDate), timeoutMs);
+        m_pg.suspend();
         history_example::write(bench.journal, 1, 1);
-        QTRY_COMPARE_WITH_TIMEOUT(int(sender->state().phase), int(Phase::Sending), patienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(int(sender->state().phase), int(Phase::Sending), timeoutMs);
     }
     sender.reset();
-    m_pg.thaw();
+    m_pg.resume();
 }
 
-void TestHistorySender::anotherServerMidway()
+void TestHistorySender::switchingServersMidway()
 {
     Bench bench;
     history_example::fill(bench);
     const support::SilentServer silent;
-    HistorySender sender(bench.path, quickSender(200ms));
+    HistorySender sender(bench.path, shortSenderTimes(200ms));
     sender.setServer(silent.address(), utf8("Bench 1"));
     sender.setServer(address(), utf8("Bench 1"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);
     sender.setServer(QString(), QString());
     QCOMPARE(int(sender.state().phase), int(Phase::Off));
@@ -273,78 +273,79 @@ void TestHistorySender::theWindowBrowses()
     history_example::fill(one);
     history_example::write(two.journal, 9, 1);
     for (const Bench* bench : {&one, &two}) {
-        session::HistorySending sending(bench->path, address(),
-                                        bench == &one ? utf8("A") : utf8("B"));
+        session::HistoryUploader sending(bench->path, address(),
+                                         bench == &one ? utf8("A") : utf8("B"));
         QVERIFY(sending.send().has_value());
     }
-    session::Archive archive(std::make_unique<session::ServerSource>(address()));
+    session::HistoryService historyService(
+        std::make_unique<session::HistoryServerSource>(address()));
     std::optional<std::vector<record::HistoryBench>> benches;
-    archive.benches(this, [&](const auto& found) { benches = found.value(); });
-    QTRY_VERIFY_WITH_TIMEOUT(benches.has_value(), patienceMs);
+    historyService.benches(this, [&](const auto& found) { benches = found.value(); });
+    QTRY_VERIFY_WITH_TIMEOUT(benches.has_value(), timeoutMs);
     QCOMPARE(benches->size(), std::size_t(2));
 
     std::optional<std::int64_t> count;
-    archive.countWrites({}, this, [&](const auto& found) { count = found.value(); });
-    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(16), patienceMs);
-    archive.chooseBench(benches->at(1).number);
-    archive.countWrites({}, this, [&](const auto& found) { count = found.value(); });
-    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(2), patienceMs);
-    archive.chooseBench(benches->at(0).number);
+    historyService.countWrites({}, this, [&](const auto& found) { count = found.value(); });
+    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(16), timeoutMs);
+    historyService.selectBench(benches->at(1).number);
+    historyService.countWrites({}, this, [&](const auto& found) { count = found.value(); });
+    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(2), timeoutMs);
+    historyService.selectBench(benches->at(0).number);
 
     session::SharedSnapshot snapshot;
-    archive.snapshots({}, this, [&](const auto& found) {
-        archive.loadSnapshot(found.value().front().number, this,
-                             [&](const auto& loaded) { snapshot = loaded.value(); });
+    historyService.snapshots({}, this, [&](const auto& found) {
+        historyService.loadSnapshot(found.value().front().number, this,
+                                    [&](const auto& loaded) { snapshot = loaded.value(); });
     });
-    QTRY_VERIFY_WITH_TIMEOUT(snapshot != nullptr, patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(snapshot != nullptr, timeoutMs);
     const auto log = one.open();
     QCOMPARE(*snapshot, log->log().snapshot(log->log().snapshots().value().front().number).value());
     session::SharedRun run;
-    archive.list({}, this, [&](const auto& found) {
-        archive.load(found.value().front().number, this,
-                     [&](const auto& loaded) { run = loaded.value(); });
+    historyService.list({}, this, [&](const auto& found) {
+        historyService.load(found.value().front().number, this,
+                            [&](const auto& loaded) { run = loaded.value(); });
     });
-    QTRY_VERIFY_WITH_TIMEOUT(run != nullptr, patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(run != nullptr, timeoutMs);
     QCOMPARE(run->servos.size(), sweep_example::run().servos.size());
 
-    QSignalSpy failed(&archive, &session::Archive::failed);
-    archive.setNote(1, utf8("mine"));
-    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patienceMs);
+    QSignalSpy failed(&historyService, &session::HistoryService::failed);
+    historyService.setNote(1, utf8("mine"));
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, timeoutMs);
 
     // Gone and back again: said, and then forgotten.
     m_pg.stop();
     std::optional<base::Error> trouble;
-    archive.countWrites({}, this, [&](const auto& found) { trouble = found.error(); });
-    QTRY_VERIFY_WITH_TIMEOUT(trouble.has_value(), patienceMs);
+    historyService.countWrites({}, this, [&](const auto& found) { trouble = found.error(); });
+    QTRY_VERIFY_WITH_TIMEOUT(trouble.has_value(), timeoutMs);
     QCOMPARE(serverErrorKind(*trouble), utf8("away"));
-    QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+    QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
     count.reset();
-    archive.countWrites({}, this, [&](const auto& found) { count = found.value(); });
-    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(14), patienceMs);
+    historyService.countWrites({}, this, [&](const auto& found) { count = found.value(); });
+    QTRY_COMPARE_WITH_TIMEOUT(count, std::optional<std::int64_t>(14), timeoutMs);
 }
 
 void TestHistorySender::browsingAHungServer()
 {
     Bench bench;
     history_example::fill(bench);
-    session::HistorySending sending(bench.path, address(), utf8("A"));
+    session::HistoryUploader sending(bench.path, address(), utf8("A"));
     QVERIFY(sending.send().has_value());
-    auto archive = std::make_unique<session::Archive>(
-        std::make_unique<session::ServerSource>(address(), 200ms));
+    auto historyService = std::make_unique<session::HistoryService>(
+        std::make_unique<session::HistoryServerSource>(address(), 200ms));
     std::optional<std::int64_t> count;
-    archive->countWrites({}, this, [&](const auto& found) { count = found.value(); });
-    QTRY_VERIFY_WITH_TIMEOUT(count.has_value(), patienceMs);
-    m_pg.freeze();
+    historyService->countWrites({}, this, [&](const auto& found) { count = found.value(); });
+    QTRY_VERIFY_WITH_TIMEOUT(count.has_value(), timeoutMs);
+    m_pg.suspend();
     std::optional<base::Error> trouble;
-    archive->countWrites({}, this, [&](const auto& found) { trouble = found.error(); });
-    QTRY_VERIFY_WITH_TIMEOUT(trouble.has_value(), patienceMs);
+    historyService->countWrites({}, this, [&](const auto& found) { trouble = found.error(); });
+    QTRY_VERIFY_WITH_TIMEOUT(trouble.has_value(), timeoutMs);
     QCOMPARE(serverErrorKind(*trouble), utf8("hung"));
-    archive->countWrites({}, this, [](const auto&) { QFAIL("nobody is there any more"); });
-    archive.reset();
-    m_pg.thaw();
+    historyService->countWrites({}, this, [](const auto&) { QFAIL("nobody is there any more"); });
+    historyService.reset();
+    m_pg.resume();
 }
 
-void TestHistorySender::theChoiceIsRemembered()
+void TestHistorySender::theServerIsRemembered()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(utf8("settings.ini"));
@@ -363,27 +364,28 @@ void TestHistorySender::theChoiceIsRemembered()
     const auto overridden = session::historyServerChoice(settings);
     qunsetenv("SERVODESK_HISTORY_SERVER");
     QCOMPARE(overridden.address, utf8("host=elsewhere"));
-    QVERIFY(overridden.fixed);
-    QVERIFY(!session::historyServerChoice(settings).fixed);
+    QVERIFY(overridden.isFixedByEnvironment);
+    QVERIFY(!session::historyServerChoice(settings).isFixedByEnvironment);
 }
 
 /// An empty history says nothing about the server, and only one that was reached is stored.
-void TestHistorySender::aServerIsReachedOrNotStored()
+void TestHistorySender::anUnreachableServerIsNotSaved()
 {
     support::CliProgram cli;
     cli.setPort(QString());
     const QStringList sync{utf8("history"), utf8("sync"), utf8("--remember"), utf8("--server")};
-    const support::Ran away = cli.run(sync + QStringList{utf8("postgresql://u@127.0.0.1:1/db")});
+    const support::ProgramResult away =
+        cli.run(sync + QStringList{utf8("postgresql://u@127.0.0.1:1/db")});
     QCOMPARE(away.exit, 3);
     QVERIFY2(away.err.contains(utf8("were not stored")), qPrintable(away.err));
     for (const char* server : {"bogus=1", "host=127.0.0.1 oauth_client_secret=swordfish",
                                "host=127.0.0.1 options=-cpassword=swordfish"}) {
-        const support::Ran refused = cli.run(sync + QStringList{utf8(server)});
+        const support::ProgramResult refused = cli.run(sync + QStringList{utf8(server)});
         QCOMPARE(refused.exit, 2);
         QVERIFY(!(refused.out + refused.err).contains(utf8("swordfish")));
     }
     QCOMPARE(cli.run("history sync").exit, 2); // no server is set
-    const support::Ran reached = cli.run(sync + QStringList{address()});
+    const support::ProgramResult reached = cli.run(sync + QStringList{address()});
     QVERIFY2(reached.exit == 0, qPrintable(reached.err));
     QVERIFY2(reached.out.contains(utf8("were stored")), qPrintable(reached.out));
     QCOMPARE(cli.run("history sync").exit, 0);
@@ -399,40 +401,41 @@ void TestHistorySender::theCommandLineSendsAndBrowses()
     const QString server = address();
     const QStringList sync{utf8("history"), utf8("sync"),    utf8("--json"), utf8("--server"),
                            server,          utf8("--bench"), utf8("Tor 3"),  utf8("--remember")};
-    const support::Ran sent = cli.run(sync);
+    const support::ProgramResult sent = cli.run(sync);
     QVERIFY2(sent.exit == 0, qPrintable(sent.err));
     QVERIFY(sent.json().value(utf8("sent")).toInt() > 0);
     QVERIFY(!(sent.out + sent.err).contains(m_pg.superuserPassword()));
-    const support::Ran again = cli.run("history sync --json"); // server and name are remembered
+    const support::ProgramResult again =
+        cli.run("history sync --json"); // server and name are remembered
     QCOMPARE(again.json().value(utf8("sent")).toInt(-1), 0);
     QCOMPARE(again.json().value(utf8("bench")).toString(), utf8("Tor 3"));
 
-    const support::Ran local = cli.run("history --json");
-    const support::Ran copy = cli.run("history --json --server default");
+    const support::ProgramResult local = cli.run("history --json");
+    const support::ProgramResult copy = cli.run("history --json --server default");
     QVERIFY2(copy.exit == 0, qPrintable(copy.err));
-    const auto keysOf = [](const support::Ran& ran) {
+    const auto keysOf = [](const support::ProgramResult& result) {
         QStringList keys;
-        for (const QJsonValue row : ran.json().value(utf8("writes")).toArray())
+        for (const QJsonValue row : result.json().value(utf8("writes")).toArray())
             keys << row.toObject().value(utf8("register")).toString() +
                         row.toObject().value(utf8("new")).toVariant().toString();
         return keys;
     };
     QCOMPARE(keysOf(copy), keysOf(local));
     QVERIFY(!keysOf(copy).isEmpty());
-    const support::Ran benches = cli.run("history --kind benches --server default");
+    const support::ProgramResult benches = cli.run("history --kind benches --server default");
     QVERIFY2(benches.out.contains(utf8("Tor 3")), qPrintable(benches.out + benches.err));
-    const support::Ran nobody = cli.run("history --bench nobody");
-    QCOMPARE(nobody.exit, 2);
-    QVERIFY2(nobody.err.contains(utf8("Tor 3")), qPrintable(nobody.err));
+    const support::ProgramResult unknownBench = cli.run("history --bench nobody");
+    QCOMPARE(unknownBench.exit, 2);
+    QVERIFY2(unknownBench.err.contains(utf8("Tor 3")), qPrintable(unknownBench.err));
     const QString file = cli.dataFolder() + utf8("/out.servo.json");
-    const support::Ran taken = cli.run(
+    const support::ProgramResult taken = cli.run(
         {utf8("history"), utf8("snapshot"), utf8("1"), file, utf8("--server"), utf8("default")});
     QVERIFY2(taken.exit == 0, qPrintable(taken.err));
     QVERIFY(record::loadSnapshot(file).has_value());
 
     m_pg.stop();
-    const support::Ran away = cli.run("history sync");
-    QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+    const support::ProgramResult away = cli.run("history sync");
+    QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
     QCOMPARE(away.exit, 3);
     QVERIFY2(away.err.contains(utf8("history server")), qPrintable(away.err));
     QVERIFY(!away.err.contains(utf8("recover"))); // no servo is concerned

@@ -18,7 +18,7 @@ using history_example::Bench;
 using history_example::everything;
 using record::History;
 using record::HistoryServer;
-using session::HistorySending;
+using session::HistoryUploader;
 
 namespace {
 QString utf8(const char* words)
@@ -33,13 +33,13 @@ QString kindOf(const base::Error& error)
 }
 } // namespace
 
-class TestHistoryServer : public QObject, private support::ServerBench {
+class TestHistoryServer : public QObject, private support::HistoryServerFixture {
     Q_OBJECT
 
 private:
     std::int64_t send(const Bench& bench, const char* name = "Bench 1")
     {
-        HistorySending sending(bench.path, address(), utf8(name));
+        HistoryUploader sending(bench.path, address(), utf8(name));
         const auto sent = sending.send();
         if (!sent)
             qCritical("%s", qPrintable(sent.error().detail));
@@ -62,27 +62,27 @@ private Q_SLOTS:
     }
 
     void everythingIsCopied();
-    void noColumnIsLeftOut();
+    void noColumnIsOmitted();
     void laterChangesFollow();
-    void whatIsTakenOutGoesThereToo();
+    void deletionsAreCopiedToo();
     void sendingAgainChangesNothing();
-    void listsAreChosenAsOnTheBench_data();
-    void listsAreChosenAsOnTheBench();
+    void filtersMatchTheLocalHistory_data();
+    void filtersMatchTheLocalHistory();
     void pagesAreTheSame();
-    void manyBenchesAreToldApart();
-    void benchesThatStartTogether();
+    void benchesAreDistinguished();
+    void benchesStartingTogether();
     void twoProgramsOfOneBench();
-    void aBackupThatWasPutBack();
+    void aRestoredBackup();
     void aCopiedFileHidesNothing();
     void killedInTheMiddle();
-    void wordsOfEveryKindSurvive();
-    void copiesAreOnlyRead();
-    void whatIsWrongIsSaid_data();
-    void whatIsWrongIsSaid();
-    void aNewerSchemaIsLeftAlone();
+    void anyTextSurvives();
+    void copiesAreReadOnly();
+    void errorsAreReported_data();
+    void errorsAreReported();
+    void aNewerSchemaIsNotChanged();
     void anotherEncodingIsRefused();
-    void whoMayNotIsTold();
-    void nothingWasEverSent();
+    void missingPermissionsAreReported();
+    void emptyServer();
 };
 
 void TestHistoryServer::everythingIsCopied()
@@ -101,7 +101,7 @@ void TestHistoryServer::everythingIsCopied()
 }
 
 /// Whatever the history learns to keep, its copies keep as well.
-void TestHistoryServer::noColumnIsLeftOut()
+void TestHistoryServer::noColumnIsOmitted()
 {
     Bench bench;
     history_example::fill(bench);
@@ -125,7 +125,7 @@ void TestHistoryServer::noColumnIsLeftOut()
         names.sort();
         return names;
     };
-    for (const record::CopiedTable& table : record::serverTables()) {
+    for (const record::ServerTable& table : record::serverTables()) {
         const QString name = utf8(table.name);
         QCOMPARE(columnsThere(name), columnsHere(name));
         QStringList sent = table.columns;
@@ -173,7 +173,7 @@ void TestHistoryServer::laterChangesFollow()
     QVERIFY(copy->reference(utf8("STS3215")).value().has_value());
 }
 
-void TestHistoryServer::whatIsTakenOutGoesThereToo()
+void TestHistoryServer::deletionsAreCopiedToo()
 {
     Bench bench;
     history_example::fill(bench);
@@ -205,7 +205,7 @@ void TestHistoryServer::sendingAgainChangesNothing()
     QCOMPARE(asked(utf8("SELECT sum(number) FROM servodesk.writes")), numbers);
 }
 
-void TestHistoryServer::listsAreChosenAsOnTheBench_data()
+void TestHistoryServer::filtersMatchTheLocalHistory_data()
 {
     QTest::addColumn<int>("id");
     QTest::addColumn<QString>("model");
@@ -245,7 +245,7 @@ void TestHistoryServer::listsAreChosenAsOnTheBench_data()
                           << "" << false << true;
 }
 
-void TestHistoryServer::listsAreChosenAsOnTheBench()
+void TestHistoryServer::filtersMatchTheLocalHistory()
 {
     QFETCH(int, id);
     QFETCH(QString, model);
@@ -269,7 +269,7 @@ void TestHistoryServer::listsAreChosenAsOnTheBench()
     filter.label = label;
     runs.text = label;
     filter.key = key;
-    filter.onlyTrouble = trouble;
+    filter.onlyProblems = trouble;
     if (early)
         runs.until = filter.until = QDateTime({2026, 5, 2}, {9, 0, 1}, Qt::UTC);
     QCOMPARE(history_example::servos(*copy, filter), history_example::servos(*local, filter));
@@ -280,7 +280,7 @@ void TestHistoryServer::listsAreChosenAsOnTheBench()
     QCOMPARE(history_example::recordings(*copy, filter),
              history_example::recordings(*local, filter));
     QCOMPARE(history_example::runs(*copy, runs), history_example::runs(*local, runs));
-    filter.reason = record::SnapshotReason::Asked;
+    filter.reason = record::SnapshotReason::Manual;
     QCOMPARE(history_example::snapshots(*copy, filter), history_example::snapshots(*local, filter));
     for (const char* words : {"O'NEILL", "knee", "100%", "sts_215", "TTY", "磨损", "\\"}) {
         runs.text = utf8(words);
@@ -296,19 +296,19 @@ void TestHistoryServer::pagesAreTheSame()
     QVERIFY(send(bench) > 0);
     const auto copy = browse();
     record::HistoryFilter filter;
-    filter.most = 5;
+    filter.limit = 5;
     QStringList seen;
     for (;;) {
         const auto page = copy->log().writes(filter).value();
         if (page.empty())
             break;
         seen += history_example::writes(*copy, filter);
-        filter.after = record::PageMark{page.back().at, page.back().number};
+        filter.after = record::PageCursor{page.back().at, page.back().number};
     }
     QCOMPARE(seen, history_example::writes(*bench.open()));
 }
 
-void TestHistoryServer::manyBenchesAreToldApart()
+void TestHistoryServer::benchesAreDistinguished()
 {
     Bench one;
     Bench two;
@@ -327,11 +327,11 @@ void TestHistoryServer::manyBenchesAreToldApart()
     QVERIFY(benches[0].sent.secsTo(QDateTime::currentDateTimeUtc()) < 3600);
 
     const qsizetype all = history_example::writes(*copy).size();
-    QVERIFY(server.choose(benches[1].number).has_value());
+    QVERIFY(server.selectBench(benches[1].number).has_value());
     QCOMPARE(everything(*copy), everything(*one.open()));
-    QVERIFY(server.choose(benches[0].number).has_value());
+    QVERIFY(server.selectBench(benches[0].number).has_value());
     QCOMPARE(everything(*copy), everything(*two.open()));
-    QVERIFY(server.choose(std::nullopt).has_value());
+    QVERIFY(server.selectBench(std::nullopt).has_value());
     QCOMPARE(history_example::writes(*copy).size(), all);
     QCOMPARE(all, history_example::writes(*one.open()).size() +
                       history_example::writes(*two.open()).size());
@@ -339,14 +339,14 @@ void TestHistoryServer::manyBenchesAreToldApart()
     record::HistoryFilter nine;
     nine.id = 9;
     const std::int64_t number = copy->log().writes(nine).value().front().number;
-    QCOMPARE(server.benchesOf(utf8("writes"), {number}).value().value(number), utf8("bench B"));
+    QCOMPARE(server.benchNames(utf8("writes"), {number}).value().value(number), utf8("bench B"));
 
     QCOMPARE(send(two, "Bench B, by the window"), std::int64_t(0)); // a new name alone
-    QCOMPARE(server.benchesOf(utf8("writes"), {number}).value().value(number),
+    QCOMPARE(server.benchNames(utf8("writes"), {number}).value().value(number),
              utf8("Bench B, by the window"));
 }
 
-void TestHistoryServer::benchesThatStartTogether()
+void TestHistoryServer::benchesStartingTogether()
 {
     constexpr int many = 5;
     std::vector<std::unique_ptr<Bench>> benches;
@@ -358,7 +358,7 @@ void TestHistoryServer::benchesThatStartTogether()
     std::atomic<int> good{0};
     for (int i = 0; i < many; ++i)
         threads.emplace_back([&, i] {
-            HistorySending sending(benches[std::size_t(i)]->path, address(), QString::number(i));
+            HistoryUploader sending(benches[std::size_t(i)]->path, address(), QString::number(i));
             good += sending.send().has_value() ? 1 : 0;
         });
     for (std::thread& thread : threads)
@@ -380,7 +380,7 @@ void TestHistoryServer::twoProgramsOfOneBench()
     std::atomic<int> good{0};
     for (int i = 0; i < 3; ++i)
         threads.emplace_back([&] {
-            HistorySending sending(bench.path, address(), utf8("Bench"));
+            HistoryUploader sending(bench.path, address(), utf8("Bench"));
             good += sending.send().has_value() ? 1 : 0;
         });
     for (std::thread& thread : threads)
@@ -389,7 +389,7 @@ void TestHistoryServer::twoProgramsOfOneBench()
     QCOMPARE(everything(*browse()), everything(*bench.open()));
 }
 
-void TestHistoryServer::aBackupThatWasPutBack()
+void TestHistoryServer::aRestoredBackup()
 {
     Bench bench;
     history_example::fill(bench);
@@ -446,38 +446,38 @@ void TestHistoryServer::killedInTheMiddle()
         const auto rows = changes.after(0).value();
         auto server = record::connectHistoryServer(address(), HistoryServer::Purpose::Send);
         QVERIFY(server.has_value());
-        record::HistoryCopy copy(
+        record::HistoryServerWriter copy(
             **server, {changes.bench().value(), utf8("here"), utf8("Bench"), utf8("test")});
-        QCOMPARE(copy.greet().value(), std::int64_t(0));
-        const auto done = (*server)->together([&]() -> base::Result<void> {
+        QCOMPARE(copy.registerBench().value(), std::int64_t(0));
+        const auto done = (*server)->transaction([&]() -> base::Result<void> {
             const auto added =
                 (*server)->run(utf8("INSERT INTO servos (uuid, bench) SELECT 'half', "
                                     "number FROM benches"));
             m_pg.kill();
-            const auto next = copy.take(rows, 0, rows.back().revision);
+            const auto next = copy.apply(rows, 0, rows.back().revision);
             return next ? base::Result<void>() : tl::unexpected(next.error());
         });
         QVERIFY(!done);
         QCOMPARE(kindOf(done.error()), utf8("away"));
     }
-    HistorySending sending(bench.path, address(), utf8("Bench"));
+    HistoryUploader sending(bench.path, address(), utf8("Bench"));
     const auto refused = sending.send();
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, ErrorCode::LinkLost);
-    QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+    QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
     QVERIFY(sending.send().has_value());
     QCOMPARE(everything(*browse()), everything(*bench.open()));
 
     history_example::write(bench.journal, 1, 5);
     QVERIFY(sending.send().has_value()); // on a connection that is kept …
     m_pg.stop();
-    QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+    QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
     history_example::write(bench.journal, 1, 6);
     QVERIFY(sending.send().has_value()); // … and cut behind its back
     QCOMPARE(everything(*browse()), everything(*bench.open()));
 }
 
-void TestHistoryServer::wordsOfEveryKindSurvive()
+void TestHistoryServer::anyTextSurvives()
 {
     Bench bench;
     history_example::write(bench.journal, 1, 1);
@@ -497,7 +497,7 @@ void TestHistoryServer::wordsOfEveryKindSurvive()
     }
 }
 
-void TestHistoryServer::copiesAreOnlyRead()
+void TestHistoryServer::copiesAreReadOnly()
 {
     Bench bench;
     history_example::fill(bench);
@@ -511,7 +511,7 @@ void TestHistoryServer::copiesAreOnlyRead()
     QCOMPARE(everything(*copy), everything(*bench.open()));
 }
 
-void TestHistoryServer::whatIsWrongIsSaid_data()
+void TestHistoryServer::errorsAreReported_data()
 {
     QTest::addColumn<QString>("address");
     QTest::addColumn<QString>("kind");
@@ -546,31 +546,31 @@ void TestHistoryServer::whatIsWrongIsSaid_data()
                                     << "string";
 }
 
-void TestHistoryServer::whatIsWrongIsSaid()
+void TestHistoryServer::errorsAreReported()
 {
     QFETCH(QString, address);
     QFETCH(QString, kind);
     Bench bench;
     history_example::fill(bench);
-    HistorySending sending(bench.path, address, utf8("Bench"));
+    HistoryUploader sending(bench.path, address, utf8("Bench"));
     const auto sent = sending.send();
     QVERIFY(!sent);
     QCOMPARE(kindOf(sent.error()), kind);
     const text::Description words = text::describe(sent.error());
-    const QString all = words.what + words.cause + words.remedy + sent.error().detail;
+    const QString all = words.message + words.cause + words.remedy + sent.error().detail;
     QVERIFY2(!all.contains(utf8("secret99")), qPrintable(all));
-    QVERIFY(words.what.contains(utf8("server")) || kind == utf8("string") ||
+    QVERIFY(words.message.contains(utf8("server")) || kind == utf8("string") ||
             kind == utf8("secret") || kind == utf8("parameter"));
 }
 
-void TestHistoryServer::aNewerSchemaIsLeftAlone()
+void TestHistoryServer::aNewerSchemaIsNotChanged()
 {
     Bench bench;
     history_example::fill(bench);
     QVERIFY(send(bench) > 0);
     asked(utf8("UPDATE servodesk.about SET version = 99"));
     history_example::write(bench.journal, 1, 1);
-    HistorySending sending(bench.path, address(), utf8("Bench"));
+    HistoryUploader sending(bench.path, address(), utf8("Bench"));
     const auto sent = sending.send();
     QVERIFY(!sent);
     QCOMPARE(kindOf(sent.error()), utf8("newer"));
@@ -589,19 +589,19 @@ void TestHistoryServer::anotherEncodingIsRefused()
                utf8("CREATE DATABASE latin ENCODING 'LATIN1' TEMPLATE template0"));
     Bench bench;
     history_example::fill(bench);
-    HistorySending sending(bench.path, m_pg.address(utf8("latin")), utf8("Bench"));
+    HistoryUploader sending(bench.path, m_pg.address(utf8("latin")), utf8("Bench"));
     const auto sent = sending.send();
     QVERIFY(!sent);
     QCOMPARE(kindOf(sent.error()), utf8("encoding"));
 }
 
-void TestHistoryServer::whoMayNotIsTold()
+void TestHistoryServer::missingPermissionsAreReported()
 {
     Bench bench;
     history_example::fill(bench);
     asked(utf8("CREATE ROLE reader LOGIN PASSWORD 'reads it'"));
     const QString reader = m_pg.address(m_database, utf8("reader"), utf8("reads it"));
-    HistorySending sending(bench.path, reader, utf8("Bench"));
+    HistoryUploader sending(bench.path, reader, utf8("Bench"));
     const auto none = sending.send();
     QVERIFY(!none);
     QCOMPARE(kindOf(none.error()), utf8("rights"));
@@ -613,7 +613,7 @@ void TestHistoryServer::whoMayNotIsTold()
     auto server = record::connectHistoryServer(reader, HistoryServer::Purpose::Browse);
     QVERIFY(server.has_value());
     const std::int64_t number = (*server)->benches().value().front().number;
-    QVERIFY((*server)->choose(number).has_value());
+    QVERIFY((*server)->selectBench(number).has_value());
     const History copy(std::move(*server));
     QCOMPARE(everything(copy), everything(*bench.open()));
     const auto still = sending.send();
@@ -621,18 +621,18 @@ void TestHistoryServer::whoMayNotIsTold()
     QCOMPARE(kindOf(still.error()), utf8("rights"));
 }
 
-void TestHistoryServer::nothingWasEverSent()
+void TestHistoryServer::emptyServer()
 {
     const auto server = record::connectHistoryServer(address(), HistoryServer::Purpose::Browse);
     QVERIFY(!server);
     QCOMPARE(kindOf(server.error()), utf8("empty"));
     // A bench that has kept nothing yet has nothing to send, and is no trouble.
     Bench bench;
-    HistorySending sending(bench.path, address(), utf8("Bench"));
+    HistoryUploader sending(bench.path, address(), utf8("Bench"));
     QCOMPARE(sending.send().value().sent, std::int64_t(0));
-    HistorySending elsewhere(Bench().path, utf8("host=127.0.0.1 port=1 user=u dbname=d"),
-                             utf8("Bench"));
-    const auto away = elsewhere.send();
+    HistoryUploader unreachable(Bench().path, utf8("host=127.0.0.1 port=1 user=u dbname=d"),
+                                utf8("Bench"));
+    const auto away = unreachable.send();
     QVERIFY(!away);
     QCOMPARE(kindOf(away.error()), utf8("away"));
 }

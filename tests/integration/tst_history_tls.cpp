@@ -23,14 +23,14 @@
 using history_example::Bench;
 using history_example::everything;
 using session::HistorySender;
-using session::HistorySending;
-using support::quickSender;
+using session::HistoryUploader;
 using support::serverErrorKind;
+using support::shortSenderTimes;
 using Phase = session::SendState::Phase;
 using namespace std::chrono_literals;
 
 namespace {
-constexpr int patienceMs = 60'000; ///< only a hung program ever needs it
+constexpr int timeoutMs = 60'000; ///< only a hung program ever needs it
 const QString host = QStringLiteral("bench.example");
 
 QString utf8(const char* words)
@@ -39,7 +39,7 @@ QString utf8(const char* words)
 }
 } // namespace
 
-class TestHistoryTls : public QObject, private support::ServerBench {
+class TestHistoryTls : public QObject, private support::HistoryServerFixture {
     Q_OBJECT
 
 private:
@@ -50,15 +50,18 @@ private:
                                           utf8("host=%1 hostaddr=127.0.0.1").arg(name)) +
                u' ' + rest;
     }
-    QString trusted() const { return named(host, utf8("sslrootcert=%1").arg(m_authority.root())); }
+    QString trustedAddress() const
+    {
+        return named(host, utf8("sslrootcert=%1").arg(m_authority.root()));
+    }
     QString through(const support::Relay& relay) const
     {
-        return trusted().replace(utf8("port=%1").arg(m_pg.port()),
-                                 utf8("port=%1").arg(relay.port()));
+        return trustedAddress().replace(utf8("port=%1").arg(m_pg.port()),
+                                        utf8("port=%1").arg(relay.port()));
     }
     base::Result<session::SendProgress> sendTo(const Bench& bench, const QString& server) const
     {
-        return HistorySending(bench.path, server, utf8("Bench")).send();
+        return HistoryUploader(bench.path, server, utf8("Bench")).send();
     }
     void verifyCopied(const Bench& bench)
     {
@@ -72,8 +75,10 @@ private Q_SLOTS:
     void initTestCase()
     {
         for (support::TlsAuthority* authority : {&m_authority, &m_other})
-            QVERIFY2(authority->make() && authority->issue(host), qPrintable(authority->why()));
-        QVERIFY2(m_pg.useTls(m_authority.certificate(), m_authority.key()), qPrintable(m_pg.why()));
+            QVERIFY2(authority->make() && authority->issue(host),
+                     qPrintable(authority->errorString()));
+        QVERIFY2(m_pg.enableTls(m_authority.certificate(), m_authority.key()),
+                 qPrintable(m_pg.errorString()));
         startServer();
     }
     void init()
@@ -82,26 +87,26 @@ private Q_SLOTS:
         newDatabase();
     }
 
-    void whoAnswersIsVerified_data();
-    void whoAnswersIsVerified();
+    void theServerIsVerified_data();
+    void theServerIsVerified();
     void aServerWithoutTls();
-    void theUserMaySayOtherwise_data();
-    void theUserMaySayOtherwise();
-    void cutAnywhereNothingIsLost();
-    void silentAnywhereItEnds_data();
-    void silentAnywhereItEnds();
-    void aCrawlingServerIsWaitedFor();
-    void somethingElseAnswers_data();
-    void somethingElseAnswers();
-    void theCommandLineSaysIt();
+    void verificationCanBeDisabled_data();
+    void verificationCanBeDisabled();
+    void connectionLostAnywhereLosesNothing();
+    void silenceAnywhereTimesOut_data();
+    void silenceAnywhereTimesOut();
+    void aSlowServerIsWaitedFor();
+    void anotherServiceAnswers_data();
+    void anotherServiceAnswers();
+    void theCommandLineReportsIt();
     void theCommandLineCanBeInterrupted_data();
     void theCommandLineCanBeInterrupted();
-    void noPasswordIsKept_data();
-    void noPasswordIsKept();
+    void noPasswordIsStored_data();
+    void noPasswordIsStored();
     void anOldPasswordIsRemovedOnce();
 };
 
-void TestHistoryTls::whoAnswersIsVerified_data()
+void TestHistoryTls::theServerIsVerified_data()
 {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("rest"); ///< %1: our authority, %2: another one
@@ -125,7 +130,7 @@ void TestHistoryTls::whoAnswersIsVerified_data()
                                   << "sslmode=verify-ca";
 }
 
-void TestHistoryTls::whoAnswersIsVerified()
+void TestHistoryTls::theServerIsVerified()
 {
     QFETCH(QString, name);
     QFETCH(QString, rest);
@@ -141,14 +146,14 @@ void TestHistoryTls::whoAnswersIsVerified()
         QVERIFY(!sent);
         QCOMPARE(serverErrorKind(sent.error()), kind);
         const text::Description words = text::describe(sent.error());
-        QVERIFY2(words.what.contains(utf8("certificate")), qPrintable(words.what));
+        QVERIFY2(words.message.contains(utf8("certificate")), qPrintable(words.message));
         QVERIFY(!words.cause.isEmpty());
         QVERIFY2(words.remedy.contains(remedy), qPrintable(words.remedy));
         // Nothing was given away, and nothing is lost.
         QCOMPARE(m_pg.query(m_database, utf8("SELECT count(*) FROM pg_namespace WHERE nspname = "
                                              "'servodesk'")),
                  utf8("0"));
-        QVERIFY(sendTo(bench, trusted()).has_value());
+        QVERIFY(sendTo(bench, trustedAddress()).has_value());
     }
     verifyCopied(bench);
 }
@@ -157,23 +162,23 @@ void TestHistoryTls::whoAnswersIsVerified()
 void TestHistoryTls::aServerWithoutTls()
 {
     support::Postgres plain;
-    QVERIFY2(plain.start(), qPrintable(plain.why()));
-    const QString elsewhere =
+    QVERIFY2(plain.start(), qPrintable(plain.errorString()));
+    const QString otherServer =
         plain.address(utf8("postgres"))
             .replace(utf8("host=127.0.0.1"), utf8("host=%1 hostaddr=127.0.0.1").arg(host));
     Bench bench;
     history_example::fill(bench);
-    const auto refused = sendTo(bench, elsewhere);
+    const auto refused = sendTo(bench, otherServer);
     QVERIFY(!refused);
     QCOMPARE(serverErrorKind(refused.error()), utf8("tls"));
     QVERIFY(text::describe(refused.error()).remedy.contains(utf8("sslmode=disable")));
-    const auto permitted = sendTo(bench, elsewhere + utf8(" sslmode=disable"));
+    const auto permitted = sendTo(bench, otherServer + utf8(" sslmode=disable"));
     QVERIFY2(permitted, permitted ? "" : qPrintable(permitted.error().detail));
     // This very computer needs none.
     QVERIFY(sendTo(bench, plain.address(utf8("postgres"))).has_value());
 }
 
-void TestHistoryTls::theUserMaySayOtherwise_data()
+void TestHistoryTls::verificationCanBeDisabled_data()
 {
     QTest::addColumn<QString>("rest");
     QTest::addColumn<QString>("environment");
@@ -185,7 +190,7 @@ void TestHistoryTls::theUserMaySayOtherwise_data()
                                          << "require";
 }
 
-void TestHistoryTls::theUserMaySayOtherwise()
+void TestHistoryTls::verificationCanBeDisabled()
 {
     QFETCH(QString, rest);
     QFETCH(QString, environment);
@@ -201,37 +206,37 @@ void TestHistoryTls::theUserMaySayOtherwise()
 
 /// The line breaks after so many bytes, in the handshake and at any point after it; what is written
 /// meanwhile waits for nobody, and in the end everything is there once.
-void TestHistoryTls::cutAnywhereNothingIsLost()
+void TestHistoryTls::connectionLostAnywhereLosesNothing()
 {
     Bench bench;
     history_example::fill(bench);
     support::Relay relay(m_pg.port());
-    HistorySender sender(bench.path, quickSender(500ms));
+    HistorySender sender(bench.path, shortSenderTimes(500ms));
     int troubles = 0;
     connect(&sender, &HistorySender::stateChanged, this, [&] {
         const session::SendState& state = sender.state();
-        if (state.phase != Phase::Trouble)
+        if (state.phase != Phase::Failed)
             return;
         ++troubles;
         QCOMPARE(serverErrorKind(*state.error), utf8("away"));
         QVERIFY(!text::describe(*state.error).remedy.isEmpty());
     });
     for (const qint64 bytes : {0, 8, 100, 700, 1500, 3000, 6000, 12000, 25000}) {
-        relay.passOnly(bytes, support::Relay::Then::Cut);
+        relay.limitTo(bytes, support::Relay::LimitAction::Cut);
         const int before = relay.connections();
         sender.setServer(through(relay), utf8("Bench"));
-        QTRY_VERIFY_WITH_TIMEOUT(relay.connections() >= before + 2, patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(relay.connections() >= before + 2, timeoutMs);
         history_example::write(bench.journal, 1, bytes);
     }
     QVERIFY(troubles > 0);
-    relay.passAll();
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    relay.removeLimit();
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     sender.setServer(through(relay), utf8("Bench"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);
 }
 
-void TestHistoryTls::silentAnywhereItEnds_data()
+void TestHistoryTls::silenceAnywhereTimesOut_data()
 {
     QTest::addColumn<int>("bytes");
     for (const int bytes : {0, 100, 1500, 6000})
@@ -240,43 +245,43 @@ void TestHistoryTls::silentAnywhereItEnds_data()
 
 /// From some point on everything is swallowed: that counts as hung, and neither the next try nor
 /// the end of the program waits for it.
-void TestHistoryTls::silentAnywhereItEnds()
+void TestHistoryTls::silenceAnywhereTimesOut()
 {
     QFETCH(int, bytes);
     Bench bench;
     history_example::fill(bench);
     support::Relay relay(m_pg.port());
-    relay.passOnly(bytes, support::Relay::Then::Swallow);
-    HistorySender sender(bench.path, quickSender(500ms));
+    relay.limitTo(bytes, support::Relay::LimitAction::Discard);
+    HistorySender sender(bench.path, shortSenderTimes(500ms));
     sender.setServer(through(relay), utf8("Bench"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
     QCOMPARE(serverErrorKind(*sender.state().error), utf8("hung"));
     history_example::write(bench.journal, 1, 7);
-    relay.passAll();
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    relay.removeLimit();
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);
-    relay.passOnly(bytes, support::Relay::Then::Swallow);
+    relay.limitTo(bytes, support::Relay::LimitAction::Discard);
     history_example::write(bench.journal, 1, 8);
-    auto left = std::make_unique<HistorySender>(bench.path, quickSender(500ms));
+    auto left = std::make_unique<HistorySender>(bench.path, shortSenderTimes(500ms));
     left->setServer(through(relay), utf8("Bench"));
     left.reset();
 }
 
-void TestHistoryTls::aCrawlingServerIsWaitedFor()
+void TestHistoryTls::aSlowServerIsWaitedFor()
 {
     Bench bench;
     history_example::fill(bench);
     support::Relay relay(m_pg.port());
-    relay.slowDown(60);
-    HistorySender::Times times = quickSender(500ms);
+    relay.setRateLimit(60);
+    HistorySender::Timing times = shortSenderTimes(500ms);
     times.silence = 60s;
     HistorySender sender(bench.path, times);
     sender.setServer(through(relay), utf8("Bench"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);
 }
 
-void TestHistoryTls::somethingElseAnswers_data()
+void TestHistoryTls::anotherServiceAnswers_data()
 {
     QTest::addColumn<QByteArray>("answer");
     QTest::newRow("hangs up") << QByteArray();
@@ -288,28 +293,28 @@ void TestHistoryTls::somethingElseAnswers_data()
 }
 
 /// Whatever it is, it ends with words about the history server, and no control characters in them.
-void TestHistoryTls::somethingElseAnswers()
+void TestHistoryTls::anotherServiceAnswers()
 {
     QFETCH(QByteArray, answer);
-    const support::AnsweringServer server(answer);
+    const support::CannedReplyServer server(answer);
     Bench bench;
     history_example::fill(bench);
-    HistorySender sender(bench.path, quickSender(500ms));
+    HistorySender sender(bench.path, shortSenderTimes(500ms));
     sender.setServer(
         utf8("host=%1 hostaddr=127.0.0.1 port=%2 user=u dbname=d").arg(host).arg(server.port()),
         utf8("Bench"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Trouble), patienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::Failed), timeoutMs);
     const text::Description words = text::describe(*sender.state().error);
-    QVERIFY2(words.what.contains(utf8("history server")), qPrintable(words.what));
+    QVERIFY2(words.message.contains(utf8("history server")), qPrintable(words.message));
     QVERIFY(!words.remedy.isEmpty());
-    for (const QChar c : words.what)
-        QVERIFY2(c.isPrint(), qPrintable(words.what));
-    sender.setServer(trusted(), utf8("Bench"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), patienceMs);
+    for (const QChar c : words.message)
+        QVERIFY2(c.isPrint(), qPrintable(words.message));
+    sender.setServer(trustedAddress(), utf8("Bench"));
+    QTRY_COMPARE_WITH_TIMEOUT(int(sender.state().phase), int(Phase::UpToDate), timeoutMs);
     verifyCopied(bench);
 }
 
-void TestHistoryTls::theCommandLineSaysIt()
+void TestHistoryTls::theCommandLineReportsIt()
 {
     support::CliProgram cli;
     cli.setPort(utf8("sim:sts3215@1"));
@@ -318,19 +323,20 @@ void TestHistoryTls::theCommandLineSaysIt()
     const auto sync = [&](const QString& server) {
         return cli.run({utf8("history"), utf8("sync"), utf8("--server"), server});
     };
-    const support::Ran stranger = sync(named(host, utf8("sslrootcert=%1").arg(m_other.root())));
-    QVERIFY2(stranger.exit == 3, qPrintable(stranger.err));
-    QVERIFY2(stranger.err.contains(utf8("cannot be verified")) &&
-                 stranger.err.contains(utf8("sslrootcert=FILE")),
-             qPrintable(stranger.err));
+    const support::ProgramResult untrusted =
+        sync(named(host, utf8("sslrootcert=%1").arg(m_other.root())));
+    QVERIFY2(untrusted.exit == 3, qPrintable(untrusted.err));
+    QVERIFY2(untrusted.err.contains(utf8("cannot be verified")) &&
+                 untrusted.err.contains(utf8("sslrootcert=FILE")),
+             qPrintable(untrusted.err));
     const support::SilentServer silent;
-    const support::Ran hung = sync(silent.address());
+    const support::ProgramResult hung = sync(silent.address());
     QVERIFY2(hung.exit == 3, qPrintable(hung.err));
     QVERIFY2(hung.err.contains(utf8("does not answer")), qPrintable(hung.err));
-    const support::Ran sent = sync(trusted());
+    const support::ProgramResult sent = sync(trustedAddress());
     QVERIFY2(sent.exit == 0, qPrintable(sent.err));
-    const support::Ran listed =
-        cli.run({utf8("history"), utf8("--json"), utf8("--server"), trusted()});
+    const support::ProgramResult listed =
+        cli.run({utf8("history"), utf8("--json"), utf8("--server"), trustedAddress()});
     QVERIFY2(listed.exit == 0, qPrintable(listed.err));
     QCOMPARE(listed.json().value(utf8("writes")).toArray().size(), 1);
 }
@@ -347,9 +353,9 @@ void TestHistoryTls::theCommandLineCanBeInterrupted()
     QFETCH(bool, connecting);
     Bench bench;
     history_example::fill(bench);
-    QVERIFY(sendTo(bench, trusted()).has_value());
+    QVERIFY(sendTo(bench, trustedAddress()).has_value());
     support::Relay relay(m_pg.port());
-    relay.passOnly(connecting ? 8 : -1, support::Relay::Then::Swallow);
+    relay.limitTo(connecting ? 8 : -1, support::Relay::LimitAction::Discard);
     QProcess holder; // of the table that is asked for
     holder.start(utf8("psql"), {utf8("-X"), utf8("-c"), utf8("BEGIN; LOCK TABLE servodesk.writes"),
                                 utf8("-c"), utf8("SELECT pg_sleep(3600)"), address()});
@@ -364,20 +370,20 @@ void TestHistoryTls::theCommandLineCanBeInterrupted()
     cli.setPort(QString());
     cli.start({utf8("history"), utf8("--server"), through(relay) + utf8(" connect_timeout=30")});
     if (connecting)
-        QTRY_VERIFY_WITH_TIMEOUT(relay.swallowed(), patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(relay.hasSwallowed(), timeoutMs);
     else
         QTRY_COMPARE(count("pg_stat_activity WHERE datname = current_database() AND "
                            "application_name = 'servodesk' AND wait_event_type = 'Lock'"),
                      utf8("1"));
     cli.signal(SIGINT);
-    const support::Ran ended = cli.finish();
+    const support::ProgramResult ended = cli.finish();
     holder.kill();
     holder.waitForFinished();
     QCOMPARE(ended.exit, 1);
     QVERIFY2(ended.err.contains(utf8("stopped"), Qt::CaseInsensitive), qPrintable(ended.err));
 }
 
-void TestHistoryTls::noPasswordIsKept_data()
+void TestHistoryTls::noPasswordIsStored_data()
 {
     QTest::addColumn<QString>("server");
     QTest::newRow("uri") << "postgresql://u:swordfish@127.0.0.1:1/db";
@@ -386,7 +392,7 @@ void TestHistoryTls::noPasswordIsKept_data()
     QTest::newRow("another word") << "host=127.0.0.1 pwd=swordfish";
 }
 
-void TestHistoryTls::noPasswordIsKept()
+void TestHistoryTls::noPasswordIsStored()
 {
     QFETCH(QString, server);
     support::CliProgram cli;
@@ -398,9 +404,10 @@ void TestHistoryTls::noPasswordIsKept()
         {utf8("history"), utf8("sync"), server},
         {utf8("history"), utf8("sync"), utf8("--bench"), utf8("x"), utf8("--bench"), server}};
     for (const QStringList& command : commands) {
-        const support::Ran ran = cli.run(command);
-        QVERIFY(ran.exit != 0);
-        QVERIFY2(!(ran.out + ran.err).contains(utf8("swordfish")), qPrintable(ran.out + ran.err));
+        const support::ProgramResult result = cli.run(command);
+        QVERIFY(result.exit != 0);
+        QVERIFY2(!(result.out + result.err).contains(utf8("swordfish")),
+                 qPrintable(result.out + result.err));
     }
     if (server.contains(u'@'))
         QVERIFY(cli.run(commands.front()).err.contains(utf8("~/.pgpass")));
@@ -425,12 +432,12 @@ void TestHistoryTls::anOldPasswordIsRemovedOnce()
     settings.close();
     QVERIFY(settings.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner |
                                     QFileDevice::ReadGroup | QFileDevice::ReadOther));
-    const support::Ran first = cli.run("history --server default");
+    const support::ProgramResult first = cli.run("history --server default");
     QVERIFY2(first.err.contains(utf8("removed from the settings")) &&
                  first.err.contains(utf8("~/.pgpass")) && !first.err.contains(utf8("swordfish")),
              qPrintable(first.err));
     QVERIFY2(first.err.contains(utf8("cannot be reached")), qPrintable(first.err)); // still asked
-    const support::Ran second = cli.run("history --server default");
+    const support::ProgramResult second = cli.run("history --server default");
     QVERIFY(!second.err.contains(utf8("removed from the settings")));
     QVERIFY(settings.open(QIODevice::ReadOnly));
     const QByteArray content = settings.readAll();

@@ -18,7 +18,7 @@ using raw::Simulator;
 using support::feetechFrame;
 
 namespace {
-constexpr int patience = 60; ///< ms, for each status packet
+constexpr int timeout = 60; ///< ms, for each status packet
 constexpr int servos = 6;
 constexpr int gripper = 6;
 
@@ -60,9 +60,9 @@ int withSignBit(int offset)
 }
 
 /// What a client of LeRobot's kind knows and counts.
-class Arm {
+class LeRobotClient {
 public:
-    explicit Arm(const QString& port)
+    explicit LeRobotClient(const QString& port)
         : m_client(port)
     {}
 
@@ -99,8 +99,8 @@ public:
     /// LeRobot's search for the one servo on the bus.
     int broadcastPing()
     {
-        m_client.say(feetechFrame(0xFE, 1, {}));
-        const QByteArray reply = m_client.hear(6);
+        m_client.send(feetechFrame(0xFE, 1, {}));
+        const QByteArray reply = m_client.receive(6);
         return reply.size() == 6 ? static_cast<unsigned char>(reply[2]) : -1;
     }
     QByteArray syncRead(int address, int size)
@@ -108,8 +108,8 @@ public:
         QByteArray params = numbers(address, 1) + char(size);
         for (int id = 1; id <= servos; ++id)
             params.append(char(id));
-        m_client.say(feetechFrame(0xFE, 0x82, params));
-        return m_client.hear(servos * (6 + size));
+        m_client.send(feetechFrame(0xFE, 0x82, params));
+        return m_client.receive(servos * (6 + size));
     }
     void disableTorque(int id)
     {
@@ -122,15 +122,15 @@ private:
     /// other things may take longer than a servo would: that is counted as late, not as lost.
     QByteArray exchanged(int id, const QByteArray& request, int dataBytes)
     {
-        m_client.say(request);
-        if (!m_client.readable(patience)) {
+        m_client.send(request);
+        if (!m_client.readable(timeout)) {
             ++m_late;
-            if (!m_client.readable(10 * patience)) {
+            if (!m_client.readable(10 * timeout)) {
                 ++m_lost;
                 return {};
             }
         }
-        const QByteArray reply = m_client.hear(6 + dataBytes);
+        const QByteArray reply = m_client.receive(6 + dataBytes);
         const bool fits = reply.size() == 6 + dataBytes &&
                           reply == feetechFrame(id, reply[4], reply.mid(5, dataBytes));
         m_lost += fits ? 0 : 1;
@@ -145,7 +145,7 @@ private:
 };
 
 /// setup_motor() of a servo as it comes out of its box.
-void setUp(Arm& arm, int target)
+void setUp(LeRobotClient& arm, int target)
 {
     const int found = arm.broadcastPing();
     arm.read(found, ModelNumber, 2);
@@ -156,7 +156,7 @@ void setUp(Arm& arm, int target)
 
 /// disable_torque(), set_half_turn_homings() and write_calibration(), the range as if the user had
 /// moved every joint.
-void calibrate(Arm& arm)
+void calibrate(LeRobotClient& arm)
 {
     for (int id = 1; id <= servos; ++id)
         arm.disableTorque(id);
@@ -181,7 +181,7 @@ void calibrate(Arm& arm)
 }
 
 /// configure(): with torque disabled, and torque enabled again at its end.
-void configure(Arm& arm)
+void configure(LeRobotClient& arm)
 {
     for (int id = 1; id <= servos; ++id)
         arm.disableTorque(id);
@@ -207,7 +207,7 @@ void configure(Arm& arm)
     }
 }
 
-QStringList armOf(const QString& words, const QString& state)
+QStringList clientFor(const QString& words, const QString& state)
 {
     QStringList list;
     for (int id = 1; id <= servos; ++id)
@@ -216,7 +216,7 @@ QStringList armOf(const QString& words, const QString& state)
 }
 
 /// How many registers do not hold what was written to them last.
-int wrong(Arm& arm, const Arm& writer, bool afterPowerUp)
+int wrong(LeRobotClient& arm, const LeRobotClient& writer, bool afterPowerUp)
 {
     int count = 0;
     for (const auto& [place, data] : writer.last()) {
@@ -235,11 +235,11 @@ class TestLerobotWrites : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void setUpOneAfterTheOther()
+    void setUpOneByOne()
     {
         for (int target = servos; target >= 1; --target) {
             const Simulator simulator({QStringLiteral("--servos"), QStringLiteral("sts3215@1")});
-            Arm arm(simulator.port());
+            LeRobotClient arm(simulator.port());
             setUp(arm, target);
             QCOMPARE(arm.lost(), 0);
             QCOMPARE(arm.broadcastPing(), target);
@@ -250,13 +250,13 @@ private Q_SLOTS:
     void nothingIsLost()
     {
         const QTemporaryDir folder;
-        const QStringList arguments = armOf({}, folder.filePath(QStringLiteral("arm")));
-        std::map<int, int> stood;
+        const QStringList arguments = clientFor({}, folder.filePath(QStringLiteral("arm")));
+        std::map<int, int> positions;
         Simulator simulator(arguments);
-        Arm arm(simulator.port());
+        LeRobotClient arm(simulator.port());
         calibrate(arm);
         for (int id = 1; id <= servos; ++id)
-            stood[id] = arm.word(id, PresentPosition);
+            positions[id] = arm.word(id, PresentPosition);
         configure(arm);
         QCOMPARE(arm.lost(), 0);
         // The machine may be busy with other things now and then; the servos never are for so long.
@@ -265,26 +265,26 @@ private Q_SLOTS:
         QCOMPARE(wrong(arm, arm, false), 0);
         for (int id = 1; id <= servos; ++id) {
             // Torque is on and no goal was ever written: the arm stays where it is.
-            QVERIFY(std::abs(arm.word(id, PresentPosition) - stood[id]) <= 8);
+            QVERIFY(std::abs(arm.word(id, PresentPosition) - positions[id]) <= 8);
             QCOMPARE(arm.read(id, TorqueEnable, 1), QByteArray(1, 1));
         }
         QCOMPARE(simulator.end(), 0);
         const Simulator again(arguments);
-        Arm next(again.port());
+        LeRobotClient next(again.port());
         QCOMPARE(wrong(next, arm, true), 0);
         configure(next);
         for (int id = 1; id <= servos; ++id)
-            QVERIFY(std::abs(next.word(id, PresentPosition) - stood[id]) <= 8);
+            QVERIFY(std::abs(next.word(id, PresentPosition) - positions[id]) <= 8);
         QCOMPARE(next.lost(), 0);
     }
 
     // The same client does notice a servo that is deaf while it writes its EPROM.
-    void aDeafServoWouldLoseThem()
+    void aBusyServoWouldLoseThem()
     {
         const QTemporaryDir folder;
-        const Simulator simulator(
-            armOf(QStringLiteral("+deaf=1+eprom-ms=400"), folder.filePath(QStringLiteral("arm"))));
-        Arm arm(simulator.port());
+        const Simulator simulator(clientFor(QStringLiteral("+deaf=1+eprom-ms=400"),
+                                            folder.filePath(QStringLiteral("arm"))));
+        LeRobotClient arm(simulator.port());
         arm.disableTorque(1);
         arm.write(1, MinLimit, 100, 2);
         arm.write(1, MaxLimit, 3000, 2);

@@ -17,7 +17,7 @@
 #include <thread>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 using support::words;
 
 namespace {
@@ -27,7 +27,7 @@ constexpr int goalPosition = 128;
 constexpr int lockRegister = 133;
 constexpr int station = 5;
 
-struct Written {
+struct WrittenRegister {
     int number = 0;
     int lock = 0; ///< at that time
 };
@@ -81,7 +81,7 @@ public:
         const std::lock_guard lock(m_mutex);
         m_table->tab_registers[number] = std::uint16_t(value);
     }
-    std::vector<Written> written()
+    std::vector<WrittenRegister> written()
     {
         const std::lock_guard lock(m_mutex);
         return m_written;
@@ -129,21 +129,21 @@ private:
     modbus_mapping_t* m_table;
     int m_far;
     std::mutex m_mutex; ///< guards the table and what follows
-    std::vector<Written> m_written;
+    std::vector<WrittenRegister> m_written;
     std::jthread m_thread;
 };
 
-struct Bench {
+struct Fixture {
     Slave slave;
     CliProgram cli;
 
-    Bench() { cli.setPort(slave.port()); }
+    Fixture() { cli.setPort(slave.port()); }
 
-    Ran run(const QString& line)
+    ProgramResult run(const QString& line)
     {
         return cli.run(words("--protocol modbus --baud 115200") << line.split(u' '));
     }
-    Ran json(const QString& line) { return run(line + QStringLiteral(" --json")); }
+    ProgramResult json(const QString& line) { return run(line + QStringLiteral(" --json")); }
 };
 } // namespace
 
@@ -155,24 +155,24 @@ private Q_SLOTS:
 
     void isFound()
     {
-        Bench bench;
-        const auto ran = bench.json(QStringLiteral("scan --ids 1-20"));
-        QVERIFY2(ran.exit == 0, qPrintable(ran.err));
-        const QJsonArray found = ran.json()[QLatin1String("found")].toArray();
+        Fixture fixture;
+        const auto result = fixture.json(QStringLiteral("scan --ids 1-20"));
+        QVERIFY2(result.exit == 0, qPrintable(result.err));
+        const QJsonArray found = result.json()[QLatin1String("found")].toArray();
         QCOMPARE(found.size(), 1);
         QCOMPARE(found[0][QLatin1String("id")].toInt(), station);
         QCOMPARE(found[0][QLatin1String("protocol")].toString(), QStringLiteral("modbus"));
-        QVERIFY2(bench.slave.written().empty(), "a search writes nothing");
+        QVERIFY2(fixture.slave.written().empty(), "a search writes nothing");
     }
 
     void isRead()
     {
-        Bench bench;
-        const auto ran =
-            bench.run(QStringLiteral("read 5 present_position present_voltage max_angle_limit"));
-        QVERIFY2(ran.exit == 0, qPrintable(ran.err));
+        Fixture fixture;
+        const auto result =
+            fixture.run(QStringLiteral("read 5 present_position present_voltage max_angle_limit"));
+        QVERIFY2(result.exit == 0, qPrintable(result.err));
         for (const char* value : {"-10", "12.1", "4095"})
-            QVERIFY2(ran.out.contains(QLatin1String(value)), qPrintable(ran.out));
+            QVERIFY2(result.out.contains(QLatin1String(value)), qPrintable(result.out));
     }
 
     void isWritten_data()
@@ -190,23 +190,23 @@ private Q_SLOTS:
         QFETCH(const int, maxAngle);
         QFETCH(const QString, goal);
         QFETCH(const int, word);
-        Bench bench;
-        bench.slave.set(maxAngleLimit, maxAngle);
-        const auto ran = bench.run(QStringLiteral("write 5 goal_position=") + goal);
-        QVERIFY2(ran.exit == 0, qPrintable(ran.err));
-        QCOMPARE(bench.slave.value(goalPosition), word);
-        QCOMPARE(bench.slave.written().size(), std::size_t(1));
+        Fixture fixture;
+        fixture.slave.set(maxAngleLimit, maxAngle);
+        const auto result = fixture.run(QStringLiteral("write 5 goal_position=") + goal);
+        QVERIFY2(result.exit == 0, qPrintable(result.err));
+        QCOMPARE(fixture.slave.value(goalPosition), word);
+        QCOMPARE(fixture.slave.written().size(), std::size_t(1));
     }
 
-    void aKeptRegisterIsWrittenWithItsLockOpen()
+    void anEpromRegisterIsWrittenWithTheLockOpen()
     {
-        Bench bench;
-        const auto ran = bench.run(QStringLiteral("write 5 max_angle_limit=3000"));
-        QVERIFY2(ran.exit == 0, qPrintable(ran.err));
-        QCOMPARE(bench.slave.value(maxAngleLimit), 3000);
-        QCOMPARE(bench.slave.value(lockRegister), 1);
+        Fixture fixture;
+        const auto result = fixture.run(QStringLiteral("write 5 max_angle_limit=3000"));
+        QVERIFY2(result.exit == 0, qPrintable(result.err));
+        QCOMPARE(fixture.slave.value(maxAngleLimit), 3000);
+        QCOMPARE(fixture.slave.value(lockRegister), 1);
         int limits = 0;
-        for (const Written& write : bench.slave.written()) {
+        for (const WrittenRegister& write : fixture.slave.written()) {
             if (write.number != lockRegister) {
                 QCOMPARE(write.number, maxAngleLimit);
                 QCOMPARE(write.lock, 0);
@@ -216,50 +216,53 @@ private Q_SLOTS:
         QCOMPARE(limits, 1);
     }
 
-    void itsRefusalIsToldInWords()
+    void refusalIsReportedByName()
     {
-        Bench bench;
-        bench.slave.cutAt(384);
-        const auto ran = bench.json(QStringLiteral("read 5 max_temperature"));
-        QVERIFY(ran.exit != 0);
-        QVERIFY2(ran.out.contains(QLatin1String("refused")), qPrintable(ran.out + ran.err));
-        QVERIFY2(ran.out.contains(QLatin1String("exception 2")), qPrintable(ran.out + ran.err));
+        Fixture fixture;
+        fixture.slave.cutAt(384);
+        const auto result = fixture.json(QStringLiteral("read 5 max_temperature"));
+        QVERIFY(result.exit != 0);
+        QVERIFY2(result.out.contains(QLatin1String("refused")),
+                 qPrintable(result.out + result.err));
+        QVERIFY2(result.out.contains(QLatin1String("exception 2")),
+                 qPrintable(result.out + result.err));
     }
 
     // Stations 248 to 255 are reserved, also for finding out whether the adapter echoes.
     void noReservedStationIsAddressed()
     {
         const PtyPair line;
-        QByteArray heard;
+        QByteArray received;
         std::jthread reader([&](const std::stop_token& stop) {
             while (!stop.stop_requested()) {
                 char chunk[512];
                 pollfd state{line.master, POLLIN, 0};
                 const ssize_t got =
                     poll(&state, 1, 20) > 0 ? read(line.master, chunk, sizeof chunk) : 0;
-                heard.append(chunk, std::max<ssize_t>(got, 0));
+                received.append(chunk, std::max<ssize_t>(got, 0));
             }
         });
         CliProgram cli;
         cli.setPort(line.path);
-        const Ran ran = cli.run(words("--protocol modbus --baud 115200 read 5 lock"));
+        const ProgramResult result = cli.run(words("--protocol modbus --baud 115200 read 5 lock"));
         reader.request_stop();
         reader.join();
-        QVERIFY(ran.exit != 0); // nobody is there
+        QVERIFY(result.exit != 0); // nobody is there
         constexpr qsizetype readFrame = 8;
-        QVERIFY(heard.size() > readFrame && heard.size() % readFrame == 0);
-        for (qsizetype at = 0; at < heard.size(); at += readFrame) {
-            const int addressed = static_cast<unsigned char>(heard[at]);
-            QVERIFY2(addressed == 0 || addressed == station, heard.mid(at, readFrame).toHex());
+        QVERIFY(received.size() > readFrame && received.size() % readFrame == 0);
+        for (qsizetype at = 0; at < received.size(); at += readFrame) {
+            const int addressed = static_cast<unsigned char>(received[at]);
+            QVERIFY2(addressed == 0 || addressed == station, received.mid(at, readFrame).toHex());
         }
     }
 
     void anotherStationIsSilent()
     {
-        Bench bench;
-        const auto ran = bench.json(QStringLiteral("read 6 present_position"));
-        QVERIFY(ran.exit != 0);
-        QVERIFY2(ran.out.contains(QLatin1String("no-answer")), qPrintable(ran.out + ran.err));
+        Fixture fixture;
+        const auto result = fixture.json(QStringLiteral("read 6 present_position"));
+        QVERIFY(result.exit != 0);
+        QVERIFY2(result.out.contains(QLatin1String("no-answer")),
+                 qPrintable(result.out + result.err));
     }
 };
 

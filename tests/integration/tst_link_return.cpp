@@ -14,14 +14,14 @@
 
 using base::ErrorCode;
 
-class TestLinkReturn : public QObject {
+class TestLinkReconnect : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void aPortThatComesBackIsUsedAgain();
-    void withoutPatienceItIsLost();
+    void aReturningPortIsReopened();
+    void withoutReconnectTimeoutItIsLost();
 
 private:
     QStringList arguments() const
@@ -46,34 +46,34 @@ private:
     }
 
     QTemporaryDir m_folder;
-    support::OwnDataFolder m_place; ///< before the session
+    support::TemporaryDataFolder m_place; ///< before the session
     session::Session m_session;
 };
 
-void TestLinkReturn::aPortThatComesBackIsUsedAgain()
+void TestLinkReconnect::aReturningPortIsReopened()
 {
     auto simulator = std::make_unique<raw::Simulator>(arguments());
     const auto connection = connected();
     QVERIFY(connection);
     QVERIFY(ping(*connection));
-    const bus::LinkPatience patience(connection->bus(), std::chrono::seconds(60));
+    const bus::ReconnectScope reconnect(connection->bus(), std::chrono::seconds(60));
     simulator->end(SIGKILL);
-    QTRY_VERIFY(connection->bus().away());
-    const auto deaf = ping(*connection);
-    QVERIFY(!deaf);
-    QCOMPARE(deaf.error().code, ErrorCode::NoAnswer);
+    QTRY_VERIFY(connection->bus().isReconnecting());
+    const auto pingResult = ping(*connection);
+    QVERIFY(!pingResult);
+    QCOMPARE(pingResult.error().code, ErrorCode::NoReply);
     QFile::remove(link()); // nobody tidied up
     simulator = std::make_unique<raw::Simulator>(arguments());
     QTRY_VERIFY_WITH_TIMEOUT(ping(*connection).has_value(), 20'000);
-    QVERIFY(!connection->bus().away());
+    QVERIFY(!connection->bus().isReconnecting());
     // And once more.
     simulator->end();
-    QTRY_VERIFY(connection->bus().away());
+    QTRY_VERIFY(connection->bus().isReconnecting());
     simulator = std::make_unique<raw::Simulator>(arguments());
     QTRY_VERIFY_WITH_TIMEOUT(ping(*connection).has_value(), 20'000);
 }
 
-void TestLinkReturn::withoutPatienceItIsLost()
+void TestLinkReconnect::withoutReconnectTimeoutItIsLost()
 {
     raw::Simulator simulator(arguments());
     const auto connection = connected();
@@ -81,8 +81,8 @@ void TestLinkReturn::withoutPatienceItIsLost()
     QVERIFY(ping(*connection));
     simulator.end();
     QTRY_VERIFY(connection->bus().lost());
-    QVERIFY(!connection->bus().away());
+    QVERIFY(!connection->bus().isReconnecting());
 }
 
-QTEST_GUILESS_MAIN(TestLinkReturn)
+QTEST_GUILESS_MAIN(TestLinkReconnect)
 #include "tst_link_return.moc"

@@ -12,9 +12,9 @@ using support::SimProgram;
 using support::words;
 
 namespace {
-constexpr int patienceMs = 60'000; ///< only a hung program ever needs it
+constexpr int timeoutMs = 60'000; ///< only a hung program ever needs it
 
-struct Polled {
+struct MbpollResult {
     int exit = -1;
     QString out;
     QString err;
@@ -29,19 +29,19 @@ QString settings(const QString& port, const char* arguments, int station)
 }
 
 /// `arguments` without those that name line, station and port; `values` are written.
-Polled mbpoll(const SimProgram& sim, const char* arguments, const QString& values = {},
-              int station = 1)
+MbpollResult mbpoll(const SimProgram& sim, const char* arguments, const QString& values = {},
+                    int station = 1)
 {
     QProcess process;
     process.start(
         QStringLiteral(MBPOLL),
         (settings(sim.port(), arguments, station) + u' ' + values).split(u' ', Qt::SkipEmptyParts));
-    if (!process.waitForFinished(patienceMs))
+    if (!process.waitForFinished(timeoutMs))
         return {};
-    Polled polled{process.exitCode(),
-                  QString::fromLocal8Bit(process.readAllStandardOutput()),
-                  QString::fromLocal8Bit(process.readAllStandardError()),
-                  {}};
+    MbpollResult polled{process.exitCode(),
+                        QString::fromLocal8Bit(process.readAllStandardOutput()),
+                        QString::fromLocal8Bit(process.readAllStandardError()),
+                        {}};
     static const QRegularExpression row(
         QStringLiteral("\\[(\\d+)\\]:\\s+(-?\\d+)(?: \\((-\\d+)\\))?"));
     for (auto rows = row.globalMatch(polled.out); rows.hasNext();) {
@@ -54,7 +54,7 @@ Polled mbpoll(const SimProgram& sim, const char* arguments, const QString& value
 
 int registerOf(const SimProgram& sim, int number)
 {
-    const Polled polled = mbpoll(sim, qPrintable(QStringLiteral("-t 4 -r %1").arg(number)));
+    const MbpollResult polled = mbpoll(sim, qPrintable(QStringLiteral("-t 4 -r %1").arg(number)));
     return polled.registers.count(number) != 0 ? polled.registers.at(number) : -1;
 }
 
@@ -73,10 +73,10 @@ private Q_SLOTS:
     void readsIdentityAndSettings()
     {
         const SimProgram sim(words("--servos smsmb@1"));
-        const Polled identity = mbpoll(sim, "-t 4 -r 0 -c 4");
+        const MbpollResult identity = mbpoll(sim, "-t 4 -r 0 -c 4");
         QVERIFY2(identity.exit == 0, qPrintable(identity.err));
         QCOMPARE(identity.registers.size(), std::size_t(4));
-        const Polled settings = mbpoll(sim, "-t 4 -r 10 -c 7");
+        const MbpollResult settings = mbpoll(sim, "-t 4 -r 10 -c 7");
         QCOMPARE(settings.registers,
                  (std::map<int, int>{
                      {10, 1}, {11, 2}, {12, 500}, {13, 0}, {14, 4095}, {15, 0}, {16, 0}}));
@@ -85,7 +85,7 @@ private Q_SLOTS:
     void readsFeedback()
     {
         const SimProgram sim(words("--servos smsmb@1"));
-        const Polled feedback = mbpoll(sim, "-t 4 -r 256 -c 8");
+        const MbpollResult feedback = mbpoll(sim, "-t 4 -r 256 -c 8");
         QCOMPARE(feedback.registers.size(), std::size_t(8));
         QVERIFY(qAbs(feedback.registers.at(257) - 2048) < 5);
         QVERIFY(qAbs(feedback.registers.at(258)) <= 1);
@@ -97,7 +97,7 @@ private Q_SLOTS:
     void reportsItsId()
     {
         const SimProgram sim(words("--servos smsmb@7"));
-        const Polled report = mbpoll(sim, "-u", {}, 7);
+        const MbpollResult report = mbpoll(sim, "-u", {}, 7);
         QVERIFY2(report.exit == 0, qPrintable(report.err));
         QVERIFY2(report.out.contains(QRegularExpression(QStringLiteral("Id\\s*:\\s*0x07"))),
                  qPrintable(report.out));
@@ -107,15 +107,15 @@ private Q_SLOTS:
     {
         const SimProgram sim(words("--servos smsmb@1"));
         QVERIFY2(write(sim, 128, QStringLiteral("3000 1 10 50")), "position, torque, ramp, speed");
-        QTRY_VERIFY_WITH_TIMEOUT(qAbs(registerOf(sim, 257) - 3000) < 8, patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(qAbs(registerOf(sim, 257) - 3000) < 8, timeoutMs);
         QVERIFY(write(sim, 128, QStringLiteral("2500")));
         QCOMPARE(registerOf(sim, 128), 2500);
-        QTRY_VERIFY_WITH_TIMEOUT(qAbs(registerOf(sim, 257) - 2500) < 8, patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(qAbs(registerOf(sim, 257) - 2500) < 8, timeoutMs);
         QVERIFY(write(sim, 129, QStringLiteral("0")));
         QCOMPARE(registerOf(sim, 129), 0);
     }
 
-    void theLockDecidesWhatIsKept_data()
+    void theLockDecidesPersistence_data()
     {
         QTest::addColumn<int>("lock");
         QTest::addColumn<int>("afterPowerOff");
@@ -123,7 +123,7 @@ private Q_SLOTS:
         QTest::newRow("closed: lost at power-off") << 1 << 4095;
     }
 
-    void theLockDecidesWhatIsKept()
+    void theLockDecidesPersistence()
     {
         QFETCH(const int, lock);
         QFETCH(const int, afterPowerOff);
@@ -174,7 +174,7 @@ private Q_SLOTS:
         QFETCH(const QString, values);
         QFETCH(const QString, reason);
         const SimProgram sim(words("--servos smsmb@1"));
-        const Polled refused = mbpoll(sim, qPrintable(arguments), values);
+        const MbpollResult refused = mbpoll(sim, qPrintable(arguments), values);
         QVERIFY(refused.exit != 0 || values.isEmpty());
         QVERIFY2(refused.err.contains(reason), qPrintable(refused.out + refused.err));
         QVERIFY2(registerOf(sim, 10) == 1, "and it goes on answering");
@@ -193,7 +193,7 @@ private Q_SLOTS:
     void anotherStationIsSilent()
     {
         const SimProgram sim(words("--servos smsmb@1"));
-        const Polled silent = mbpoll(sim, "-t 4 -r 10 -o 0.1", {}, 2);
+        const MbpollResult silent = mbpoll(sim, "-t 4 -r 10 -o 0.1", {}, 2);
         QVERIFY2(silent.err.contains(QStringLiteral("timed out")), qPrintable(silent.err));
         QCOMPARE(registerOf(sim, 10), 1);
     }

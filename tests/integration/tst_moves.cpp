@@ -11,11 +11,11 @@
 #include <deque>
 
 using base::ErrorCode;
-using device::MoveHow;
-using device::MoveOrder;
+using device::MoveCommand;
+using device::MoveMethod;
 using device::MovePlan;
 using device::Torque;
-using support::SimBench;
+using support::SimFixture;
 using namespace std::chrono_literals;
 
 namespace {
@@ -24,43 +24,43 @@ QString text(const char* latin)
     return QString::fromLatin1(latin);
 }
 
-double shaft(SimBench& bench, int id)
+double shaft(SimFixture& fixture, int id)
 {
-    return bench.withWire([id](sim::VirtualBus& wire) { return wire.servo(id)->shaftDegrees(); });
+    return fixture.withBus([id](sim::VirtualBus& wire) { return wire.servo(id)->shaftDegrees(); });
 }
 
-bool noted(SimBench& bench, device::NoticeCode code)
+bool hasNotice(SimFixture& fixture, device::NoticeCode code)
 {
-    for (const device::Notice& notice : bench.notices()) {
+    for (const device::Notice& notice : fixture.notices()) {
         if (notice.code == code)
             return true;
     }
     return false;
 }
 
-base::Result<void> move(SimBench& bench, device::Servo& servo, MoveOrder order,
-                        MoveHow how = MoveHow::Write)
+base::Result<void> move(SimFixture& fixture, device::Servo& servo, MoveCommand order,
+                        MoveMethod how = MoveMethod::Write)
 {
     order.servo = &servo;
-    auto plan = device::planMove(bench.context(), order);
+    auto plan = device::planMove(fixture.context(), order);
     if (!plan)
         return tl::unexpected(plan.error());
     std::vector<MovePlan> plans{*plan};
-    return device::sendMoves(bench.context(), plans, how);
+    return device::sendMoves(fixture.context(), plans, how);
 }
 
-MoveOrder to(const char* goal)
+MoveCommand to(const char* goal)
 {
-    MoveOrder order;
+    MoveCommand order;
     order.goal = text(goal);
     return order;
 }
 
 /// Addresses the host has written to `id`, byte by byte.
-std::set<int> writtenAddresses(SimBench& bench, int id)
+std::set<int> writtenAddresses(SimFixture& fixture, int id)
 {
     std::set<int> addresses;
-    for (const base::Bytes& frame : bench.tap().written) {
+    for (const base::Bytes& frame : fixture.tap().written) {
         if (frame[2] != id || frame[4] != support::Write)
             continue;
         for (std::size_t i = 0; i + 7 < frame.size(); ++i)
@@ -79,35 +79,35 @@ private Q_SLOTS:
     void torqueOnHolds_data();
     void torqueOnHolds();
     void torqueOnWithUnknownTurnsIsRefused();
-    void torqueOnHoldsTurnsThatAreTold();
+    void torqueOnHoldsKnownTurns();
     void torqueOnWithResolutionFactor();
     void dampingOnlyWhereItExists();
-    void onlyGivenFieldsAreWritten_data();
-    void onlyGivenFieldsAreWritten();
-    void moveArrives_data();
-    void moveArrives();
-    void motionWithoutTheFlagIsSeen();
-    void stoppingTheWaitIsNotStoppingTheServo();
-    void losingTheLinkIsNotStoppingTheServos();
+    void onlySetFieldsAreWritten_data();
+    void onlySetFieldsAreWritten();
+    void moveReachesItsGoal_data();
+    void moveReachesItsGoal();
+    void motionIsDetectedWithoutTheFlag();
+    void cancelingTheWaitDoesNotStopTheServo();
+    void losingTheLinkDoesNotStopTheServos();
     void refusedMoves_data();
     void refusedMoves();
     void timeActsOnScs();
-    void stepIsMadeOnce_data();
-    void stepIsMadeOnce();
-    void lostStepRequestIsSentAgain();
+    void stepIsExecutedOnce_data();
+    void stepIsExecutedOnce();
+    void lostStepRequestIsResent();
     void servosMoveTogether_data();
     void servosMoveTogether();
-    void otherLxServosKeepWhatTheyHold();
+    void otherLxServosKeepTheirStoredMove();
     void modeSwitchIsQuiet_data();
     void modeSwitchIsQuiet();
-    void aTemporaryModeIsWrittenToBeKept();
-    void limitsComeBack_data();
-    void limitsComeBack();
-    void editingTheModeRegisterIsTheSameManoeuvre();
-    void speedForTheWayBack();
+    void aTemporaryModeCanBeSaved();
+    void limitsAreRestored_data();
+    void limitsAreRestored();
+    void editingTheModeRegisterIsTheSameProcedure();
+    void speedIsRestored();
     void pwmNeedsAUnit();
-    void alarmsNameTheirRelease_data();
-    void alarmsNameTheirRelease();
+    void alarmsShowTheirRemedy_data();
+    void alarmsShowTheirRemedy();
 };
 
 void TestMoves::torqueOnHolds_data()
@@ -124,79 +124,79 @@ void TestMoves::torqueOnHolds()
 {
     QFETCH(QString, servo);
     QFETCH(QString, mode);
-    SimBench bench(servo);
+    SimFixture fixture(servo);
     // Commands of another life, all of which would move it.
-    bench.poke(1, text("goal_speed"), 900);
-    device::Servo one = bench.servo(1);
-    const auto switched = device::switchMode(bench.context(), one, mode);
-    QVERIFY(switched && switched->allGood());
-    const double before = shaft(bench, 1);
-    const auto on = device::setTorque(bench.context(), one, Torque::On);
+    fixture.poke(1, text("goal_speed"), 900);
+    device::Servo one = fixture.servo(1);
+    const auto switched = device::switchMode(fixture.context(), one, mode);
+    QVERIFY(switched && switched->isSuccessful());
+    const double before = shaft(fixture, 1);
+    const auto on = device::setTorque(fixture.context(), one, Torque::On);
     QVERIFY2(on, on ? "" : qPrintable(base::errorName(on.error().code)));
-    QCOMPARE(bench.raw(1, text("torque_switch")), 1);
-    bench.letTimePass(1s);
-    QVERIFY2(std::abs(shaft(bench, 1) - before) < 1.0,
-             qPrintable(QString::number(shaft(bench, 1))));
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 1);
+    fixture.runFor(1s);
+    QVERIFY2(std::abs(shaft(fixture, 1) - before) < 1.0,
+             qPrintable(QString::number(shaft(fixture, 1))));
 }
 
 void TestMoves::torqueOnWithUnknownTurnsIsRefused()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("phase"), bench.raw(1, text("phase")) & ~16);
-    device::Servo servo = bench.servo(1);
-    QVERIFY(device::switchMode(bench.context(), servo, text("multiturn")));
-    bench.forgetFrames();
-    const auto on = device::setTorque(bench.context(), servo, Torque::On);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("phase"), fixture.raw(1, text("phase")) & ~16);
+    device::Servo servo = fixture.servo(1);
+    QVERIFY(device::switchMode(fixture.context(), servo, text("multiturn")));
+    fixture.clearFrames();
+    const auto on = device::setTorque(fixture.context(), servo, Torque::On);
     QVERIFY(!on);
     QCOMPARE(on.error().code, ErrorCode::TurnsUnknown);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestMoves::torqueOnHoldsTurnsThatAreTold()
+void TestMoves::torqueOnHoldsKnownTurns()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("phase"), bench.raw(1, text("phase")) | 16);
-    device::Servo servo = bench.servo(1);
-    QVERIFY(device::switchMode(bench.context(), servo, text("multiturn")));
-    QVERIFY(move(bench, servo, to("9000")));
-    bench.letTimePass(6s);
-    QVERIFY(device::setTorque(bench.context(), servo, Torque::Off));
-    const double before = shaft(bench, 1);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("phase"), fixture.raw(1, text("phase")) | 16);
+    device::Servo servo = fixture.servo(1);
+    QVERIFY(device::switchMode(fixture.context(), servo, text("multiturn")));
+    QVERIFY(move(fixture, servo, to("9000")));
+    fixture.runFor(6s);
+    QVERIFY(device::setTorque(fixture.context(), servo, Torque::Off));
+    const double before = shaft(fixture, 1);
     QVERIFY(before > 700);
-    QVERIFY(device::setTorque(bench.context(), servo, Torque::On));
-    bench.letTimePass(1s);
-    QVERIFY(std::abs(shaft(bench, 1) - before) < 1.0);
+    QVERIFY(device::setTorque(fixture.context(), servo, Torque::On));
+    fixture.runFor(1s);
+    QVERIFY(std::abs(shaft(fixture, 1) - before) < 1.0);
 }
 
 void TestMoves::torqueOnWithResolutionFactor()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("angle_resolution"), 3);
-    device::Servo servo = bench.servo(1);
-    const double before = shaft(bench, 1);
-    QVERIFY(device::setTorque(bench.context(), servo, Torque::On));
-    bench.letTimePass(1s);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("angle_resolution"), 3);
+    device::Servo servo = fixture.servo(1);
+    const double before = shaft(fixture, 1);
+    QVERIFY(device::setTorque(fixture.context(), servo, Torque::On));
+    fixture.runFor(1s);
     // A goal in steps of three can only hold to half of that.
-    QVERIFY(std::abs(shaft(bench, 1) - before) < 1.0);
-    QVERIFY(std::abs(bench.raw(1, text("goal_position")) * 3 -
-                     bench.raw(1, text("present_position"))) <= 6);
+    QVERIFY(std::abs(shaft(fixture, 1) - before) < 1.0);
+    QVERIFY(std::abs(fixture.raw(1, text("goal_position")) * 3 -
+                     fixture.raw(1, text("present_position"))) <= 6);
 }
 
 void TestMoves::dampingOnlyWhereItExists()
 {
-    SimBench bench(text("sts3215@1,scs15@2,sm40blhv@3:1000000"));
+    SimFixture fixture(text("sts3215@1,scs15@2,sm40blhv@3:1000000"));
     for (const int id : {1, 2}) {
-        device::Servo servo = bench.servo(id);
-        QVERIFY(device::setTorque(bench.context(), servo, Torque::Damp));
-        QCOMPARE(bench.raw(id, text("torque_switch")), 2);
+        device::Servo servo = fixture.servo(id);
+        QVERIFY(device::setTorque(fixture.context(), servo, Torque::Damp));
+        QCOMPARE(fixture.raw(id, text("torque_switch")), 2);
     }
-    device::Servo sms = bench.servo(3);
-    const auto damped = device::setTorque(bench.context(), sms, Torque::Damp);
+    device::Servo sms = fixture.servo(3);
+    const auto damped = device::setTorque(fixture.context(), sms, Torque::Damp);
     QVERIFY(!damped);
     QCOMPARE(damped.error().code, ErrorCode::NotSupported);
 }
 
-void TestMoves::onlyGivenFieldsAreWritten_data()
+void TestMoves::onlySetFieldsAreWritten_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<bool>("speed");
@@ -212,26 +212,26 @@ void TestMoves::onlyGivenFieldsAreWritten_data()
         << text("scs15@1") << true << false << QList<int>{42, 43, 46, 47};
 }
 
-void TestMoves::onlyGivenFieldsAreWritten()
+void TestMoves::onlySetFieldsAreWritten()
 {
     QFETCH(QString, servo);
     QFETCH(bool, speed);
     QFETCH(bool, acceleration);
     QFETCH(QList<int>, addresses);
-    SimBench bench(servo);
-    bench.poke(1, text("torque_switch"), 1);
-    device::Servo one = bench.servo(1);
-    bench.forgetFrames();
-    MoveOrder order = to("600");
+    SimFixture fixture(servo);
+    fixture.poke(1, text("torque_switch"), 1);
+    device::Servo one = fixture.servo(1);
+    fixture.clearFrames();
+    MoveCommand order = to("600");
     if (speed)
         order.speed = text("300");
     if (acceleration)
         order.acceleration = text("20");
-    QVERIFY(move(bench, one, order));
-    QCOMPARE(writtenAddresses(bench, 1), std::set<int>(addresses.begin(), addresses.end()));
+    QVERIFY(move(fixture, one, order));
+    QCOMPARE(writtenAddresses(fixture, 1), std::set<int>(addresses.begin(), addresses.end()));
 }
 
-void TestMoves::moveArrives_data()
+void TestMoves::moveReachesItsGoal_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<QString>("goal");
@@ -242,83 +242,84 @@ void TestMoves::moveArrives_data()
     QTest::newRow("SCS raw") << text("scs15@1") << text("512") << 110.0;
 }
 
-void TestMoves::moveArrives()
+void TestMoves::moveReachesItsGoal()
 {
     QFETCH(QString, servo);
     QFETCH(QString, goal);
     QFETCH(double, degrees);
-    SimBench bench(servo);
-    device::Servo one = bench.servo(1);
-    MoveOrder order;
+    SimFixture fixture(servo);
+    device::Servo one = fixture.servo(1);
+    MoveCommand order;
     order.servo = &one;
     order.goal = goal;
-    auto plan = device::planMove(bench.context(), order);
+    auto plan = device::planMove(fixture.context(), order);
     QVERIFY(plan);
-    QVERIFY(plan->energises);
+    QVERIFY(plan->energizes);
     std::vector<MovePlan> plans{*plan};
-    QVERIFY(device::sendMoves(bench.context(), plans, MoveHow::Write));
-    QVERIFY(noted(bench, device::NoticeCode::TorqueSwitchedOn));
+    QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
+    QVERIFY(hasNotice(fixture, device::NoticeCode::TorqueSwitchedOn));
     int samples = 0;
-    const auto arrived = device::waitForArrival(bench.context(), plans, 10s,
+    const auto arrived = device::waitForArrival(fixture.context(), plans, 10s,
                                                 [&](const device::MoveProgress&) { ++samples; });
     QVERIFY2(arrived, arrived ? "" : qPrintable(arrived.error().detail));
     QVERIFY(samples > 5);
-    QVERIFY2(std::abs(shaft(bench, 1) - degrees) < 2.0,
-             qPrintable(QString::number(shaft(bench, 1))));
+    QVERIFY2(std::abs(shaft(fixture, 1) - degrees) < 2.0,
+             qPrintable(QString::number(shaft(fixture, 1))));
 }
 
 /// The goal register holds 0 after power-on; writing 0 again moves, but raises no moving flag.
-void TestMoves::motionWithoutTheFlagIsSeen()
+void TestMoves::motionIsDetectedWithoutTheFlag()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    MoveOrder order = to("0");
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    MoveCommand order = to("0");
     order.servo = &servo;
     order.speed = text("10rpm");
-    std::vector<MovePlan> plans{*device::planMove(bench.context(), order)};
-    QVERIFY(device::sendMoves(bench.context(), plans, MoveHow::Write));
-    const auto arrived = device::waitForArrival(bench.context(), plans, 30s, {});
+    std::vector<MovePlan> plans{*device::planMove(fixture.context(), order)};
+    QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
+    const auto arrived = device::waitForArrival(fixture.context(), plans, 30s, {});
     QVERIFY2(arrived, arrived ? "" : qPrintable(arrived.error().detail));
 }
 
-void TestMoves::stoppingTheWaitIsNotStoppingTheServo()
+void TestMoves::cancelingTheWaitDoesNotStopTheServo()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    MoveOrder order = to("3072");
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    MoveCommand order = to("3072");
     order.servo = &servo;
     order.speed = text("100");
-    std::vector<MovePlan> plans{*device::planMove(bench.context(), order)};
-    QVERIFY(device::sendMoves(bench.context(), plans, MoveHow::Write));
-    bench.letTimePass(500ms);
-    const auto waited = device::waitForArrival(
-        bench.context(), plans, 10s, [&](const device::MoveProgress&) { bench.stop().request(); });
+    std::vector<MovePlan> plans{*device::planMove(fixture.context(), order)};
+    QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
+    fixture.runFor(500ms);
+    const auto waited =
+        device::waitForArrival(fixture.context(), plans, 10s,
+                               [&](const device::MoveProgress&) { fixture.stop().request(); });
     QVERIFY(!waited);
     QCOMPARE(waited.error().code, ErrorCode::Stopped);
-    QVERIFY(noted(bench, device::NoticeCode::StillMoving));
+    QVERIFY(hasNotice(fixture, device::NoticeCode::StillMoving));
 }
 
-void TestMoves::losingTheLinkIsNotStoppingTheServos()
+void TestMoves::losingTheLinkDoesNotStopTheServos()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
     std::deque<device::Servo> servos;
     std::vector<MovePlan> plans;
     for (const int id : {1, 2}) {
-        servos.push_back(bench.servo(id));
-        MoveOrder order = to("3072");
+        servos.push_back(fixture.servo(id));
+        MoveCommand order = to("3072");
         order.servo = &servos.back();
         order.speed = text("100");
-        plans.push_back(*device::planMove(bench.context(), order));
+        plans.push_back(*device::planMove(fixture.context(), order));
     }
-    QVERIFY(device::sendMoves(bench.context(), plans, MoveHow::Write));
-    bench.letTimePass(500ms);
+    QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
+    fixture.runFor(500ms);
     const auto waited =
-        device::waitForArrival(bench.context(), plans, 10s, [&](const device::MoveProgress&) {
-            bench.wireConfig().faults.muteIds = {1, 2};
+        device::waitForArrival(fixture.context(), plans, 10s, [&](const device::MoveProgress&) {
+            fixture.wireConfig().faults.muteIds = {1, 2};
         });
     QVERIFY(!waited);
     for (const int id : {1, 2}) {
-        const auto& notices = bench.notices();
+        const auto& notices = fixture.notices();
         QVERIFY(std::any_of(notices.begin(), notices.end(), [id](const device::Notice& notice) {
             return notice.code == device::NoticeCode::StillMoving && notice.id == id &&
                    notice.a == 1;
@@ -357,9 +358,9 @@ void TestMoves::refusedMoves()
     QFETCH(QString, acceleration);
     QFETCH(QString, time);
     QFETCH(base::ErrorCode, code);
-    SimBench bench(servo);
-    device::Servo one = bench.servo(1);
-    MoveOrder order;
+    SimFixture fixture(servo);
+    device::Servo one = fixture.servo(1);
+    MoveCommand order;
     order.goal = goal;
     if (!speed.isEmpty())
         order.speed = speed;
@@ -367,147 +368,147 @@ void TestMoves::refusedMoves()
         order.acceleration = acceleration;
     if (!time.isEmpty())
         order.time = time;
-    const auto moved = move(bench, one, order);
+    const auto moved = move(fixture, one, order);
     QVERIFY(!moved);
     QCOMPARE(moved.error().code, code);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 void TestMoves::timeActsOnScs()
 {
-    SimBench bench(text("scs15@1"));
-    QVERIFY(bench.raw(1, text("goal_speed")) != 0);
-    device::Servo servo = bench.servo(1);
-    MoveOrder order = to("512");
+    SimFixture fixture(text("scs15@1"));
+    QVERIFY(fixture.raw(1, text("goal_speed")) != 0);
+    device::Servo servo = fixture.servo(1);
+    MoveCommand order = to("512");
     order.time = text("2000");
-    QVERIFY(move(bench, servo, order));
-    QVERIFY(noted(bench, device::NoticeCode::SpeedZeroForTime));
-    bench.letTimePass(1s);
-    const double halfway = shaft(bench, 1);
-    bench.letTimePass(2s);
-    const double end = shaft(bench, 1);
+    QVERIFY(move(fixture, servo, order));
+    QVERIFY(hasNotice(fixture, device::NoticeCode::SpeedZeroedForTime));
+    fixture.runFor(1s);
+    const double halfway = shaft(fixture, 1);
+    fixture.runFor(2s);
+    const double end = shaft(fixture, 1);
     QVERIFY(std::abs(end - 110.0) < 2.0);
     QVERIFY(std::abs(halfway - end) > 10.0);
 }
 
-void TestMoves::stepIsMadeOnce_data()
+void TestMoves::stepIsExecutedOnce_data()
 {
     QTest::addColumn<bool>("acksLost");
     QTest::addColumn<int>("level");
-    QTest::addColumn<device::MoveHow>("how");
-    for (const auto how : {MoveHow::Write, MoveHow::Sync, MoveHow::Async}) {
+    QTest::addColumn<device::MoveMethod>("how");
+    for (const auto how : {MoveMethod::Write, MoveMethod::Sync, MoveMethod::Async}) {
         QTest::addRow("clean line, %d", int(how)) << false << 1 << how;
         QTest::addRow("every acknowledgement lost, %d", int(how)) << true << 1 << how;
         QTest::addRow("response level 0, %d", int(how)) << false << 0 << how;
     }
 }
 
-void TestMoves::stepIsMadeOnce()
+void TestMoves::stepIsExecutedOnce()
 {
     QFETCH(bool, acksLost);
     QFETCH(int, level);
-    QFETCH(device::MoveHow, how);
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("response_level"), level);
-    device::Servo servo = bench.servo(1);
-    QVERIFY(device::switchMode(bench.context(), servo, text("step")));
+    QFETCH(device::MoveMethod, how);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("response_level"), level);
+    device::Servo servo = fixture.servo(1);
+    QVERIFY(device::switchMode(fixture.context(), servo, text("step")));
     if (acksLost)
-        support::loseAcknowledgements(bench);
-    const double start = shaft(bench, 1);
+        support::dropAcknowledgments(fixture);
+    const double start = shaft(fixture, 1);
     // The same quarter turn three times over: equal goals are the hard case.
     for (int i = 1; i <= 3; ++i) {
-        const auto moved = move(bench, servo, to("1024"), how);
+        const auto moved = move(fixture, servo, to("1024"), how);
         QVERIFY2(moved, moved ? "" : qPrintable(base::errorName(moved.error().code)));
-        bench.letTimePass(3s);
-        QVERIFY2(std::abs(shaft(bench, 1) - start - 90.0 * i) < 4.0,
-                 qPrintable(QString::number(shaft(bench, 1) - start)));
+        fixture.runFor(3s);
+        QVERIFY2(std::abs(shaft(fixture, 1) - start - 90.0 * i) < 4.0,
+                 qPrintable(QString::number(shaft(fixture, 1) - start)));
     }
 }
 
-void TestMoves::lostStepRequestIsSentAgain()
+void TestMoves::lostStepRequestIsResent()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    QVERIFY(device::switchMode(bench.context(), servo, text("step")));
-    const double start = shaft(bench, 1);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    QVERIFY(device::switchMode(fixture.context(), servo, text("step")));
+    const double start = shaft(fixture, 1);
     int goals = 0;
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         const bool goal = frame[4] == support::Write && frame[5] == 42;
         goals += goal ? 1 : 0;
-        bench.wireConfig().faults.dropRequest = goal && goals == 1 ? 1.0 : 0.0;
+        fixture.wireConfig().faults.dropRequest = goal && goals == 1 ? 1.0 : 0.0;
     };
-    QVERIFY(move(bench, servo, to("1024")));
+    QVERIFY(move(fixture, servo, to("1024")));
     QCOMPARE(goals, 2);
-    QVERIFY(noted(bench, device::NoticeCode::AnswerLostSentAgain));
-    bench.letTimePass(3s);
-    QVERIFY(std::abs(shaft(bench, 1) - start - 90.0) < 4.0);
+    QVERIFY(hasNotice(fixture, device::NoticeCode::ReplyLostResent));
+    fixture.runFor(3s);
+    QVERIFY(std::abs(shaft(fixture, 1) - start - 90.0) < 4.0);
 }
 
 void TestMoves::servosMoveTogether_data()
 {
-    QTest::addColumn<device::MoveHow>("how");
-    QTest::newRow("write") << MoveHow::Write;
-    QTest::newRow("sync") << MoveHow::Sync;
-    QTest::newRow("async") << MoveHow::Async;
+    QTest::addColumn<device::MoveMethod>("how");
+    QTest::newRow("write") << MoveMethod::Write;
+    QTest::newRow("sync") << MoveMethod::Sync;
+    QTest::newRow("async") << MoveMethod::Async;
 }
 
 void TestMoves::servosMoveTogether()
 {
-    QFETCH(device::MoveHow, how);
-    SimBench bench(text("sts3215@1,sts3250@2,scs15@3"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2), bench.servo(3)};
+    QFETCH(device::MoveMethod, how);
+    SimFixture fixture(text("sts3215@1,sts3250@2,scs15@3"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2), fixture.servo(3)};
     std::vector<MovePlan> plans;
     for (device::Servo& servo : servos) {
-        MoveOrder order = to("700");
+        MoveCommand order = to("700");
         order.servo = &servo;
         order.speed = text("400");
-        auto plan = device::planMove(bench.context(), order);
+        auto plan = device::planMove(fixture.context(), order);
         QVERIFY(plan);
         plans.push_back(*plan);
     }
-    bench.forgetFrames();
-    QVERIFY(device::sendMoves(bench.context(), plans, how));
+    fixture.clearFrames();
+    QVERIFY(device::sendMoves(fixture.context(), plans, how));
     // Families of different byte order never share a packet: two kinds, two blocks each.
-    QCOMPARE(bench.frames(support::SyncWrite), how == MoveHow::Sync ? 4 : 0);
-    QCOMPARE(bench.frames(support::Action), how == MoveHow::Async ? 1 : 0);
-    QVERIFY(device::waitForArrival(bench.context(), plans, 20s, {}));
-    QVERIFY(std::abs(shaft(bench, 1) - 700 * 360.0 / 4096) < 2.0);
-    QVERIFY(std::abs(shaft(bench, 2) - 700 * 360.0 / 4096) < 2.0);
-    QVERIFY(std::abs(shaft(bench, 3) - 700 * 220.0 / 1024) < 2.0);
+    QCOMPARE(fixture.frames(support::SyncWrite), how == MoveMethod::Sync ? 4 : 0);
+    QCOMPARE(fixture.frames(support::Action), how == MoveMethod::Async ? 1 : 0);
+    QVERIFY(device::waitForArrival(fixture.context(), plans, 20s, {}));
+    QVERIFY(std::abs(shaft(fixture, 1) - 700 * 360.0 / 4096) < 2.0);
+    QVERIFY(std::abs(shaft(fixture, 2) - 700 * 360.0 / 4096) < 2.0);
+    QVERIFY(std::abs(shaft(fixture, 3) - 700 * 220.0 / 1024) < 2.0);
 }
 
 /// A third servo holds a goal of another program: the start of two others does not move it.
-void TestMoves::otherLxServosKeepWhatTheyHold()
+void TestMoves::otherLxServosKeepTheirStoredMove()
 {
-    support::BenchOptions options;
+    support::SimFixtureOptions options;
     options.baud = 115'200;
-    SimBench bench(text("lx16a@1,lx16a@2,lx16a@3"), options);
+    SimFixture fixture(text("lx16a@1,lx16a@2,lx16a@3"), options);
     std::vector<device::Servo> servos;
     for (const int id : {1, 2, 3})
-        servos.push_back(bench.servo(id, base::Protocol::Lx));
+        servos.push_back(fixture.servo(id, base::Protocol::Lx));
     std::vector<double> start;
     std::vector<MovePlan> plans;
     for (device::Servo& servo : servos) {
-        QVERIFY(device::setTorque(bench.context(), servo, device::Torque::On));
-        start.push_back(shaft(bench, servo.id));
-        MoveOrder order = to("300");
+        QVERIFY(device::setTorque(fixture.context(), servo, device::Torque::On));
+        start.push_back(shaft(fixture, servo.id));
+        MoveCommand order = to("300");
         order.servo = &servo;
-        auto plan = device::planMove(bench.context(), order);
+        auto plan = device::planMove(fixture.context(), order);
         QVERIFY(plan);
         plans.push_back(*plan);
     }
     const auto moved = [&](std::size_t place) {
-        return std::abs(shaft(bench, servos[place].id) - start[place]);
+        return std::abs(shaft(fixture, servos[place].id) - start[place]);
     };
     std::vector<MovePlan> held{plans.back()};
     plans.pop_back();
-    QVERIFY(device::holdMoves(bench.context(), held));
-    QVERIFY(device::sendMoves(bench.context(), plans, MoveHow::Async));
-    bench.letTimePass(4s);
+    QVERIFY(device::sendAsyncMoves(fixture.context(), held));
+    QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Async));
+    fixture.runFor(4s);
     QVERIFY(moved(0) > 20 && moved(1) > 20);
     QVERIFY2(moved(2) < 1, qPrintable(QString::number(moved(2))));
-    QVERIFY(device::startHeld(bench.context(), held));
-    bench.letTimePass(4s);
+    QVERIFY(device::startAsyncMoves(fixture.context(), held));
+    fixture.runFor(4s);
     QVERIFY2(moved(2) > 20, qPrintable(QString::number(moved(2))));
 }
 
@@ -526,41 +527,42 @@ void TestMoves::modeSwitchIsQuiet()
     QFETCH(QString, servo);
     QFETCH(QString, mode);
     QFETCH(QString, command);
-    SimBench bench(servo);
-    bench.poke(1, text("goal_position"), bench.raw(1, text("present_position")));
-    bench.poke(1, text("torque_switch"), 1); // it holds while it is looked at
-    bench.poke(1, command, 1000); // full speed, full PWM, or an innocent second of travel time
-    device::Servo one = bench.servo(1);
-    const double before = shaft(bench, 1);
-    const auto switched = device::switchMode(bench.context(), one, mode);
-    QVERIFY(switched && switched->allGood());
-    QCOMPARE(bench.raw(1, command), 0);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QVERIFY(noted(bench, device::NoticeCode::TorqueStaysOff));
+    SimFixture fixture(servo);
+    fixture.poke(1, text("goal_position"), fixture.raw(1, text("present_position")));
+    fixture.poke(1, text("torque_switch"), 1); // it holds while it is looked at
+    fixture.poke(1, command, 1000); // full speed, full PWM, or an innocent second of travel time
+    device::Servo one = fixture.servo(1);
+    const double before = shaft(fixture, 1);
+    const auto switched = device::switchMode(fixture.context(), one, mode);
+    QVERIFY(switched && switched->isSuccessful());
+    QCOMPARE(fixture.raw(1, command), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QVERIFY(hasNotice(fixture, device::NoticeCode::TorqueStaysOff));
     // Somebody else's plain torque-on must be harmless too.
-    bench.poke(1, text("torque_switch"), 1);
-    bench.letTimePass(1s);
-    QVERIFY(std::abs(shaft(bench, 1) - before) < 1.0);
+    fixture.poke(1, text("torque_switch"), 1);
+    fixture.runFor(1s);
+    QVERIFY(std::abs(shaft(fixture, 1) - before) < 1.0);
 }
 
-void TestMoves::aTemporaryModeIsWrittenToBeKept()
+void TestMoves::aTemporaryModeCanBeSaved()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
     device::WriteOptions options;
     options.temporary = true;
     options.dangerous = true;
-    QVERIFY(device::write(bench.context(), one, {{text("operating_mode"), 1}}, options)->allGood());
-    const auto switched = device::switchMode(bench.context(), one, text("speed"));
-    QVERIFY(switched && switched->allGood());
+    QVERIFY(device::write(fixture.context(), one, {{text("operating_mode"), 1}}, options)
+                ->isSuccessful());
+    const auto switched = device::switchMode(fixture.context(), one, text("speed"));
+    QVERIFY(switched && switched->isSuccessful());
     QCOMPARE(switched->writes.size(), std::size_t(1));
     QCOMPARE(switched->writes[0].outcome, device::WriteOutcome::Kept);
-    QVERIFY(device::switchMode(bench.context(), one, text("speed"))->writes.empty());
-    bench.powerCycle();
-    QCOMPARE(bench.raw(1, text("operating_mode")), 1);
+    QVERIFY(device::switchMode(fixture.context(), one, text("speed"))->writes.empty());
+    fixture.powerCycle();
+    QCOMPARE(fixture.raw(1, text("operating_mode")), 1);
 }
 
-void TestMoves::limitsComeBack_data()
+void TestMoves::limitsAreRestored_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<QString>("mode");
@@ -569,93 +571,93 @@ void TestMoves::limitsComeBack_data()
     QTest::newRow("SCS motor") << text("scs15@1") << text("motor");
 }
 
-void TestMoves::limitsComeBack()
+void TestMoves::limitsAreRestored()
 {
     QFETCH(QString, servo);
     QFETCH(QString, mode);
-    SimBench bench(servo);
-    device::Servo one = bench.servo(1);
-    QVERIFY(device::write(bench.context(), one,
+    SimFixture fixture(servo);
+    device::Servo one = fixture.servo(1);
+    QVERIFY(device::write(fixture.context(), one,
                           {{text("min_angle_limit"), 200}, {text("max_angle_limit"), 900}}, {}));
-    QVERIFY(device::switchMode(bench.context(), one, mode));
-    QCOMPARE(bench.raw(1, text("min_angle_limit")), 0);
-    QCOMPARE(bench.raw(1, text("max_angle_limit")), 0);
+    QVERIFY(device::switchMode(fixture.context(), one, mode));
+    QCOMPARE(fixture.raw(1, text("min_angle_limit")), 0);
+    QCOMPARE(fixture.raw(1, text("max_angle_limit")), 0);
     // A new program on the same journal, the servo freshly powered.
-    bench.powerCycle();
-    bench.reconnect(1'000'000);
-    device::Servo again = bench.servo(1);
+    fixture.powerCycle();
+    fixture.reconnect(1'000'000);
+    device::Servo again = fixture.servo(1);
     QCOMPARE(again.mode()->key, mode);
-    QVERIFY(device::switchMode(bench.context(), again, text("position")));
-    QCOMPARE(bench.raw(1, text("min_angle_limit")), 200);
-    QCOMPARE(bench.raw(1, text("max_angle_limit")), 900);
-    QVERIFY(noted(bench, device::NoticeCode::LimitsRestored));
+    QVERIFY(device::switchMode(fixture.context(), again, text("position")));
+    QCOMPARE(fixture.raw(1, text("min_angle_limit")), 200);
+    QCOMPARE(fixture.raw(1, text("max_angle_limit")), 900);
+    QVERIFY(hasNotice(fixture, device::NoticeCode::LimitsRestored));
 }
 
-void TestMoves::editingTheModeRegisterIsTheSameManoeuvre()
+void TestMoves::editingTheModeRegisterIsTheSameProcedure()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("goal_pwm"), 1000);
-    bench.poke(1, text("torque_switch"), 1);
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("goal_pwm"), 1000);
+    fixture.poke(1, text("torque_switch"), 1);
+    device::Servo servo = fixture.servo(1);
     device::WriteOptions options;
     options.dangerous = true;
     const auto report =
-        device::write(bench.context(), servo, {{text("operating_mode"), 2}}, options);
-    QVERIFY(report && report->allGood());
-    QCOMPARE(bench.raw(1, text("goal_pwm")), 0);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+        device::write(fixture.context(), servo, {{text("operating_mode"), 2}}, options);
+    QVERIFY(report && report->isSuccessful());
+    QCOMPARE(fixture.raw(1, text("goal_pwm")), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
 }
 
-void TestMoves::speedForTheWayBack()
+void TestMoves::speedIsRestored()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("goal_speed"), 1234);
-    device::Servo servo = bench.servo(1);
-    QVERIFY(device::switchMode(bench.context(), servo, text("speed")));
-    QCOMPARE(bench.raw(1, text("goal_speed")), 0);
-    QVERIFY(device::switchMode(bench.context(), servo, text("position")));
-    QCOMPARE(bench.raw(1, text("goal_speed")), 1234);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("goal_speed"), 1234);
+    device::Servo servo = fixture.servo(1);
+    QVERIFY(device::switchMode(fixture.context(), servo, text("speed")));
+    QCOMPARE(fixture.raw(1, text("goal_speed")), 0);
+    QVERIFY(device::switchMode(fixture.context(), servo, text("position")));
+    QCOMPARE(fixture.raw(1, text("goal_speed")), 1234);
 }
 
 void TestMoves::pwmNeedsAUnit()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    QVERIFY(device::switchMode(bench.context(), servo, text("pwm")));
-    bench.forgetFrames();
-    const auto bare = move(bench, servo, to("500"));
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    QVERIFY(device::switchMode(fixture.context(), servo, text("pwm")));
+    fixture.clearFrames();
+    const auto bare = move(fixture, servo, to("500"));
     QVERIFY(!bare);
     QCOMPARE(bare.error().code, ErrorCode::BadArgument);
-    QVERIFY(bench.onlyAsked());
-    QVERIFY(move(bench, servo, to("20%")));
-    QCOMPARE(bench.raw(1, text("goal_pwm")), 200);
-    bench.letTimePass(1s);
+    QVERIFY(fixture.onlyReadsSent());
+    QVERIFY(move(fixture, servo, to("20%")));
+    QCOMPARE(fixture.raw(1, text("goal_pwm")), 200);
+    fixture.runFor(1s);
     // Facts §6.1: +200 turns counter-clockwise, feedback speed negative, load positive.
-    QVERIFY(bench.raw(1, text("present_speed")) < 0);
-    QVERIFY(bench.raw(1, text("present_load")) > 0);
+    QVERIFY(fixture.raw(1, text("present_speed")) < 0);
+    QVERIFY(fixture.raw(1, text("present_load")) > 0);
 }
 
-void TestMoves::alarmsNameTheirRelease_data()
+void TestMoves::alarmsShowTheirRemedy_data()
 {
     QTest::addColumn<int>("bit");
     QTest::addColumn<base::NoticeCode>("notice");
-    QTest::newRow("overload") << 32 << device::NoticeCode::OverloadHolds;
-    QTest::newRow("current") << 8 << device::NoticeCode::OvercurrentHolds;
-    QTest::newRow("voltage") << 1 << device::NoticeCode::VoltageHolds;
-    QTest::newRow("temperature") << 4 << device::NoticeCode::TemperatureHolds;
-    QTest::newRow("sensor") << 2 << device::NoticeCode::SensorHolds;
+    QTest::newRow("overload") << 32 << device::NoticeCode::OverloadActive;
+    QTest::newRow("current") << 8 << device::NoticeCode::OvercurrentActive;
+    QTest::newRow("voltage") << 1 << device::NoticeCode::VoltageAlarmActive;
+    QTest::newRow("temperature") << 4 << device::NoticeCode::TemperatureAlarmActive;
+    QTest::newRow("sensor") << 2 << device::NoticeCode::SensorAlarmActive;
 }
 
-void TestMoves::alarmsNameTheirRelease()
+void TestMoves::alarmsShowTheirRemedy()
 {
     QFETCH(int, bit);
     QFETCH(base::NoticeCode, notice);
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
     servo.status = std::uint8_t(bit);
-    device::noteAlarms(bench.context(), servo);
-    QCOMPARE(bench.notices().size(), std::size_t(1));
-    QCOMPARE(bench.notices()[0].code, notice);
+    device::addAlarmNotices(fixture.context(), servo);
+    QCOMPARE(fixture.notices().size(), std::size_t(1));
+    QCOMPARE(fixture.notices()[0].code, notice);
 }
 
 QTEST_GUILESS_MAIN(TestMoves)

@@ -9,7 +9,7 @@
 
 using base::Bytes;
 using base::ErrorCode;
-using support::SimBench;
+using support::SimFixture;
 using namespace std::chrono_literals;
 
 Q_DECLARE_METATYPE(base::Duration)
@@ -26,19 +26,19 @@ QString text(const char* latin)
 }
 
 /// How often the command was sent to a device that makes `reply` of it, and nothing else.
-void replace(SimBench& bench, const Bytes& command, const Bytes& reply, int& heard)
+void replace(SimFixture& fixture, const Bytes& command, const Bytes& reply, int& matchCount)
 {
-    bench.tap().answerInstead = [command, reply, &heard](const Bytes& frame) {
+    fixture.tap().replyOverride = [command, reply, &matchCount](const Bytes& frame) {
         if (frame != command)
             return std::optional<Bytes>();
-        ++heard;
+        ++matchCount;
         return std::optional(reply);
     };
 }
 
-bool noted(SimBench& bench, device::NoticeCode code)
+bool hasNotice(SimFixture& fixture, device::NoticeCode code)
 {
-    return std::any_of(bench.notices().begin(), bench.notices().end(),
+    return std::any_of(fixture.notices().begin(), fixture.notices().end(),
                        [code](const device::Notice& notice) { return notice.code == code; });
 }
 } // namespace
@@ -49,23 +49,23 @@ class TestReboot : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void restartIsProven_data();
-    void restartIsProven();
+    void restartIsVerified_data();
+    void restartIsVerified();
     void ignoredCommandIsNoRestart_data();
     void ignoredCommandIsNoRestart();
-    void lostCommandIsSentAgain();
-    void acknowledgementIsNoRestart();
-    void quickRestartIsProvenByRam_data();
-    void quickRestartIsProvenByRam();
-    void quickRestartWithoutMarkIsNotClaimed();
+    void lostCommandIsResent();
+    void acknowledgmentIsNoRestart();
+    void quickRestartIsDetectedByRam_data();
+    void quickRestartIsDetectedByRam();
+    void quickRestartWithoutMarkerIsNotReported();
     void lostPingIsNoRestart();
     void exceptionFails();
-    void limitThatWasLoweredIsTheMark();
-    void aFullDiskIsNamedAndNothingRestarts();
-    void aRestartThatCannotBeRecordedIsSaid();
+    void loweredLimitIsTheMarker();
+    void aFullDiskIsReportedAndNothingRestarts();
+    void anUnrecordedRestartIsReported();
 };
 
-void TestReboot::restartIsProven_data()
+void TestReboot::restartIsVerified_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<base::Duration>("latency");
@@ -83,22 +83,22 @@ void TestReboot::restartIsProven_data()
     }
 }
 
-void TestReboot::restartIsProven()
+void TestReboot::restartIsVerified()
 {
     QFETCH(QString, servo);
     QFETCH(base::Duration, latency);
     QFETCH(base::Duration, timeout);
-    support::BenchOptions options;
+    support::SimFixtureOptions options;
     options.wire.adapterLatency = latency;
-    SimBench bench(servo, options);
-    bench.bus().setPatience(timeout);
-    device::Servo one = bench.servo(1);
-    const auto took = jobs::reboot(bench.context(), one);
+    SimFixture fixture(servo, options);
+    fixture.bus().setTimeout(timeout);
+    device::Servo one = fixture.servo(1);
+    const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY2(took, took ? "" : qPrintable(took.error().detail));
     QVERIFY(*took >= 700);
-    QCOMPARE(bench.raw(1, text("lock")), 1);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(0));
+    QCOMPARE(fixture.raw(1, text("lock")), 1);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
 void TestReboot::ignoredCommandIsNoRestart_data()
@@ -115,49 +115,50 @@ void TestReboot::ignoredCommandIsNoRestart()
     QFETCH(QString, model);
     QFETCH(QString, mark);
     QFETCH(int, before);
-    SimBench bench(model);
-    device::Servo one = bench.servo(1);
-    int heard = 0;
-    replace(bench, restartOf1, {}, heard);
-    const auto took = jobs::reboot(bench.context(), one);
+    SimFixture fixture(model);
+    device::Servo one = fixture.servo(1);
+    int matchCount = 0;
+    replace(fixture, restartOf1, {}, matchCount);
+    const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY2(!took, "it has not restarted");
     QCOMPARE(took.error().code, ErrorCode::Refused);
     QCOMPARE(took.error().detail, text("not-restarted"));
-    QCOMPARE(heard, 2); // the first one may have been lost: reading proved that nothing happened
-    QVERIFY(!noted(bench, device::NoticeCode::RebootedAfter));
-    QCOMPARE(bench.raw(1, mark), before); // the mark is taken back
-    QCOMPARE(bench.journal().open()->size(), std::size_t(0));
+    QCOMPARE(matchCount,
+             2); // the first one may have been lost: reading proved that nothing happened
+    QVERIFY(!hasNotice(fixture, device::NoticeCode::RebootedAfter));
+    QCOMPARE(fixture.raw(1, mark), before); // the mark is taken back
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
-void TestReboot::lostCommandIsSentAgain()
+void TestReboot::lostCommandIsResent()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
-    int heard = 0;
-    bench.tap().answerInstead = [&heard](const Bytes& frame) {
-        return frame == restartOf1 && ++heard == 1 ? std::optional(Bytes()) : std::nullopt;
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
+    int matchCount = 0;
+    fixture.tap().replyOverride = [&matchCount](const Bytes& frame) {
+        return frame == restartOf1 && ++matchCount == 1 ? std::optional(Bytes()) : std::nullopt;
     };
-    QVERIFY(jobs::reboot(bench.context(), one));
-    QCOMPARE(heard, 2);
-    QVERIFY(noted(bench, device::NoticeCode::SentAgain));
+    QVERIFY(jobs::reboot(fixture.context(), one));
+    QCOMPARE(matchCount, 2);
+    QVERIFY(hasNotice(fixture, device::NoticeCode::Resent));
 }
 
-void TestReboot::acknowledgementIsNoRestart()
+void TestReboot::acknowledgmentIsNoRestart()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
-    int heard = 0;
-    replace(bench, restartOf1, statusOf1, heard);
-    const auto took = jobs::reboot(bench.context(), one);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
+    int matchCount = 0;
+    replace(fixture, restartOf1, statusOf1, matchCount);
+    const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY(!took);
     QCOMPARE(took.error().code, ErrorCode::Refused);
     QCOMPARE(took.error().detail, text("restart-acknowledged"));
-    QCOMPARE(heard, 1);
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(0));
+    QCOMPARE(matchCount, 1);
+    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
-void TestReboot::quickRestartIsProvenByRam_data()
+void TestReboot::quickRestartIsDetectedByRam_data()
 {
     QTest::addColumn<QString>("model");
     QTest::addColumn<QString>("mark");
@@ -166,38 +167,38 @@ void TestReboot::quickRestartIsProvenByRam_data()
     QTest::newRow("running time") << text("scs15@1:1000000") << text("goal_time") << 0;
 }
 
-void TestReboot::quickRestartIsProvenByRam()
+void TestReboot::quickRestartIsDetectedByRam()
 {
     QFETCH(QString, model);
     QFETCH(QString, mark);
     QFETCH(int, atStart);
-    SimBench bench(model);
-    device::Servo one = bench.servo(1);
-    bench.tap().answerInstead = [&bench](const Bytes& frame) {
+    SimFixture fixture(model);
+    device::Servo one = fixture.servo(1);
+    fixture.tap().replyOverride = [&fixture](const Bytes& frame) {
         if (frame != restartOf1)
             return std::optional<Bytes>();
-        bench.powerCycle();
+        fixture.powerCycle();
         return std::optional(Bytes());
     };
-    QVERIFY(jobs::reboot(bench.context(), one));
-    QVERIFY(noted(bench, device::NoticeCode::RebootedAfter));
-    QCOMPARE(bench.raw(1, mark), atStart);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(0));
+    QVERIFY(jobs::reboot(fixture.context(), one));
+    QVERIFY(hasNotice(fixture, device::NoticeCode::RebootedAfter));
+    QCOMPARE(fixture.raw(1, mark), atStart);
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
-void TestReboot::quickRestartWithoutMarkIsNotClaimed()
+void TestReboot::quickRestartWithoutMarkerIsNotReported()
 {
-    SimBench bench(text("scs15@1:1000000")); // in motor mode it has no mark
+    SimFixture fixture(text("scs15@1:1000000")); // in motor mode it has no mark
     for (const char* limit : {"min_angle_limit", "max_angle_limit"})
-        bench.poke(1, text(limit), 0);
-    device::Servo one = bench.servo(1);
-    bench.tap().answerInstead = [&bench](const Bytes& frame) {
+        fixture.poke(1, text(limit), 0);
+    device::Servo one = fixture.servo(1);
+    fixture.tap().replyOverride = [&fixture](const Bytes& frame) {
         if (frame != restartOf1)
             return std::optional<Bytes>();
-        bench.powerCycle();
+        fixture.powerCycle();
         return std::optional(Bytes());
     };
-    const auto took = jobs::reboot(bench.context(), one);
+    const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY(!took);
     QCOMPARE(took.error().code, ErrorCode::Refused);
     QCOMPARE(took.error().detail, text("restart-unproven"));
@@ -208,17 +209,17 @@ void TestReboot::quickRestartWithoutMarkIsNotClaimed()
 void TestReboot::lostPingIsNoRestart()
 {
     for (const char* servo : {"sts3215@1", "scs15@1:1000000"}) {
-        SimBench bench{text(servo)};
-        device::Servo one = bench.servo(1);
+        SimFixture fixture{text(servo)};
+        device::Servo one = fixture.servo(1);
         bool lost = false;
         bool sent = false;
-        bench.tap().answerInstead = [&](const Bytes& frame) {
+        fixture.tap().replyOverride = [&](const Bytes& frame) {
             const bool drop = frame == restartOf1 || (sent && !lost && frame[4] == support::Ping);
             lost = lost || (drop && sent && frame != restartOf1);
             sent = sent || frame == restartOf1;
             return drop ? std::optional(Bytes()) : std::nullopt;
         };
-        const auto took = jobs::reboot(bench.context(), one);
+        const auto took = jobs::reboot(fixture.context(), one);
         QVERIFY2(!took, servo);
         QCOMPARE(took.error().code, ErrorCode::Refused);
         QVERIFY(lost);
@@ -227,62 +228,62 @@ void TestReboot::lostPingIsNoRestart()
 
 void TestReboot::exceptionFails()
 {
-    support::BenchOptions options;
+    support::SimFixtureOptions options;
     options.baud = 115'200;
-    SimBench bench(text("smsmb@1:115200"), options);
-    device::Servo one = bench.servo(1, base::Protocol::Modbus);
-    int heard = 0;
-    replace(bench, modbusRestartOf1, modbusIllegalFunction, heard);
-    const std::int64_t limit = bench.raw(1, text("torque_limit"));
-    const auto took = jobs::reboot(bench.context(), one);
+    SimFixture fixture(text("smsmb@1:115200"), options);
+    device::Servo one = fixture.servo(1, base::Protocol::Modbus);
+    int matchCount = 0;
+    replace(fixture, modbusRestartOf1, modbusIllegalFunction, matchCount);
+    const std::int64_t limit = fixture.raw(1, text("torque_limit"));
+    const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY2(!took, "refused in so many words");
     QCOMPARE(took.error().code, ErrorCode::Refused);
     QCOMPARE(took.error().detail, text("illegal-function"));
-    QCOMPARE(heard, 1);
-    QCOMPARE(bench.raw(1, text("torque_limit")), limit);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(0));
+    QCOMPARE(matchCount, 1);
+    QCOMPARE(fixture.raw(1, text("torque_limit")), limit);
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(0));
 }
 
 /// What differs from the power-on value by itself needs no write.
-void TestReboot::limitThatWasLoweredIsTheMark()
+void TestReboot::loweredLimitIsTheMarker()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("torque_limit"), 300);
-    device::Servo one = bench.servo(1);
-    bench.forgetFrames();
-    QVERIFY(jobs::reboot(bench.context(), one));
-    for (const Bytes& frame : bench.tap().written)
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("torque_limit"), 300);
+    device::Servo one = fixture.servo(1);
+    fixture.clearFrames();
+    QVERIFY(jobs::reboot(fixture.context(), one));
+    for (const Bytes& frame : fixture.tap().written)
         QVERIFY(frame[4] != support::Write || frame[5] != 48);
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
 }
 
 /// Its mark could not be noted: a restart would prove nothing, and the servo is not to blame.
-void TestReboot::aFullDiskIsNamedAndNothingRestarts()
+void TestReboot::aFullDiskIsReportedAndNothingRestarts()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
-    bench.journal().failWith(ErrorCode::DiskFull);
-    bench.forgetFrames();
-    const auto took = jobs::reboot(bench.context(), one);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
+    fixture.journal().setError(ErrorCode::DiskFull);
+    fixture.clearFrames();
+    const auto took = jobs::reboot(fixture.context(), one);
     QVERIFY(!took);
     QCOMPARE(took.error().code, ErrorCode::DiskFull);
-    QCOMPARE(bench.frames(support::Reboot), 0);
-    QVERIFY(noted(bench, device::NoticeCode::TorqueStaysOff));
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(fixture.frames(support::Reboot), 0);
+    QVERIFY(hasNotice(fixture, device::NoticeCode::TorqueStaysOff));
+    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
 }
 
-void TestReboot::aRestartThatCannotBeRecordedIsSaid()
+void TestReboot::anUnrecordedRestartIsReported()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
-    bench.tap().onWrite = [&bench](const Bytes& frame) {
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
+    fixture.tap().onWrite = [&fixture](const Bytes& frame) {
         if (frame == restartOf1)
-            bench.journal().failWith(ErrorCode::DiskFull);
+            fixture.journal().setError(ErrorCode::DiskFull);
     };
-    QVERIFY(jobs::reboot(bench.context(), one));
-    QVERIFY(noted(bench, device::NoticeCode::RebootedAfter));
-    QVERIFY(noted(bench, device::NoticeCode::NotRecorded));
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    QVERIFY(jobs::reboot(fixture.context(), one));
+    QVERIFY(hasNotice(fixture, device::NoticeCode::RebootedAfter));
+    QVERIFY(hasNotice(fixture, device::NoticeCode::NotRecorded));
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
 }
 
 QTEST_GUILESS_MAIN(TestReboot)

@@ -14,8 +14,8 @@
 
 using device::WriteItem;
 using jobs::Finding;
-using jobs::RecoverAction;
-using support::SimBench;
+using jobs::RecoveryAction;
+using support::SimFixture;
 
 namespace {
 QString text(const char* latin)
@@ -35,50 +35,50 @@ const std::vector<WriteItem>& fiveRegisters()
     return items;
 }
 
-base::Result<void> run(SimBench& bench, Task task)
+base::Result<void> run(SimFixture& fixture, Task task)
 {
-    auto servo = device::identify(bench.context(), 1);
+    auto servo = device::identify(fixture.context(), 1);
     if (!servo)
         return tl::unexpected(servo.error());
     base::Result<device::WriteReport> report;
     switch (task) {
     case Task::SetId:
-        report = jobs::changeId(bench.context(), *servo, 9);
+        report = jobs::changeId(fixture.context(), *servo, 9);
         break;
     case Task::SetBaud:
-        report = jobs::changeBaud(bench.context(), *servo, 115'200);
+        report = jobs::changeBaud(fixture.context(), *servo, 115'200);
         break;
     case Task::Mode:
-        report = device::switchMode(bench.context(), *servo, text("step"));
+        report = device::switchMode(fixture.context(), *servo, text("step"));
         break;
     case Task::FiveRegisters:
-        report = device::write(bench.context(), *servo, fiveRegisters(), {});
+        report = device::write(fixture.context(), *servo, fiveRegisters(), {});
         break;
     }
     if (!report)
         return tl::unexpected(report.error());
-    if (!report->allGood())
+    if (!report->isSuccessful())
         return base::fail(base::ErrorCode::Refused);
     return {};
 }
 
 std::size_t bytesOf(Task task)
 {
-    SimBench bench(text("sts3215@1"));
-    bench.forgetFrames();
-    if (!run(bench, task))
+    SimFixture fixture(text("sts3215@1"));
+    fixture.clearFrames();
+    if (!run(fixture, task))
         qFatal("the task does not work on a whole line");
     std::size_t bytes = 0;
-    for (const base::Bytes& frame : bench.tap().written)
+    for (const base::Bytes& frame : fixture.tap().written)
         bytes += frame.size();
     return bytes;
 }
 
 using Eprom = std::map<QString, std::int64_t>;
 
-Eprom eprom(SimBench& bench)
+Eprom eprom(SimFixture& fixture)
 {
-    return bench.withWire([](sim::VirtualBus& wire) {
+    return fixture.withBus([](sim::VirtualBus& wire) {
         Eprom values;
         sim::VirtualServo& servo = *wire.servos().front();
         for (const catalog::Register& reg : servo.profile().registers) {
@@ -89,18 +89,18 @@ Eprom eprom(SimBench& bench)
     });
 }
 
-bool lockOpen(SimBench& bench)
+bool isLockOpen(SimFixture& fixture)
 {
-    return bench.withWire(
+    return fixture.withBus(
         [](sim::VirtualBus& wire) { return wire.servos().front()->raw(text("lock")) == 0; });
 }
 
 Eprom wanted(Task task)
 {
-    SimBench bench(text("sts3215@1"));
-    if (!run(bench, task))
+    SimFixture fixture(text("sts3215@1"));
+    if (!run(fixture, task))
         qFatal("the task does not work on a whole line");
-    return eprom(bench);
+    return eprom(fixture);
 }
 } // namespace
 
@@ -110,21 +110,21 @@ class TestRecover : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void cutAtEveryByte_data();
-    void cutAtEveryByte();
-    void lookingWritesNothing();
-    void otherServoIsLeftAlone();
-    void otherValuesAreLeftAlone();
-    void ownLaterWritesStay_data();
-    void ownLaterWritesStay();
+    void linkLostAtEveryByte_data();
+    void linkLostAtEveryByte();
+    void viewingWritesNothing();
+    void otherServoIsNotChanged();
+    void otherValuesAreNotChanged();
+    void laterOwnWritesAreKept_data();
+    void laterOwnWritesAreKept();
     void noiseIsNotAnotherServo();
-    void defaultsThatMovedTheServo_data();
-    void defaultsThatMovedTheServo();
-    void otherPortIsNotConcerned();
+    void factoryResetThatChangedTheId_data();
+    void factoryResetThatChangedTheId();
+    void otherPortIsNotAffected();
     void silentServoStaysOpen();
 };
 
-void TestRecover::cutAtEveryByte_data()
+void TestRecover::linkLostAtEveryByte_data()
 {
     QTest::addColumn<int>("task");
     QTest::addColumn<int>("action");
@@ -134,9 +134,10 @@ void TestRecover::cutAtEveryByte_data()
                                             {"mode", Task::Mode},
                                             {"five registers", Task::FiveRegisters}};
     for (const auto& [name, task] : tasks) {
-        for (const auto action : {RecoverAction::Finish, RecoverAction::Undo}) {
+        for (const auto action : {RecoveryAction::Finish, RecoveryAction::Undo}) {
             for (const bool cycle : {false, true}) {
-                QTest::addRow("%s, %s%s", name, action == RecoverAction::Finish ? "finish" : "undo",
+                QTest::addRow("%s, %s%s", name,
+                              action == RecoveryAction::Finish ? "finish" : "undo",
                               cycle ? ", after a power cycle" : "")
                     << int(task) << int(action) << cycle;
             }
@@ -144,36 +145,36 @@ void TestRecover::cutAtEveryByte_data()
     }
 }
 
-void TestRecover::cutAtEveryByte()
+void TestRecover::linkLostAtEveryByte()
 {
     QFETCH(int, task);
     QFETCH(int, action);
     QFETCH(bool, powerCycle);
     const auto doing = Task(task);
-    const auto wish = RecoverAction(action);
+    const auto wish = RecoveryAction(action);
     const Eprom after = wanted(doing);
     const std::size_t length = bytesOf(doing);
     int interrupted = 0;
     for (std::size_t cut = 1; cut < length; ++cut) {
-        SimBench bench(text("sts3215@1"));
-        const Eprom before = eprom(bench);
-        bench.cutAfterHostBytes(cut);
-        const auto done = run(bench, doing);
-        const auto open = *bench.journal().open();
+        SimFixture fixture(text("sts3215@1"));
+        const Eprom before = eprom(fixture);
+        fixture.cutAfterHostBytes(cut);
+        const auto done = run(fixture, doing);
+        const auto open = *fixture.journal().open();
         QVERIFY2(!done || open.empty(), "claimed done although the journal says otherwise");
         if (powerCycle)
-            bench.powerCycle();
-        bench.reconnect(1'000'000);
+            fixture.powerCycle();
+        fixture.reconnect(1'000'000);
         // Nothing is ever left open without the journal knowing.
-        if (lockOpen(bench))
+        if (isLockOpen(fixture))
             QVERIFY2(!open.empty(), qPrintable(QString::number(cut)));
         if (open.empty()) {
-            const Eprom now = eprom(bench);
+            const Eprom now = eprom(fixture);
             QVERIFY2(now == before || now == after, qPrintable(QString::number(cut)));
             continue;
         }
         ++interrupted;
-        const auto recovered = jobs::recover(bench.context(), wish);
+        const auto recovered = jobs::recover(fixture.context(), wish);
         QVERIFY2(recovered, recovered ? "" : qPrintable(base::errorName(recovered.error().code)));
         QCOMPARE(recovered->size(), std::size_t(1));
         QVERIFY2(recovered->front().done,
@@ -183,184 +184,184 @@ void TestRecover::cutAtEveryByte()
                                 .arg(recovered->front().error
                                          ? base::errorName(recovered->front().error->code)
                                          : QString())));
-        QVERIFY2(!lockOpen(bench), qPrintable(QString::number(cut)));
-        QVERIFY2(eprom(bench) == (wish == RecoverAction::Finish ? after : before),
+        QVERIFY2(!isLockOpen(fixture), qPrintable(QString::number(cut)));
+        QVERIFY2(eprom(fixture) == (wish == RecoveryAction::Finish ? after : before),
                  qPrintable(QString::number(cut)));
-        QVERIFY(bench.journal().open()->empty());
+        QVERIFY(fixture.journal().open()->empty());
         // What was finished or undone holds after a power-off as well.
-        bench.powerCycle();
-        QVERIFY(eprom(bench) == (wish == RecoverAction::Finish ? after : before));
+        fixture.powerCycle();
+        QVERIFY(eprom(fixture) == (wish == RecoveryAction::Finish ? after : before));
     }
     QVERIFY(interrupted > 10);
 }
 
 namespace {
 /// A five-register write cut in its middle.
-void interrupt(SimBench& bench)
+void interrupt(SimFixture& fixture)
 {
-    bench.tap().onWrite = [&bench](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&fixture](const base::Bytes& frame) {
         if (frame[4] == support::Write && frame[5] == 21)
-            bench.cutLink();
+            fixture.cutLink();
     };
-    QVERIFY(!run(bench, Task::FiveRegisters));
-    bench.tap().onWrite = nullptr;
-    bench.reconnect(1'000'000);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
-    QVERIFY(lockOpen(bench));
+    QVERIFY(!run(fixture, Task::FiveRegisters));
+    fixture.tap().onWrite = nullptr;
+    fixture.reconnect(1'000'000);
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
+    QVERIFY(isLockOpen(fixture));
 }
 } // namespace
 
-void TestRecover::lookingWritesNothing()
+void TestRecover::viewingWritesNothing()
 {
-    SimBench bench(text("sts3215@1"));
-    interrupt(bench);
-    bench.forgetFrames();
-    const auto seen = jobs::recover(bench.context(), RecoverAction::Look);
+    SimFixture fixture(text("sts3215@1"));
+    interrupt(fixture);
+    fixture.clearFrames();
+    const auto seen = jobs::recover(fixture.context(), RecoveryAction::Preview);
     QVERIFY(seen);
     QCOMPARE(seen->front().before.finding, Finding::Mixed);
     QCOMPARE(seen->front().before.lockOpen, std::optional<bool>(true));
     QVERIFY(!seen->front().done);
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
 }
 
-void TestRecover::otherServoIsLeftAlone()
+void TestRecover::otherServoIsNotChanged()
 {
-    SimBench bench(text("sts3215@1,sts3250@7"));
-    interrupt(bench);
+    SimFixture fixture(text("sts3215@1,sts3250@7"));
+    interrupt(fixture);
     // Overnight somebody puts another model under this ID.
-    bench.withWire([](sim::VirtualBus& wire) {
+    fixture.withBus([](sim::VirtualBus& wire) {
         wire.servo(1)->poke(text("id"), 20);
         wire.servo(7)->poke(text("id"), 1);
     });
-    bench.letTimePass(std::chrono::milliseconds(50));
-    bench.forgetFrames();
-    for (const auto action : {RecoverAction::Finish, RecoverAction::Undo}) {
-        const auto recovered = jobs::recover(bench.context(), action);
+    fixture.runFor(std::chrono::milliseconds(50));
+    fixture.clearFrames();
+    for (const auto action : {RecoveryAction::Finish, RecoveryAction::Undo}) {
+        const auto recovered = jobs::recover(fixture.context(), action);
         QVERIFY(recovered);
         QCOMPARE(recovered->front().before.finding, Finding::OtherServo);
         QVERIFY(!recovered->front().done);
-        QVERIFY(bench.onlyAsked());
+        QVERIFY(fixture.onlyReadsSent());
     }
 }
 
-void TestRecover::otherValuesAreLeftAlone()
+void TestRecover::otherValuesAreNotChanged()
 {
-    SimBench bench(text("sts3215@1"));
-    interrupt(bench);
-    bench.poke(1, text("max_temperature"), 44); // neither the old value nor the new
-    bench.letTimePass(std::chrono::milliseconds(50));
-    bench.forgetFrames();
-    const auto recovered = jobs::recover(bench.context(), RecoverAction::Finish);
+    SimFixture fixture(text("sts3215@1"));
+    interrupt(fixture);
+    fixture.poke(1, text("max_temperature"), 44); // neither the old value nor the new
+    fixture.runFor(std::chrono::milliseconds(50));
+    fixture.clearFrames();
+    const auto recovered = jobs::recover(fixture.context(), RecoveryAction::Finish);
     QVERIFY(recovered);
     QCOMPARE(recovered->front().before.finding, Finding::OtherServo);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestRecover::ownLaterWritesStay_data()
+void TestRecover::laterOwnWritesAreKept_data()
 {
     QTest::addColumn<int>("action");
-    QTest::newRow("finish") << int(RecoverAction::Finish);
-    QTest::newRow("undo") << int(RecoverAction::Undo);
+    QTest::newRow("finish") << int(RecoveryAction::Finish);
+    QTest::newRow("undo") << int(RecoveryAction::Undo);
 }
 
 /// After the interruption the program itself has written another value to the same servo.
-void TestRecover::ownLaterWritesStay()
+void TestRecover::laterOwnWritesAreKept()
 {
     QFETCH(int, action);
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    bench.tap().onWrite = [&bench](const base::Bytes& frame) {
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    fixture.tap().onWrite = [&fixture](const base::Bytes& frame) {
         if (frame[4] == support::Write && frame[5] == 13)
-            bench.cutLink();
+            fixture.cutLink();
     };
-    QVERIFY(device::write(bench.context(), servo, {{text("max_temperature"), 60}}, {}));
-    bench.tap().onWrite = nullptr;
-    bench.reconnect(1'000'000);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
-    device::Servo again = bench.servo(1);
-    const auto later = device::write(bench.context(), again, {{text("max_temperature"), 65}}, {});
-    QVERIFY(later && later->allGood());
-    const auto recovered = jobs::recover(bench.context(), RecoverAction(action));
+    QVERIFY(device::write(fixture.context(), servo, {{text("max_temperature"), 60}}, {}));
+    fixture.tap().onWrite = nullptr;
+    fixture.reconnect(1'000'000);
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
+    device::Servo again = fixture.servo(1);
+    const auto later = device::write(fixture.context(), again, {{text("max_temperature"), 65}}, {});
+    QVERIFY(later && later->isSuccessful());
+    const auto recovered = jobs::recover(fixture.context(), RecoveryAction(action));
     QVERIFY(recovered);
     QCOMPARE(recovered->front().before.finding, Finding::Replaced);
     QVERIFY(recovered->front().done);
-    QVERIFY(bench.journal().open()->empty());
-    QCOMPARE(bench.raw(1, text("max_temperature")), 65);
+    QVERIFY(fixture.journal().open()->empty());
+    QCOMPARE(fixture.raw(1, text("max_temperature")), 65);
 }
 
 void TestRecover::noiseIsNotAnotherServo()
 {
-    SimBench bench(text("sts3215@1"));
-    interrupt(bench);
-    bench.wireConfig().faults.corrupt = 1;
-    const auto recovered = jobs::recover(bench.context(), RecoverAction::Finish);
+    SimFixture fixture(text("sts3215@1"));
+    interrupt(fixture);
+    fixture.wireConfig().faults.corrupt = 1;
+    const auto recovered = jobs::recover(fixture.context(), RecoveryAction::Finish);
     QVERIFY(recovered);
     QCOMPARE(recovered->front().before.finding, Finding::Unreadable);
     QVERIFY(!recovered->front().done);
     QCOMPARE(recovered->front().error->code, base::ErrorCode::Garbled);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
 }
 
-void TestRecover::defaultsThatMovedTheServo_data()
+void TestRecover::factoryResetThatChangedTheId_data()
 {
     QTest::addColumn<int>("action");
     QTest::addColumn<int>("id");
-    QTest::newRow("finish") << int(RecoverAction::Finish) << 1;
-    QTest::newRow("undo") << int(RecoverAction::Undo) << 7;
+    QTest::newRow("finish") << int(RecoveryAction::Finish) << 1;
+    QTest::newRow("undo") << int(RecoveryAction::Undo) << 7;
 }
 
 /// Killed while its defaults were restored, which gave it the factory ID as well.
-void TestRecover::defaultsThatMovedTheServo()
+void TestRecover::factoryResetThatChangedTheId()
 {
     QFETCH(int, action);
     QFETCH(int, id);
-    SimBench bench(text("sts3215@7"));
-    device::Servo servo = bench.servo(7);
+    SimFixture fixture(text("sts3215@7"));
+    device::Servo servo = fixture.servo(7);
     base::Intent intent;
     intent.kind = base::IntentKind::Restore;
     intent.lockOpened = true;
     intent.servo = servo.identity();
     intent.items = {{text("id"), 5, 7, 7}, {text("max_temperature"), 13, 60, 60}};
-    QVERIFY(bench.journal().begin(intent));
-    bench.poke(7, text("lock"), 0);
-    bench.poke(7, text("id"), 1);
-    bench.letTimePass(std::chrono::milliseconds(50));
-    const auto seen = jobs::recover(bench.context(), RecoverAction::Look);
+    QVERIFY(fixture.journal().begin(intent));
+    fixture.poke(7, text("lock"), 0);
+    fixture.poke(7, text("id"), 1);
+    fixture.runFor(std::chrono::milliseconds(50));
+    const auto seen = jobs::recover(fixture.context(), RecoveryAction::Preview);
     QVERIFY(seen);
     QCOMPARE(seen->front().before.foundId, 1);
     QCOMPARE(seen->front().before.lockOpen, std::optional<bool>(true));
-    const auto recovered = jobs::recover(bench.context(), RecoverAction(action));
+    const auto recovered = jobs::recover(fixture.context(), RecoveryAction(action));
     QVERIFY(recovered);
     QVERIFY2(recovered->front().done,
              recovered->front().error ? qPrintable(base::errorName(recovered->front().error->code))
                                       : "");
-    QVERIFY(bench.journal().open()->empty());
-    QCOMPARE(bench.raw(id, text("lock")), 1);
-    QCOMPARE(bench.raw(id, text("max_temperature")),
-             RecoverAction(action) == RecoverAction::Undo ? 60 : 70);
+    QVERIFY(fixture.journal().open()->empty());
+    QCOMPARE(fixture.raw(id, text("lock")), 1);
+    QCOMPARE(fixture.raw(id, text("max_temperature")),
+             RecoveryAction(action) == RecoveryAction::Undo ? 60 : 70);
 }
 
-void TestRecover::otherPortIsNotConcerned()
+void TestRecover::otherPortIsNotAffected()
 {
-    SimBench bench(text("sts3215@1"));
+    SimFixture fixture(text("sts3215@1"));
     base::Intent elsewhere;
     elsewhere.servo.port = text("/dev/ttyUSB7");
-    QVERIFY(bench.journal().begin(elsewhere));
-    QCOMPARE(jobs::recover(bench.context(), RecoverAction::Finish)->size(), std::size_t(0));
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    QVERIFY(fixture.journal().begin(elsewhere));
+    QCOMPARE(jobs::recover(fixture.context(), RecoveryAction::Finish)->size(), std::size_t(0));
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
 }
 
 void TestRecover::silentServoStaysOpen()
 {
-    SimBench bench(text("sts3215@1"));
-    interrupt(bench);
-    bench.withWire([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
-    const auto recovered = jobs::recover(bench.context(), RecoverAction::Finish);
+    SimFixture fixture(text("sts3215@1"));
+    interrupt(fixture);
+    fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
+    const auto recovered = jobs::recover(fixture.context(), RecoveryAction::Finish);
     QVERIFY(recovered);
-    QCOMPARE(recovered->front().before.finding, Finding::NoAnswer);
+    QCOMPARE(recovered->front().before.finding, Finding::NoReply);
     QVERIFY(!recovered->front().done);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
 }
 
 QTEST_GUILESS_MAIN(TestRecover)

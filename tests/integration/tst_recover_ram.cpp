@@ -14,9 +14,9 @@
 using base::Bytes;
 using device::WriteItem;
 using jobs::Finding;
-using jobs::RecoverAction;
-using jobs::Recovered;
-using support::SimBench;
+using jobs::RecoveryAction;
+using jobs::RecoveryResult;
+using support::SimFixture;
 
 namespace {
 constexpr int acceleration = 41;
@@ -33,36 +33,36 @@ bool writes(const Bytes& frame, int address)
 }
 
 /// The cable is cut once the frame has arrived, or before it arrives.
-void interrupt(SimBench& bench, const std::vector<WriteItem>& items, int address, bool arrives)
+void interrupt(SimFixture& fixture, const std::vector<WriteItem>& items, int address, bool arrives)
 {
-    device::Servo servo = bench.servo(1);
+    device::Servo servo = fixture.servo(1);
     bool sent = false;
-    bench.tap().onWrite = [&](const Bytes& frame) {
+    fixture.tap().onWrite = [&](const Bytes& frame) {
         const bool now = writes(frame, address);
         if (arrives ? sent : now)
-            bench.cutLink();
+            fixture.cutLink();
         sent = sent || now;
     };
-    const auto report = device::write(bench.context(), servo, items, {false, true});
-    QVERIFY(report && !report->allGood());
-    bench.tap().onWrite = nullptr;
-    bench.reconnect(1'000'000);
-    bench.forgetFrames();
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    const auto report = device::write(fixture.context(), servo, items, {false, true});
+    QVERIFY(report && !report->isSuccessful());
+    fixture.tap().onWrite = nullptr;
+    fixture.reconnect(1'000'000);
+    fixture.clearFrames();
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
 }
 
 /// Of one open change.
-Recovered recover(SimBench& bench, RecoverAction action)
+RecoveryResult recover(SimFixture& fixture, RecoveryAction action)
 {
-    auto all = jobs::recover(bench.context(), action);
+    auto all = jobs::recover(fixture.context(), action);
     if (!all || all->size() != 1)
         qFatal("one change was to be recovered");
     return std::move(all->front());
 }
 
-base::IntentEnd lastEnd(SimBench& bench, std::size_t entry)
+base::IntentResult lastEnd(SimFixture& fixture, std::size_t entry)
 {
-    return bench.journal().entries()->at(entry).end.value_or(base::IntentEnd{});
+    return fixture.journal().entries()->at(entry).end.value_or(base::IntentResult{});
 }
 } // namespace
 
@@ -72,106 +72,107 @@ class TestRecoverRam : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void aWriteIsReadThenSettled_data();
-    void aWriteIsReadThenSettled();
-    void halfOfAWriteIsFoundAndSettled_data();
-    void halfOfAWriteIsFoundAndSettled();
-    void whatARestartHasLoadedStays();
+    void aWriteIsReadThenRecovered_data();
+    void aWriteIsReadThenRecovered();
+    void aPartialWriteIsFoundAndRecovered_data();
+    void aPartialWriteIsFoundAndRecovered();
+    void valuesReloadedByARestartAreKept();
     void aGoalIsNeverWritten();
     void torqueIsNeverSwitchedOn();
-    void theMarkOfARestartIsTakenBack_data();
-    void theMarkOfARestartIsTakenBack();
-    void afterTheRestartNothingIsOwed();
-    void aRefusedValueIsNotClaimed();
-    void aModeThatIsForgottenIsSettled_data();
-    void aModeThatIsForgottenIsSettled();
+    void theRestartMarkerIsReverted_data();
+    void theRestartMarkerIsReverted();
+    void nothingIsPendingAfterTheRestart();
+    void aRefusedValueIsNotReportedDone();
+    void aModeLostAtPowerOffIsRecovered_data();
+    void aModeLostAtPowerOffIsRecovered();
 };
 
-void TestRecoverRam::aWriteIsReadThenSettled_data()
+void TestRecoverRam::aWriteIsReadThenRecovered_data()
 {
     QTest::addColumn<bool>("arrives");
     QTest::addColumn<int>("action");
     QTest::addColumn<int>("expected");
-    QTest::newRow("arrived, undo") << true << int(RecoverAction::Undo) << 1000;
-    QTest::newRow("arrived, finish") << true << int(RecoverAction::Finish) << 500;
-    QTest::newRow("lost, undo") << false << int(RecoverAction::Undo) << 1000;
-    QTest::newRow("lost, finish") << false << int(RecoverAction::Finish) << 500;
+    QTest::newRow("arrived, undo") << true << int(RecoveryAction::Undo) << 1000;
+    QTest::newRow("arrived, finish") << true << int(RecoveryAction::Finish) << 500;
+    QTest::newRow("lost, undo") << false << int(RecoveryAction::Undo) << 1000;
+    QTest::newRow("lost, finish") << false << int(RecoveryAction::Finish) << 500;
 }
 
-void TestRecoverRam::aWriteIsReadThenSettled()
+void TestRecoverRam::aWriteIsReadThenRecovered()
 {
     QFETCH(bool, arrives);
     QFETCH(int, action);
     QFETCH(int, expected);
-    SimBench bench(text("sts3215@1"));
-    interrupt(bench, {{text("torque_limit"), 500}}, torqueLimit, arrives);
-    QCOMPARE(bench.raw(1, text("torque_limit")), arrives ? 500 : 1000);
-    const Recovered look = recover(bench, RecoverAction::Look);
+    SimFixture fixture(text("sts3215@1"));
+    interrupt(fixture, {{text("torque_limit"), 500}}, torqueLimit, arrives);
+    QCOMPARE(fixture.raw(1, text("torque_limit")), arrives ? 500 : 1000);
+    const RecoveryResult look = recover(fixture, RecoveryAction::Preview);
     QCOMPARE(look.before.finding, arrives ? Finding::AllNew : Finding::AllOld);
-    QVERIFY(bench.onlyAsked());
-    const Recovered settled = recover(bench, RecoverAction(action));
-    QVERIFY(settled.done && settled.left.isEmpty());
-    QCOMPARE(bench.raw(1, text("torque_limit")), expected);
-    QVERIFY(bench.journal().open()->empty());
-    QCOMPARE(lastEnd(bench, 0).outcome,
-             action == int(RecoverAction::Undo) ? text("undone") : text("done"));
+    QVERIFY(fixture.onlyReadsSent());
+    const RecoveryResult settled = recover(fixture, RecoveryAction(action));
+    QVERIFY(settled.done && settled.skippedKeys.isEmpty());
+    QCOMPARE(fixture.raw(1, text("torque_limit")), expected);
+    QVERIFY(fixture.journal().open()->empty());
+    QCOMPARE(lastEnd(fixture, 0).outcome,
+             action == int(RecoveryAction::Undo) ? text("undone") : text("done"));
 }
 
-void TestRecoverRam::halfOfAWriteIsFoundAndSettled_data()
+void TestRecoverRam::aPartialWriteIsFoundAndRecovered_data()
 {
     QTest::addColumn<int>("action");
     QTest::addColumn<int>("limit");
-    QTest::newRow("undo") << int(RecoverAction::Undo) << 1000;
-    QTest::newRow("finish") << int(RecoverAction::Finish) << 400;
+    QTest::newRow("undo") << int(RecoveryAction::Undo) << 1000;
+    QTest::newRow("finish") << int(RecoveryAction::Finish) << 400;
 }
 
-void TestRecoverRam::halfOfAWriteIsFoundAndSettled()
+void TestRecoverRam::aPartialWriteIsFoundAndRecovered()
 {
     QFETCH(int, action);
     QFETCH(int, limit);
-    SimBench bench(text("sts3215@1"));
-    const std::int64_t before = bench.raw(1, text("acceleration"));
-    interrupt(bench, {{text("acceleration"), 20}, {text("torque_limit"), 400}}, torqueLimit, false);
-    QCOMPARE(bench.raw(1, text("acceleration")), 20);
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
-    QCOMPARE(recover(bench, RecoverAction::Look).before.finding, Finding::Mixed);
-    QVERIFY(recover(bench, RecoverAction(action)).done);
-    QCOMPARE(bench.raw(1, text("torque_limit")), limit);
-    QCOMPARE(bench.raw(1, text("acceleration")), limit == 400 ? 20 : before);
+    SimFixture fixture(text("sts3215@1"));
+    const std::int64_t before = fixture.raw(1, text("acceleration"));
+    interrupt(fixture, {{text("acceleration"), 20}, {text("torque_limit"), 400}}, torqueLimit,
+              false);
+    QCOMPARE(fixture.raw(1, text("acceleration")), 20);
+    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(recover(fixture, RecoveryAction::Preview).before.finding, Finding::Mixed);
+    QVERIFY(recover(fixture, RecoveryAction(action)).done);
+    QCOMPARE(fixture.raw(1, text("torque_limit")), limit);
+    QCOMPARE(fixture.raw(1, text("acceleration")), limit == 400 ? 20 : before);
 }
 
 /// Neither the old value nor the new one: nothing of the change is left in the servo.
-void TestRecoverRam::whatARestartHasLoadedStays()
+void TestRecoverRam::valuesReloadedByARestartAreKept()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("torque_limit"), 800);
-    interrupt(bench, {{text("torque_limit"), 500}}, torqueLimit, true);
-    bench.powerCycle();
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
-    QCOMPARE(recover(bench, RecoverAction::Look).before.finding, Finding::Replaced);
-    const Recovered settled = recover(bench, RecoverAction::Undo);
-    QVERIFY(settled.done && settled.allLeft);
-    QCOMPARE(settled.left, QStringList{text("torque_limit")});
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
-    QCOMPARE(lastEnd(bench, 0).outcome, text("abandoned"));
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("torque_limit"), 800);
+    interrupt(fixture, {{text("torque_limit"), 500}}, torqueLimit, true);
+    fixture.powerCycle();
+    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(recover(fixture, RecoveryAction::Preview).before.finding, Finding::Replaced);
+    const RecoveryResult settled = recover(fixture, RecoveryAction::Undo);
+    QVERIFY(settled.done && settled.isAllSkipped);
+    QCOMPARE(settled.skippedKeys, QStringList{text("torque_limit")});
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    QCOMPARE(lastEnd(fixture, 0).outcome, text("abandoned"));
 }
 
 void TestRecoverRam::aGoalIsNeverWritten()
 {
     constexpr int goal = 42;
-    SimBench bench(text("sts3215@1"));
-    const std::int64_t before = bench.raw(1, text("acceleration"));
-    interrupt(bench, {{text("acceleration"), 20}, {text("goal_position"), 2100}}, acceleration,
+    SimFixture fixture(text("sts3215@1"));
+    const std::int64_t before = fixture.raw(1, text("acceleration"));
+    interrupt(fixture, {{text("acceleration"), 20}, {text("goal_position"), 2100}}, acceleration,
               true);
-    QCOMPARE(bench.raw(1, text("goal_position")), 2100); // one frame carries both
-    const Recovered settled = recover(bench, RecoverAction::Undo);
-    QVERIFY(settled.done && !settled.allLeft);
-    QCOMPARE(settled.left, QStringList{text("goal_position")});
-    QCOMPARE(bench.raw(1, text("acceleration")), before);
-    QVERIFY(std::none_of(bench.tap().written.begin(), bench.tap().written.end(),
+    QCOMPARE(fixture.raw(1, text("goal_position")), 2100); // one frame carries both
+    const RecoveryResult settled = recover(fixture, RecoveryAction::Undo);
+    QVERIFY(settled.done && !settled.isAllSkipped);
+    QCOMPARE(settled.skippedKeys, QStringList{text("goal_position")});
+    QCOMPARE(fixture.raw(1, text("acceleration")), before);
+    QVERIFY(std::none_of(fixture.tap().written.begin(), fixture.tap().written.end(),
                          [](const Bytes& frame) { return writes(frame, goal); }));
-    const auto end = lastEnd(bench, 0);
+    const auto end = lastEnd(fixture, 0);
     QCOMPARE(end.outcome, text("undone"));
     QCOMPARE(end.items.size(), std::size_t(1)); // that one is not undone
     QCOMPARE(end.items.front().key, text("goal_position"));
@@ -180,23 +181,23 @@ void TestRecoverRam::aGoalIsNeverWritten()
 
 void TestRecoverRam::torqueIsNeverSwitchedOn()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("torque_switch"), 1);
-    interrupt(bench, {{text("torque_switch"), 0}}, 40, true);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    const Recovered settled = recover(bench, RecoverAction::Undo);
-    QVERIFY(settled.done && settled.allLeft);
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("torque_switch"), 1);
+    interrupt(fixture, {{text("torque_switch"), 0}}, 40, true);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    const RecoveryResult settled = recover(fixture, RecoveryAction::Undo);
+    QVERIFY(settled.done && settled.isAllSkipped);
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
 }
 
-void TestRecoverRam::theMarkOfARestartIsTakenBack_data()
+void TestRecoverRam::theRestartMarkerIsReverted_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<QString>("mark");
     QTest::addColumn<int>("action");
-    for (const auto action : {RecoverAction::Undo, RecoverAction::Finish}) {
-        const char* name = action == RecoverAction::Undo ? "undo" : "finish";
+    for (const auto action : {RecoveryAction::Undo, RecoveryAction::Finish}) {
+        const char* name = action == RecoveryAction::Undo ? "undo" : "finish";
         QTest::addRow("STS, %s", name) << text("sts3215@1") << text("torque_limit") << int(action);
         QTest::addRow("SCS, %s", name)
             << text("scs15@1:1000000") << text("goal_time") << int(action);
@@ -204,99 +205,99 @@ void TestRecoverRam::theMarkOfARestartIsTakenBack_data()
 }
 
 /// Cut when the restart is asked for: the servo has not restarted, and its mark stands.
-void TestRecoverRam::theMarkOfARestartIsTakenBack()
+void TestRecoverRam::theRestartMarkerIsReverted()
 {
     QFETCH(QString, servo);
     QFETCH(QString, mark);
     QFETCH(int, action);
-    SimBench bench(servo);
-    device::Servo one = bench.servo(1);
-    const std::int64_t before = bench.raw(1, mark);
-    bench.tap().answerInstead = [&bench](const Bytes& frame) {
+    SimFixture fixture(servo);
+    device::Servo one = fixture.servo(1);
+    const std::int64_t before = fixture.raw(1, mark);
+    fixture.tap().replyOverride = [&fixture](const Bytes& frame) {
         if (frame[4] != support::Reboot)
             return std::optional<Bytes>();
-        bench.cutLink();
+        fixture.cutLink();
         return std::optional(Bytes());
     };
-    QVERIFY(!jobs::reboot(bench.context(), one));
-    bench.tap().answerInstead = nullptr;
-    bench.reconnect(1'000'000);
-    QVERIFY(bench.raw(1, mark) != before);
-    QCOMPARE(recover(bench, RecoverAction::Look).before.finding, Finding::AllNew);
-    QVERIFY(recover(bench, RecoverAction(action)).done);
-    QCOMPARE(bench.raw(1, mark), before);
-    QCOMPARE(lastEnd(bench, 0).outcome, text("undone"));
+    QVERIFY(!jobs::reboot(fixture.context(), one));
+    fixture.tap().replyOverride = nullptr;
+    fixture.reconnect(1'000'000);
+    QVERIFY(fixture.raw(1, mark) != before);
+    QCOMPARE(recover(fixture, RecoveryAction::Preview).before.finding, Finding::AllNew);
+    QVERIFY(recover(fixture, RecoveryAction(action)).done);
+    QCOMPARE(fixture.raw(1, mark), before);
+    QCOMPARE(lastEnd(fixture, 0).outcome, text("undone"));
 }
 
-void TestRecoverRam::afterTheRestartNothingIsOwed()
+void TestRecoverRam::nothingIsPendingAfterTheRestart()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo one = bench.servo(1);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo one = fixture.servo(1);
     bool asked = false;
-    bench.tap().onWrite = [&](const Bytes& frame) {
+    fixture.tap().onWrite = [&](const Bytes& frame) {
         if (asked)
-            bench.cutLink();
+            fixture.cutLink();
         asked = asked || frame[4] == support::Reboot;
     };
-    QVERIFY(!jobs::reboot(bench.context(), one));
-    bench.tap().onWrite = nullptr;
-    bench.letTimePass(std::chrono::seconds(3));
-    bench.reconnect(1'000'000);
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
-    bench.forgetFrames();
-    QCOMPARE(recover(bench, RecoverAction::Look).before.finding, Finding::AllOld);
-    QVERIFY(recover(bench, RecoverAction::Undo).done);
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(bench.raw(1, text("torque_limit")), 1000);
+    QVERIFY(!jobs::reboot(fixture.context(), one));
+    fixture.tap().onWrite = nullptr;
+    fixture.runFor(std::chrono::seconds(3));
+    fixture.reconnect(1'000'000);
+    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
+    fixture.clearFrames();
+    QCOMPARE(recover(fixture, RecoveryAction::Preview).before.finding, Finding::AllOld);
+    QVERIFY(recover(fixture, RecoveryAction::Undo).done);
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(fixture.raw(1, text("torque_limit")), 1000);
 }
 
 /// The servo acknowledges what puts the old value back, and keeps the new one.
-void TestRecoverRam::aRefusedValueIsNotClaimed()
+void TestRecoverRam::aRefusedValueIsNotReportedDone()
 {
-    SimBench bench(text("sts3215@1"));
-    interrupt(bench, {{text("torque_limit"), 500}}, torqueLimit, true);
+    SimFixture fixture(text("sts3215@1"));
+    interrupt(fixture, {{text("torque_limit"), 500}}, torqueLimit, true);
     const Bytes acknowledged{0xFF, 0xFF, 0x01, 0x02, 0x00, 0xFC};
-    bench.tap().answerInstead = [&](const Bytes& frame) {
+    fixture.tap().replyOverride = [&](const Bytes& frame) {
         return writes(frame, torqueLimit) ? std::optional(acknowledged) : std::nullopt;
     };
-    const Recovered refused = recover(bench, RecoverAction::Undo);
+    const RecoveryResult refused = recover(fixture, RecoveryAction::Undo);
     QVERIFY(!refused.done && refused.error);
     QCOMPARE(refused.error->code, base::ErrorCode::Refused);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
 }
 
-void TestRecoverRam::aModeThatIsForgottenIsSettled_data()
+void TestRecoverRam::aModeLostAtPowerOffIsRecovered_data()
 {
     QTest::addColumn<int>("action");
-    QTest::newRow("undo") << int(RecoverAction::Undo);
-    QTest::newRow("finish") << int(RecoverAction::Finish);
+    QTest::newRow("undo") << int(RecoveryAction::Undo);
+    QTest::newRow("finish") << int(RecoveryAction::Finish);
 }
 
 /// An LX servo loses its mode at power-off, but it is a setting like any other until then.
-void TestRecoverRam::aModeThatIsForgottenIsSettled()
+void TestRecoverRam::aModeLostAtPowerOffIsRecovered()
 {
     constexpr int modeWrite = 29;
     QFETCH(int, action);
-    SimBench bench(text("lx16a@1"), {.baud = 115'200});
-    device::Servo servo = bench.servo(1, base::Protocol::Lx);
+    SimFixture fixture(text("lx16a@1"), {.baud = 115'200});
+    device::Servo servo = fixture.servo(1, base::Protocol::Lx);
     const QString before = servo.mode()->key;
     bool sent = false;
-    bench.tap().onWrite = [&](const Bytes& frame) {
+    fixture.tap().onWrite = [&](const Bytes& frame) {
         if (sent)
-            bench.cutLink();
+            fixture.cutLink();
         sent = sent || (frame.size() > 4 && frame[4] == modeWrite);
     };
-    const auto report = device::switchMode(bench.context(), servo, text("motor"));
-    QVERIFY(report && !report->allGood() && sent);
-    bench.tap().onWrite = nullptr;
-    bench.reconnect(115'200);
-    QCOMPARE(bench.servo(1, base::Protocol::Lx).mode()->key, text("motor"));
-    QCOMPARE(recover(bench, RecoverAction::Look).before.finding, Finding::AllNew);
-    QVERIFY(recover(bench, RecoverAction(action)).done);
-    const device::Servo after = bench.servo(1, base::Protocol::Lx);
-    QCOMPARE(after.mode()->key, action == int(RecoverAction::Undo) ? before : text("motor"));
-    QCOMPARE(bench.raw(1, text("load")), 0);
-    QVERIFY(bench.journal().open()->empty());
+    const auto report = device::switchMode(fixture.context(), servo, text("motor"));
+    QVERIFY(report && !report->isSuccessful() && sent);
+    fixture.tap().onWrite = nullptr;
+    fixture.reconnect(115'200);
+    QCOMPARE(fixture.servo(1, base::Protocol::Lx).mode()->key, text("motor"));
+    QCOMPARE(recover(fixture, RecoveryAction::Preview).before.finding, Finding::AllNew);
+    QVERIFY(recover(fixture, RecoveryAction(action)).done);
+    const device::Servo after = fixture.servo(1, base::Protocol::Lx);
+    QCOMPARE(after.mode()->key, action == int(RecoveryAction::Undo) ? before : text("motor"));
+    QCOMPARE(fixture.raw(1, text("load")), 0);
+    QVERIFY(fixture.journal().open()->empty());
 }
 
 QTEST_GUILESS_MAIN(TestRecoverRam)

@@ -16,10 +16,10 @@
 using jobs::RestoreReason;
 using jobs::RestoreStage;
 using jobs::RestoreVerdict;
+using support::changeSevenRegisters;
 using support::cutAtWrite;
-using support::disturb;
-using support::meddle;
-using support::SimBench;
+using support::overwriteAfterWrite;
+using support::SimFixture;
 using support::TableValues;
 
 namespace {
@@ -30,10 +30,10 @@ QString text(const char* word)
 
 const QString program = QStringLiteral("test 1");
 
-record::Snapshot saved(SimBench& bench, int id = 1)
+record::Snapshot saved(SimFixture& fixture, int id = 1)
 {
-    device::Servo servo = support::wholeServo(bench, id);
-    const auto snapshot = jobs::takeSnapshot(bench.context(), servo, program);
+    device::Servo servo = support::identifyWithTable(fixture, id);
+    const auto snapshot = jobs::takeSnapshot(fixture.context(), servo, program);
     if (!snapshot)
         qFatal("cannot save");
     // Through the file, as it would be.
@@ -47,26 +47,26 @@ jobs::RestoreChoice everything()
     return choice;
 }
 
-jobs::RestoreOptions consented()
+jobs::RestoreOptions withConsent()
 {
     jobs::RestoreOptions options;
     options.dangerous = true;
     return options;
 }
 
-jobs::RestoreOutcome restored(SimBench& bench, const record::Snapshot& snapshot,
+jobs::RestoreOutcome restored(SimFixture& fixture, const record::Snapshot& snapshot,
                               const jobs::RestoreChoice& choice, jobs::RestoreOptions options)
 {
-    device::Servo servo = support::wholeServo(bench);
+    device::Servo servo = support::identifyWithTable(fixture);
     const auto plan = jobs::planRestore(servo, snapshot, choice);
-    auto outcome = jobs::restore(bench.context(), servo, plan, options);
+    auto outcome = jobs::restore(fixture.context(), servo, plan, options);
     if (!outcome)
         qFatal("restore: %s %s", qPrintable(base::errorName(outcome.error().code)),
                qPrintable(outcome.error().registerKey));
     return *outcome;
 }
 
-QString differing(const TableValues& a, const TableValues& b)
+QString differences(const TableValues& a, const TableValues& b)
 {
     QStringList keys;
     for (const auto& [key, raw] : a) {
@@ -94,35 +94,35 @@ class TestRestore : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void whatWasSavedComesBack_data();
-    void whatWasSavedComesBack();
+    void savedValuesAreRestored_data();
+    void savedValuesAreRestored();
     void withIdAndRate();
-    void torqueGoesOffFirstAndStaysOff();
-    void onlyTickedRowsAreWritten();
+    void torqueIsSwitchedOffFirstAndStaysOff();
+    void onlySelectedRowsAreWritten();
     void dangerousRowsNeedConsent();
     void liveRowsAreNeverWritten();
-    void limitsAreNeverTheWrongWayRound();
+    void limitsAreNeverInverted();
     void aRefusedRowStopsTheRest();
     void aRefusedRowRollsBack();
-    void theStepsAreWhatHappens();
+    void thePlannedStepsAreExecuted();
     void aPlanForAnotherServoIsRefused();
-    void aChangeSinceThePlanIsNotLost();
+    void aChangeSinceThePlanIsKept();
     void aStopBeforeTheFirstWriteWritesNothing();
-    void theTableIsSavedOnlyBeforeAWrite();
-    void aTemporaryValueIsWrittenToBeKept_data();
-    void aTemporaryValueIsWrittenToBeKept();
+    void theSnapshotIsSavedOnlyBeforeAWrite();
+    void aTemporaryValueCanBeSaved_data();
+    void aTemporaryValueCanBeSaved();
     void aLockLeftOpenIsClosed();
     void aLockThatStaysOpenIsAFailure();
-    void aBrokenOffRestoreIsFinishedLikeOne_data();
-    void aBrokenOffRestoreIsFinishedLikeOne();
+    void anInterruptedRestoreIsFinishedAsOne_data();
+    void anInterruptedRestoreIsFinishedAsOne();
     void finishingStopsAtTheFirstFailure();
-    void whatIsRolledBackIsUndoneInTheJournal();
-    void whatIsLeftOutIsListed();
-    void severalServosEachForItself();
-    void aBundleGoesBackById();
+    void rolledBackRowsAreUndoneInTheJournal();
+    void skippedRowsAreListed();
+    void severalServosIndependently();
+    void aBundleIsRestoredById();
 };
 
-void TestRestore::whatWasSavedComesBack_data()
+void TestRestore::savedValuesAreRestored_data()
 {
     QTest::addColumn<int>("family");
     QTest::addColumn<int>("seed");
@@ -133,233 +133,234 @@ void TestRestore::whatWasSavedComesBack_data()
     }
 }
 
-void TestRestore::whatWasSavedComesBack()
+void TestRestore::savedValuesAreRestored()
 {
     QFETCH(int, family);
     QFETCH(int, seed);
     const support::Family& kind = support::restoreFamilies[std::size_t(family)];
-    SimBench bench(text(kind.servos), support::atBaud(kind.baud));
-    const TableValues factory = support::held(bench);
+    SimFixture fixture(text(kind.servos), support::atBaud(kind.baud));
+    const TableValues factory = support::held(fixture);
     const TableValues wanted =
-        support::RandomTable(unsigned(seed)).make(support::wholeServo(bench));
-    support::pokeAll(bench, wanted);
-    QCOMPARE(differing(wanted, support::held(bench)), QString());
-    const record::Snapshot snapshot = saved(bench);
+        support::RandomTable(unsigned(seed)).make(support::identifyWithTable(fixture));
+    support::pokeAllPersistent(fixture, wanted);
+    QCOMPARE(differences(wanted, support::held(fixture)), QString());
+    const record::Snapshot snapshot = saved(fixture);
 
     // Families with a command for it reset themselves; the others are put back from outside.
-    device::Servo servo = support::wholeServo(bench);
-    if (!jobs::restoreDefaults(bench.context(), servo))
-        support::pokeAll(bench, factory);
-    bench.powerCycle();
-    bench.letTimePass(std::chrono::seconds(3));
+    device::Servo servo = support::identifyWithTable(fixture);
+    if (!jobs::restoreDefaults(fixture.context(), servo))
+        support::pokeAllPersistent(fixture, factory);
+    fixture.powerCycle();
+    fixture.runFor(std::chrono::seconds(3));
 
-    const auto outcome = restored(bench, snapshot, everything(), consented());
+    const auto outcome = restored(fixture, snapshot, everything(), withConsent());
     QCOMPARE(outcome.verdict, RestoreVerdict::Done);
-    QCOMPARE(differing(wanted, support::held(bench)), QString());
-    QVERIFY(!support::lockIsOpen(bench));
-    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(differences(wanted, support::held(fixture)), QString());
+    QVERIFY(!support::isLockOpen(fixture));
+    QVERIFY(fixture.journal().open()->empty());
 
-    const auto again = restored(bench, snapshot, everything(), consented());
-    QCOMPARE(again.verdict, RestoreVerdict::AlreadySo);
-    bench.forgetFrames();
-    const auto third = restored(bench, snapshot, everything(), consented());
-    QCOMPARE(third.verdict, RestoreVerdict::AlreadySo);
-    QVERIFY2(bench.onlyAsked(), "a restore with nothing to do spoke to the servo");
+    const auto again = restored(fixture, snapshot, everything(), withConsent());
+    QCOMPARE(again.verdict, RestoreVerdict::AlreadySet);
+    fixture.clearFrames();
+    const auto third = restored(fixture, snapshot, everything(), withConsent());
+    QCOMPARE(third.verdict, RestoreVerdict::AlreadySet);
+    QVERIFY2(fixture.onlyReadsSent(), "a restore with nothing to do spoke to the servo");
 
-    bench.powerCycle();
-    bench.letTimePass(std::chrono::seconds(3));
-    TableValues kept = support::held(bench);
+    fixture.powerCycle();
+    fixture.runFor(std::chrono::seconds(3));
+    TableValues kept = support::held(fixture);
     // Whether LX keeps the one, and STS and SMS the other, is not documented; the simulator does
     // not.
     for (const char* key : {"led_error", "acceleration_limit"}) {
         if (wanted.count(text(key)) && kept.count(text(key)))
             kept[text(key)] = wanted.at(text(key));
     }
-    QCOMPARE(differing(wanted, kept), QString());
+    QCOMPARE(differences(wanted, kept), QString());
 }
 
 void TestRestore::withIdAndRate()
 {
-    SimBench bench(text("sts3215@7"));
-    bench.poke(7, text("position_p"), 45);
-    record::Snapshot snapshot = saved(bench, 7);
+    SimFixture fixture(text("sts3215@7"));
+    fixture.poke(7, text("position_p"), 45);
+    record::Snapshot snapshot = saved(fixture, 7);
     for (record::SnapshotRegister& reg : snapshot.registers) {
         if (reg.key == text("id"))
             reg.raw = 4;
         if (reg.key == text("baud_rate"))
             reg.raw = 4; // 115200
     }
-    bench.poke(7, text("position_p"), 20);
-    device::Servo servo = support::wholeServo(bench, 7);
+    fixture.poke(7, text("position_p"), 20);
+    device::Servo servo = support::identifyWithTable(fixture, 7);
 
     const auto without = jobs::planRestore(servo, snapshot);
-    QCOMPARE(keysOf(jobs::writesOf(without)), QStringList{text("position_p")});
-    QVERIFY(without.find(text("id"))->mayTick);
+    QCOMPARE(keysOf(jobs::plannedWrites(without)), QStringList{text("position_p")});
+    QVERIFY(without.find(text("id"))->isSelectable);
     QVERIFY(without.find(text("id"))->reasons.testFlag(RestoreReason::Identity));
 
     jobs::RestoreChoice choice;
     choice.identity = true;
     const auto plan = jobs::planRestore(servo, snapshot, choice);
-    QCOMPARE(keysOf(jobs::writesOf(plan)),
+    QCOMPARE(keysOf(jobs::plannedWrites(plan)),
              (QStringList{text("position_p"), text("id"), text("baud_rate")}));
     QVERIFY(!plan.needsConsent());
-    const auto outcome = jobs::restore(bench.context(), servo, plan, {});
+    const auto outcome = jobs::restore(fixture.context(), servo, plan, {});
     QVERIFY(outcome);
     QCOMPARE(outcome->verdict, RestoreVerdict::Done);
     QCOMPARE(outcome->newId, 4);
     QCOMPARE(outcome->newBaud, 115'200);
     QCOMPARE(servo.id, 4);
-    QCOMPARE(bench.bus().baud(), 115'200);
-    QCOMPARE(bench.raw(4, text("position_p")), 45);
-    QVERIFY(!support::lockIsOpen(bench, 4));
-    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(fixture.bus().baud(), 115'200);
+    QCOMPARE(fixture.raw(4, text("position_p")), 45);
+    QVERIFY(!support::isLockOpen(fixture, 4));
+    QVERIFY(fixture.journal().open()->empty());
     QCOMPARE(outcome->rows.back().write.key, text("baud_rate"));
 }
 
-void TestRestore::torqueGoesOffFirstAndStaysOff()
+void TestRestore::torqueIsSwitchedOffFirstAndStaysOff()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    bench.poke(1, text("position_p"), 50);
-    bench.poke(1, text("torque_switch"), 1);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    fixture.poke(1, text("position_p"), 50);
+    fixture.poke(1, text("torque_switch"), 1);
     bool torqueOnAtWrite = false;
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         const bool gain = frame.size() > 5 && frame[4] == support::Write && frame[5] == 21;
-        torqueOnAtWrite |= gain && bench.raw(1, text("torque_switch")) != 0;
+        torqueOnAtWrite |= gain && fixture.raw(1, text("torque_switch")) != 0;
     };
-    const auto outcome = restored(bench, snapshot, {}, {});
-    bench.tap().onWrite = nullptr;
+    const auto outcome = restored(fixture, snapshot, {}, {});
+    fixture.tap().onWrite = nullptr;
     QCOMPARE(outcome.verdict, RestoreVerdict::Done);
     QVERIFY(outcome.torqueSwitchedOff);
     QVERIFY(!torqueOnAtWrite);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    const auto& notices = bench.notices();
-    const auto said = [&](device::NoticeCode code) {
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    const auto& notices = fixture.notices();
+    const auto hasNotice = [&](device::NoticeCode code) {
         return std::any_of(notices.begin(), notices.end(),
                            [&](const device::Notice& notice) { return notice.code == code; });
     };
-    QVERIFY(said(device::NoticeCode::TorqueSwitchedOff));
-    QVERIFY(said(device::NoticeCode::TorqueStaysOff));
+    QVERIFY(hasNotice(device::NoticeCode::TorqueSwitchedOff));
+    QVERIFY(hasNotice(device::NoticeCode::TorqueStaysOff));
 }
 
-void TestRestore::onlyTickedRowsAreWritten()
+void TestRestore::onlySelectedRowsAreWritten()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    bench.poke(1, text("position_p"), 50);
-    bench.poke(1, text("position_d"), 51);
-    bench.poke(1, text("max_temperature"), 60);
-    device::Servo servo = support::wholeServo(bench);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    fixture.poke(1, text("position_p"), 50);
+    fixture.poke(1, text("position_d"), 51);
+    fixture.poke(1, text("max_temperature"), 60);
+    device::Servo servo = support::identifyWithTable(fixture);
     auto plan = jobs::planRestore(servo, snapshot);
-    QCOMPARE(jobs::writesOf(plan).size(), std::size_t(3));
-    QVERIFY(plan.tick(text("position_d"), false));
-    QVERIFY(!plan.tick(text("goal_position"), true));
-    QVERIFY(!plan.tick(text("speed_p"), true)); // the same already
-    bench.forgetFrames();
-    const auto outcome = jobs::restore(bench.context(), servo, plan, {});
+    QCOMPARE(jobs::plannedWrites(plan).size(), std::size_t(3));
+    QVERIFY(plan.setSelected(text("position_d"), false));
+    QVERIFY(!plan.setSelected(text("goal_position"), true));
+    QVERIFY(!plan.setSelected(text("speed_p"), true)); // the same already
+    fixture.clearFrames();
+    const auto outcome = jobs::restore(fixture.context(), servo, plan, {});
     QVERIFY(outcome);
     QCOMPARE(outcome->rows.size(), std::size_t(2));
-    QCOMPARE(bench.raw(1, text("position_d")), 51);
-    QCOMPARE(bench.raw(1, text("position_p")), 32);
-    QCOMPARE(bench.raw(1, text("max_temperature")), 70);
+    QCOMPARE(fixture.raw(1, text("position_d")), 51);
+    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QCOMPARE(fixture.raw(1, text("max_temperature")), 70);
     // Unlock, two rows, lock; torque was off.
-    QCOMPARE(bench.frames(support::Write), 4);
+    QCOMPARE(fixture.frames(support::Write), 4);
 }
 
 void TestRestore::dangerousRowsNeedConsent()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    bench.poke(1, text("position_offset"), 300);
-    device::Servo servo = support::wholeServo(bench);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    fixture.poke(1, text("position_offset"), 300);
+    device::Servo servo = support::identifyWithTable(fixture);
     auto plan = jobs::planRestore(servo, snapshot);
     const jobs::RestoreRow* row = plan.find(text("position_offset"));
-    QVERIFY(row->mayTick && !row->ticked);
+    QVERIFY(row->isSelectable && !row->selected);
     QVERIFY(row->reasons.testFlag(RestoreReason::NeedsConsent));
     QVERIFY(row->reasons.testFlag(RestoreReason::MovesShaft));
-    QVERIFY(jobs::writesOf(plan).empty());
-    QVERIFY(plan.tick(text("position_offset"), true));
-    bench.forgetFrames();
-    const auto refused = jobs::restore(bench.context(), servo, plan, {});
+    QVERIFY(jobs::plannedWrites(plan).empty());
+    QVERIFY(plan.setSelected(text("position_offset"), true));
+    fixture.clearFrames();
+    const auto refused = jobs::restore(fixture.context(), servo, plan, {});
     QCOMPARE(refused.error().code, base::ErrorCode::NeedsConsent);
     QCOMPARE(refused.error().registerKey, text("position_offset"));
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(jobs::restore(bench.context(), servo, plan, consented())->verdict,
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(jobs::restore(fixture.context(), servo, plan, withConsent())->verdict,
              RestoreVerdict::Done);
-    QCOMPARE(bench.raw(1, text("position_offset")), 0);
+    QCOMPARE(fixture.raw(1, text("position_offset")), 0);
 }
 
 void TestRestore::liveRowsAreNeverWritten()
 {
-    SimBench bench(text("lx16a@1"), support::atBaud(115'200));
-    record::Snapshot snapshot = saved(bench);
+    SimFixture fixture(text("lx16a@1"), support::atBaud(115'200));
+    record::Snapshot snapshot = saved(fixture);
     for (record::SnapshotRegister& reg : snapshot.registers) {
         if (reg.key == text("mode") || reg.key == text("load"))
             reg.raw = 1;
         if (reg.key == text("move_angle"))
             reg.raw = 900;
     }
-    device::Servo servo = support::wholeServo(bench);
+    device::Servo servo = support::identifyWithTable(fixture);
     jobs::RestoreChoice choice = everything();
     choice.identity = true;
     choice.live = true;
     const auto plan = jobs::planRestore(servo, snapshot, choice);
-    QVERIFY(jobs::writesOf(plan).empty());
+    QVERIFY(jobs::plannedWrites(plan).empty());
     for (const char* key : {"mode", "load", "move_angle", "motor_speed"})
         QVERIFY2(plan.find(text(key))->reasons.testFlag(RestoreReason::Live), key);
 
-    SimBench sts(text("sts3215@1"));
+    SimFixture sts(text("sts3215@1"));
     record::Snapshot other = saved(sts);
     for (record::SnapshotRegister& reg : other.registers) {
         if (reg.raw && (reg.area == catalog::Area::Sram))
             reg.raw = *reg.raw == 0 ? 1 : 0;
     }
-    device::Servo here = support::wholeServo(sts);
-    QVERIFY(jobs::writesOf(jobs::planRestore(here, other, everything())).empty());
-    QCOMPARE(keysOf(jobs::writesOf(jobs::planRestore(here, other, choice))),
+    device::Servo here = support::identifyWithTable(sts);
+    QVERIFY(jobs::plannedWrites(jobs::planRestore(here, other, everything())).empty());
+    QCOMPARE(keysOf(jobs::plannedWrites(jobs::planRestore(here, other, choice))),
              (QStringList{text("acceleration"), text("torque_limit")}));
 }
 
-void TestRestore::limitsAreNeverTheWrongWayRound()
+void TestRestore::limitsAreNeverInverted()
 {
     // From a range above the wanted one to it, and back: whichever limit went first alone would
     // cross the other.
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("min_angle_limit"), 100);
-    bench.poke(1, text("max_angle_limit"), 200);
-    const record::Snapshot low = saved(bench);
-    bench.poke(1, text("min_angle_limit"), 3000);
-    bench.poke(1, text("max_angle_limit"), 4000);
-    const record::Snapshot high = saved(bench);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("min_angle_limit"), 100);
+    fixture.poke(1, text("max_angle_limit"), 200);
+    const record::Snapshot low = saved(fixture);
+    fixture.poke(1, text("min_angle_limit"), 3000);
+    fixture.poke(1, text("max_angle_limit"), 4000);
+    const record::Snapshot high = saved(fixture);
     bool crossed = false;
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        crossed |= bench.raw(1, text("min_angle_limit")) >= bench.raw(1, text("max_angle_limit"));
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        crossed |=
+            fixture.raw(1, text("min_angle_limit")) >= fixture.raw(1, text("max_angle_limit"));
     };
     for (const record::Snapshot* snapshot : {&low, &high, &low})
-        QCOMPARE(restored(bench, *snapshot, {}, {}).verdict, RestoreVerdict::Done);
-    bench.tap().onWrite = nullptr;
+        QCOMPARE(restored(fixture, *snapshot, {}, {}).verdict, RestoreVerdict::Done);
+    fixture.tap().onWrite = nullptr;
     QVERIFY(!crossed);
-    QCOMPARE(bench.raw(1, text("max_angle_limit")), 200);
+    QCOMPARE(fixture.raw(1, text("max_angle_limit")), 200);
 
     // Half of a pair that would end the wrong way round is refused as a whole.
-    device::Servo servo = support::wholeServo(bench);
+    device::Servo servo = support::identifyWithTable(fixture);
     jobs::RestoreChoice half;
     half.only = QStringList{text("min_angle_limit")};
-    bench.forgetFrames();
+    fixture.clearFrames();
     const auto refused =
-        jobs::restore(bench.context(), servo, jobs::planRestore(servo, high, half), {});
+        jobs::restore(fixture.context(), servo, jobs::planRestore(servo, high, half), {});
     QCOMPARE(refused.error().code, base::ErrorCode::OutOfRange);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 void TestRestore::aRefusedRowStopsTheRest()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    disturb(bench);
-    meddle(bench, 21, text("position_p"), 99, 1);
-    const auto outcome = restored(bench, snapshot, {}, {});
-    bench.tap().onWrite = nullptr;
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    changeSevenRegisters(fixture);
+    overwriteAfterWrite(fixture, 21, text("position_p"), 99, 1);
+    const auto outcome = restored(fixture, snapshot, {}, {});
+    fixture.tap().onWrite = nullptr;
     QCOMPARE(outcome.verdict, RestoreVerdict::Failed);
     QCOMPARE(outcome.lock, device::LockState::Closed);
     QCOMPARE(outcome.rows.size(), std::size_t(7));
@@ -375,71 +376,71 @@ void TestRestore::aRefusedRowStopsTheRest()
         failed |= isBad;
     }
     QVERIFY(failed);
-    QCOMPARE(bench.raw(1, text("max_temperature")), 70); // before it
-    QCOMPARE(bench.raw(1, text("speed_p")), 77);         // behind it
-    QVERIFY(!support::lockIsOpen(bench));
-    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(fixture.raw(1, text("max_temperature")), 70); // before it
+    QCOMPARE(fixture.raw(1, text("speed_p")), 77);         // behind it
+    QVERIFY(!support::isLockOpen(fixture));
+    QVERIFY(fixture.journal().open()->empty());
     // Restoring again does the rest.
-    QCOMPARE(restored(bench, snapshot, {}, {}).verdict, RestoreVerdict::Done);
-    QVERIFY(bench.raw(1, text("speed_p")) != 77);
+    QCOMPARE(restored(fixture, snapshot, {}, {}).verdict, RestoreVerdict::Done);
+    QVERIFY(fixture.raw(1, text("speed_p")) != 77);
 }
 
 void TestRestore::aRefusedRowRollsBack()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    disturb(bench);
-    const TableValues before = support::held(bench);
-    meddle(bench, 21, text("position_p"), 99, 1);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    changeSevenRegisters(fixture);
+    const TableValues before = support::held(fixture);
+    overwriteAfterWrite(fixture, 21, text("position_p"), 99, 1);
     jobs::RestoreOptions options;
     options.onFailure = jobs::OnFailure::RollBack;
-    const auto outcome = restored(bench, snapshot, {}, options);
-    bench.tap().onWrite = nullptr;
+    const auto outcome = restored(fixture, snapshot, {}, options);
+    fixture.tap().onWrite = nullptr;
     QCOMPARE(outcome.verdict, RestoreVerdict::RolledBack);
-    QCOMPARE(differing(before, support::held(bench)), QString());
-    QVERIFY(!support::lockIsOpen(bench));
-    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(differences(before, support::held(fixture)), QString());
+    QVERIFY(!support::isLockOpen(fixture));
+    QVERIFY(fixture.journal().open()->empty());
     for (const jobs::RestoreRowResult& row : outcome.rows) {
         const bool touched = !device::isUntouched(row.write.outcome);
         QCOMPARE(row.rolledBack, touched);
         if (touched)
             QCOMPARE(row.write.readBack, row.write.oldRaw);
     }
-    bench.powerCycle();
-    bench.letTimePass(std::chrono::seconds(3));
-    QCOMPARE(differing(before, support::held(bench)), QString());
+    fixture.powerCycle();
+    fixture.runFor(std::chrono::seconds(3));
+    QCOMPARE(differences(before, support::held(fixture)), QString());
 }
 
-void TestRestore::theStepsAreWhatHappens()
+void TestRestore::thePlannedStepsAreExecuted()
 {
     // Into another mode, with everything that belongs to it.
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("operating_mode"), 1);
-    const record::Snapshot wheel = saved(bench);
-    bench.poke(1, text("operating_mode"), 0);
-    bench.poke(1, text("goal_speed"), 500);
-    disturb(bench);
-    device::Servo servo = support::wholeServo(bench);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("operating_mode"), 1);
+    const record::Snapshot wheel = saved(fixture);
+    fixture.poke(1, text("operating_mode"), 0);
+    fixture.poke(1, text("goal_speed"), 500);
+    changeSevenRegisters(fixture);
+    device::Servo servo = support::identifyWithTable(fixture);
     const auto plan = jobs::planRestore(servo, wheel, everything());
-    const auto writes = jobs::writesOf(plan);
+    const auto writes = jobs::plannedWrites(plan);
     for (std::size_t i = 1; i < writes.size(); ++i)
         QVERIFY(writes[i - 1].stage <= writes[i].stage);
-    const auto steps = jobs::stepsOf(plan);
+    const auto steps = jobs::plannedSteps(plan);
     QCOMPARE(steps.front().kind, jobs::RestoreStepKind::TorqueOff);
     QCOMPARE(steps[1].kind, jobs::RestoreStepKind::Unlock);
-    QCOMPARE(steps[steps.size() - 3].kind, jobs::RestoreStepKind::Settle);
+    QCOMPARE(steps[steps.size() - 3].kind, jobs::RestoreStepKind::Neutralize);
     QCOMPARE(steps[steps.size() - 3].key, text("goal_speed"));
     QCOMPARE(steps[steps.size() - 2].kind, jobs::RestoreStepKind::TorqueOff); // it switches it on
     QCOMPARE(steps.back().kind, jobs::RestoreStepKind::Lock);
 
     std::vector<std::pair<int, int>> sent; // address and bytes of each write
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         if (frame.size() > 5 && frame[4] == support::Write)
             sent.emplace_back(frame[5], int(frame[3]) - 3);
     };
-    QCOMPARE(jobs::restore(bench.context(), servo, plan, consented())->verdict,
+    QCOMPARE(jobs::restore(fixture.context(), servo, plan, withConsent())->verdict,
              RestoreVerdict::Done);
-    bench.tap().onWrite = nullptr;
+    fixture.tap().onWrite = nullptr;
     // Every register written is a step, in the order of the steps.
     std::vector<int> expected;
     for (const jobs::RestoreStep& step : steps) {
@@ -458,33 +459,33 @@ void TestRestore::theStepsAreWhatHappens()
 
 void TestRestore::aPlanForAnotherServoIsRefused()
 {
-    SimBench bench(text("sts3215@1,sts3215@2,scs15@3"));
-    const record::Snapshot snapshot = saved(bench);
-    const device::Servo one = support::wholeServo(bench, 1);
-    bench.poke(1, text("position_p"), 50);
-    const auto plan = jobs::planRestore(support::wholeServo(bench, 1), snapshot);
+    SimFixture fixture(text("sts3215@1,sts3215@2,scs15@3"));
+    const record::Snapshot snapshot = saved(fixture);
+    const device::Servo one = support::identifyWithTable(fixture, 1);
+    fixture.poke(1, text("position_p"), 50);
+    const auto plan = jobs::planRestore(support::identifyWithTable(fixture, 1), snapshot);
     for (const int id : {2, 3}) {
-        device::Servo other = support::wholeServo(bench, id);
-        bench.forgetFrames();
-        QCOMPARE(jobs::restore(bench.context(), other, plan, {}).error().code,
+        device::Servo other = support::identifyWithTable(fixture, id);
+        fixture.clearFrames();
+        QCOMPARE(jobs::restore(fixture.context(), other, plan, {}).error().code,
                  base::ErrorCode::BadArgument);
-        QCOMPARE(bench.frameCount(), std::size_t(0));
+        QCOMPARE(fixture.frameCount(), std::size_t(0));
     }
 }
 
-void TestRestore::aChangeSinceThePlanIsNotLost()
+void TestRestore::aChangeSinceThePlanIsKept()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    bench.poke(1, text("position_p"), 50);
-    bench.poke(1, text("position_d"), 51);
-    device::Servo servo = support::wholeServo(bench);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    fixture.poke(1, text("position_p"), 50);
+    fixture.poke(1, text("position_d"), 51);
+    device::Servo servo = support::identifyWithTable(fixture);
     const auto plan = jobs::planRestore(servo, snapshot);
     // While somebody looks at the list.
-    bench.poke(1, text("position_p"), 60);
-    bench.poke(1, text("position_d"), 32);
-    QCOMPARE(jobs::restore(bench.context(), servo, plan, {})->verdict, RestoreVerdict::Done);
-    const auto entries = bench.journal().entries().value();
+    fixture.poke(1, text("position_p"), 60);
+    fixture.poke(1, text("position_d"), 32);
+    QCOMPARE(jobs::restore(fixture.context(), servo, plan, {})->verdict, RestoreVerdict::Done);
+    const auto entries = fixture.journal().entries().value();
     QCOMPARE(entries.size(), std::size_t(1));
     QCOMPARE(entries[0].intent.items.size(), std::size_t(1));
     QCOMPARE(entries[0].intent.kind, base::IntentKind::Restore);
@@ -493,114 +494,114 @@ void TestRestore::aChangeSinceThePlanIsNotLost()
 
 void TestRestore::aStopBeforeTheFirstWriteWritesNothing()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    disturb(bench);
-    device::Servo servo = support::wholeServo(bench);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    changeSevenRegisters(fixture);
+    device::Servo servo = support::identifyWithTable(fixture);
     const auto plan = jobs::planRestore(servo, snapshot);
-    bench.stop().request();
-    bench.forgetFrames();
-    QCOMPARE(jobs::restore(bench.context(), servo, plan, {}).error().code,
+    fixture.stop().request();
+    fixture.clearFrames();
+    QCOMPARE(jobs::restore(fixture.context(), servo, plan, {}).error().code,
              base::ErrorCode::Stopped);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestRestore::theTableIsSavedOnlyBeforeAWrite()
+void TestRestore::theSnapshotIsSavedOnlyBeforeAWrite()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
     int calls = 0;
     jobs::RestoreOptions options;
     options.beforeWrite = [&](const device::Context&, device::Servo&) -> base::Result<void> {
         ++calls;
         return {};
     };
-    restored(bench, snapshot, {}, options);
+    restored(fixture, snapshot, {}, options);
     QCOMPARE(calls, 0);
-    disturb(bench);
-    restored(bench, snapshot, {}, options);
+    changeSevenRegisters(fixture);
+    restored(fixture, snapshot, {}, options);
     QCOMPARE(calls, 1);
-    disturb(bench);
+    changeSevenRegisters(fixture);
     options.beforeWrite = [&](const device::Context&, device::Servo&) -> base::Result<void> {
         return base::fail(base::ErrorCode::DiskFull);
     };
-    device::Servo servo = support::wholeServo(bench);
-    bench.forgetFrames();
+    device::Servo servo = support::identifyWithTable(fixture);
+    fixture.clearFrames();
     const auto refused =
-        jobs::restore(bench.context(), servo, jobs::planRestore(servo, snapshot), options);
+        jobs::restore(fixture.context(), servo, jobs::planRestore(servo, snapshot), options);
     QCOMPARE(refused.error().code, base::ErrorCode::DiskFull);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestRestore::aTemporaryValueIsWrittenToBeKept_data()
+void TestRestore::aTemporaryValueCanBeSaved_data()
 {
     QTest::addColumn<bool>("knownToThePlan");
     QTest::newRow("planned with the journal") << true;
     QTest::newRow("planned without it") << false;
 }
 
-void TestRestore::aTemporaryValueIsWrittenToBeKept()
+void TestRestore::aTemporaryValueCanBeSaved()
 {
     QFETCH(const bool, knownToThePlan);
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = support::wholeServo(bench);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = support::identifyWithTable(fixture);
     const auto write = [&](std::int64_t raw, bool temporary) {
         device::WriteOptions options;
         options.temporary = temporary;
-        QVERIFY(
-            device::write(bench.context(), servo, {{text("position_p"), raw}}, options)->allGood());
+        QVERIFY(device::write(fixture.context(), servo, {{text("position_p"), raw}}, options)
+                    ->isSuccessful());
     };
     write(40, false);
-    const record::Snapshot snapshot = saved(bench);
+    const record::Snapshot snapshot = saved(fixture);
     write(32, false);
     write(40, true);
 
-    servo = support::wholeServo(bench);
-    const auto plan = knownToThePlan ? jobs::planRestore(bench.context(), servo, snapshot)
+    servo = support::identifyWithTable(fixture);
+    const auto plan = knownToThePlan ? jobs::planRestore(fixture.context(), servo, snapshot)
                                      : jobs::planRestore(servo, snapshot);
-    QCOMPARE(keysOf(jobs::writesOf(plan)),
+    QCOMPARE(keysOf(jobs::plannedWrites(plan)),
              knownToThePlan ? QStringList{text("position_p")} : QStringList());
-    const auto outcome = jobs::restore(bench.context(), servo, plan, {});
+    const auto outcome = jobs::restore(fixture.context(), servo, plan, {});
     QVERIFY(outcome);
     QCOMPARE(outcome->verdict, RestoreVerdict::Done);
     QCOMPARE(outcome->rows.size(), std::size_t(1));
     QCOMPARE(outcome->rows[0].write.outcome, device::WriteOutcome::Kept);
-    QVERIFY(!support::lockIsOpen(bench));
+    QVERIFY(!support::isLockOpen(fixture));
 
     // Now it is so already, and stays so.
-    const auto again = jobs::restore(bench.context(), servo, plan, {});
-    QCOMPARE(again->verdict, knownToThePlan ? RestoreVerdict::Done : RestoreVerdict::AlreadySo);
-    bench.powerCycle();
-    QCOMPARE(bench.raw(1, text("position_p")), 40);
-    servo = support::wholeServo(bench);
-    QVERIFY(jobs::writesOf(jobs::planRestore(bench.context(), servo, snapshot)).empty());
+    const auto again = jobs::restore(fixture.context(), servo, plan, {});
+    QCOMPARE(again->verdict, knownToThePlan ? RestoreVerdict::Done : RestoreVerdict::AlreadySet);
+    fixture.powerCycle();
+    QCOMPARE(fixture.raw(1, text("position_p")), 40);
+    servo = support::identifyWithTable(fixture);
+    QVERIFY(jobs::plannedWrites(jobs::planRestore(fixture.context(), servo, snapshot)).empty());
 }
 
 void TestRestore::aLockLeftOpenIsClosed()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    bench.poke(1, text("lock"), 0);
-    device::Servo servo = support::wholeServo(bench);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    fixture.poke(1, text("lock"), 0);
+    device::Servo servo = support::identifyWithTable(fixture);
     const auto plan = jobs::planRestore(servo, snapshot);
-    QCOMPARE(jobs::stepsOf(plan).size(), std::size_t(1));
-    QCOMPARE(jobs::stepsOf(plan)[0].kind, jobs::RestoreStepKind::Lock);
-    const auto outcome = jobs::restore(bench.context(), servo, plan, {});
-    QCOMPARE(outcome->verdict, RestoreVerdict::AlreadySo);
+    QCOMPARE(jobs::plannedSteps(plan).size(), std::size_t(1));
+    QCOMPARE(jobs::plannedSteps(plan)[0].kind, jobs::RestoreStepKind::Lock);
+    const auto outcome = jobs::restore(fixture.context(), servo, plan, {});
+    QCOMPARE(outcome->verdict, RestoreVerdict::AlreadySet);
     QCOMPARE(outcome->lock, device::LockState::Closed);
-    QVERIFY(!support::lockIsOpen(bench));
+    QVERIFY(!support::isLockOpen(fixture));
 }
 
 void TestRestore::aLockThatStaysOpenIsAFailure()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    bench.poke(1, text("lock"), 0);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    fixture.poke(1, text("lock"), 0);
     constexpr std::uint8_t lockAddress = 55;
-    meddle(bench, lockAddress, text("lock"), 0, 100);
-    const auto outcome = restored(bench, snapshot, {}, {});
-    bench.tap().onWrite = nullptr;
-    QVERIFY(support::lockIsOpen(bench));
+    overwriteAfterWrite(fixture, lockAddress, text("lock"), 0, 100);
+    const auto outcome = restored(fixture, snapshot, {}, {});
+    fixture.tap().onWrite = nullptr;
+    QVERIFY(support::isLockOpen(fixture));
     QCOMPARE(outcome.lock, device::LockState::Open);
     QCOMPARE(outcome.verdict, RestoreVerdict::Failed);
     QVERIFY(outcome.rows.empty());
@@ -608,72 +609,72 @@ void TestRestore::aLockThatStaysOpenIsAFailure()
 
 namespace {
 /// disturb() made good in part: the link is cut before the fourth of seven rows.
-void breakOff(SimBench& bench, const record::Snapshot& snapshot)
+void interruptRestore(SimFixture& fixture, const record::Snapshot& snapshot)
 {
-    disturb(bench);
-    constexpr int unlockAndThreeRows = 4;
-    cutAtWrite(bench, unlockAndThreeRows + 1);
-    const auto outcome = restored(bench, snapshot, {}, {});
-    bench.tap().onWrite = nullptr;
+    changeSevenRegisters(fixture);
+    constexpr int framesUntilFourthRow = 4;
+    cutAtWrite(fixture, framesUntilFourthRow + 1);
+    const auto outcome = restored(fixture, snapshot, {}, {});
+    fixture.tap().onWrite = nullptr;
     if (outcome.verdict != RestoreVerdict::Failed)
         qFatal("it was not broken off");
-    bench.reconnect(1'000'000);
-    if (bench.journal().open()->size() != 1)
+    fixture.reconnect(1'000'000);
+    if (fixture.journal().open()->size() != 1)
         qFatal("no intent is open");
 }
 
-bool saysTorqueStaysOff(SimBench& bench)
+bool reportsTorqueStaysOff(SimFixture& fixture)
 {
-    const auto& notices = bench.notices();
+    const auto& notices = fixture.notices();
     return std::any_of(notices.begin(), notices.end(), [](const device::Notice& notice) {
         return notice.code == device::NoticeCode::TorqueStaysOff;
     });
 }
 } // namespace
 
-void TestRestore::aBrokenOffRestoreIsFinishedLikeOne_data()
+void TestRestore::anInterruptedRestoreIsFinishedAsOne_data()
 {
     QTest::addColumn<bool>("recovers");
     QTest::newRow("restored again") << false;
     QTest::newRow("recover --finish") << true;
 }
 
-void TestRestore::aBrokenOffRestoreIsFinishedLikeOne()
+void TestRestore::anInterruptedRestoreIsFinishedAsOne()
 {
     QFETCH(const bool, recovers);
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    breakOff(bench, snapshot);
-    const base::Intent intent = bench.journal().open()->front();
-    bench.poke(1, text("torque_switch"), 1);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    interruptRestore(fixture, snapshot);
+    const base::Intent intent = fixture.journal().open()->front();
+    fixture.poke(1, text("torque_switch"), 1);
 
     bool torqueOn = false;
     std::vector<int> written;
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         if (frame.size() < 6 || frame[4] != support::Write)
             return;
         const bool isRow = frame[5] != 40 && frame[5] != 55;
-        torqueOn |= isRow && bench.raw(1, text("torque_switch")) != 0;
+        torqueOn |= isRow && fixture.raw(1, text("torque_switch")) != 0;
         if (isRow)
             written.push_back(frame[5]);
     };
     std::vector<device::WriteResult> rows;
     if (recovers) {
-        const auto done = jobs::recover(bench.context(), jobs::RecoverAction::Finish);
+        const auto done = jobs::recover(fixture.context(), jobs::RecoveryAction::Finish);
         QVERIFY(done && done->size() == 1 && done->front().done && done->front().report);
         rows = done->front().report->writes;
     } else {
-        const auto outcome = restored(bench, snapshot, {}, {});
+        const auto outcome = restored(fixture, snapshot, {}, {});
         QCOMPARE(outcome.verdict, RestoreVerdict::Done);
         QVERIFY(outcome.torqueSwitchedOff);
         for (const jobs::RestoreRowResult& row : outcome.rows)
             rows.push_back(row.write);
     }
-    bench.tap().onWrite = nullptr;
+    fixture.tap().onWrite = nullptr;
     QVERIFY(!torqueOn);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QVERIFY(saysTorqueStaysOff(bench));
-    QVERIFY(!support::lockIsOpen(bench));
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QVERIFY(reportsTorqueStaysOff(fixture));
+    QVERIFY(!support::isLockOpen(fixture));
 
     // All seven rows are told of, each with what it had at first, and the journal has them.
     QCOMPARE(rows.size(), intent.items.size());
@@ -684,13 +685,13 @@ void TestRestore::aBrokenOffRestoreIsFinishedLikeOne()
         QCOMPARE(rows[i].oldRaw, std::optional(item.oldRaw));
         QCOMPARE(rows[i].readBack, std::optional(item.newRaw));
         QCOMPARE(rows[i].outcome, device::WriteOutcome::Kept);
-        QCOMPARE(bench.raw(1, item.key), item.newRaw);
+        QCOMPARE(fixture.raw(1, item.key), item.newRaw);
     }
-    const auto entries = bench.journal().entries().value();
+    const auto entries = fixture.journal().entries().value();
     QCOMPARE(entries.front().end->outcome, text("done"));
     QCOMPARE(entries.front().end->items.size(), std::size_t(7));
     // What was written only now is no part of what happened then.
-    for (const base::ItemEnd& end : entries.front().end->items) {
+    for (const base::ItemResult& end : entries.front().end->items) {
         const auto& late = entries.back().intent.items;
         const auto now = std::find_if(late.begin(), late.end(),
                                       [&](const auto& item) { return item.key == end.key; });
@@ -712,53 +713,54 @@ void TestRestore::aBrokenOffRestoreIsFinishedLikeOne()
 
 void TestRestore::finishingStopsAtTheFirstFailure()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    breakOff(bench, snapshot);
-    const auto open = bench.journal().open()->front();
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    interruptRestore(fixture, snapshot);
+    const auto open = fixture.journal().open()->front();
     const auto missing = std::find_if(open.items.begin(), open.items.end(), [&](const auto& item) {
-        return bench.raw(1, item.key) != item.newRaw;
+        return fixture.raw(1, item.key) != item.newRaw;
     });
     QVERIFY(missing != open.items.end() && missing + 1 != open.items.end());
-    meddle(bench, std::uint8_t(missing->address), missing->key, missing->newRaw + 1, 1);
-    const auto outcome = restored(bench, snapshot, {}, {});
-    bench.tap().onWrite = nullptr;
+    overwriteAfterWrite(fixture, std::uint8_t(missing->address), missing->key, missing->newRaw + 1,
+                        1);
+    const auto outcome = restored(fixture, snapshot, {}, {});
+    fixture.tap().onWrite = nullptr;
     QCOMPARE(outcome.verdict, RestoreVerdict::Failed);
     QCOMPARE(outcome.rows.size(), std::size_t(7));
     for (auto item = missing + 1; item != open.items.end(); ++item)
-        QCOMPARE(bench.raw(1, item->key), item->oldRaw);
+        QCOMPARE(fixture.raw(1, item->key), item->oldRaw);
     QCOMPARE(outcome.lock, device::LockState::Closed);
     // It is still owed; once the row takes its value, restoring again completes it.
-    QVERIFY(!bench.journal().open()->empty());
-    bench.poke(1, missing->key, missing->oldRaw);
-    QCOMPARE(restored(bench, snapshot, {}, {}).verdict, RestoreVerdict::Done);
+    QVERIFY(!fixture.journal().open()->empty());
+    fixture.poke(1, missing->key, missing->oldRaw);
+    QCOMPARE(restored(fixture, snapshot, {}, {}).verdict, RestoreVerdict::Done);
     for (const base::JournalItem& item : open.items)
-        QCOMPARE(bench.raw(1, item.key), item.newRaw);
-    QVERIFY(bench.journal().open()->empty());
+        QCOMPARE(fixture.raw(1, item.key), item.newRaw);
+    QVERIFY(fixture.journal().open()->empty());
 }
 
-void TestRestore::whatIsRolledBackIsUndoneInTheJournal()
+void TestRestore::rolledBackRowsAreUndoneInTheJournal()
 {
-    SimBench bench(text("sts3215@1"));
-    const record::Snapshot snapshot = saved(bench);
-    disturb(bench);
-    const TableValues before = support::held(bench);
+    SimFixture fixture(text("sts3215@1"));
+    const record::Snapshot snapshot = saved(fixture);
+    changeSevenRegisters(fixture);
+    const TableValues before = support::held(fixture);
     constexpr int thirdRow = 4;
-    support::fallSilent(bench, thirdRow);
+    support::muteFromWrite(fixture, thirdRow);
     jobs::RestoreOptions options;
     options.onFailure = jobs::OnFailure::RollBack;
-    const auto outcome = restored(bench, snapshot, {}, options);
-    bench.tap().onWrite = nullptr;
+    const auto outcome = restored(fixture, snapshot, {}, options);
+    fixture.tap().onWrite = nullptr;
     QCOMPARE(outcome.verdict, RestoreVerdict::RolledBack);
-    QCOMPARE(differing(before, support::held(bench)), QString());
-    QVERIFY(bench.journal().open()->empty());
-    const auto entries = bench.journal().entries().value();
+    QCOMPARE(differences(before, support::held(fixture)), QString());
+    QVERIFY(fixture.journal().open()->empty());
+    const auto entries = fixture.journal().entries().value();
     QCOMPARE(entries.size(), std::size_t(2));
     const base::JournalEntry& first = entries.front();
     QCOMPARE(first.end->outcome, text("undone"));
     QCOMPARE(first.end->items.size(), std::size_t(7));
     int undone = 0;
-    for (const base::ItemEnd& end : first.end->items) {
+    for (const base::ItemResult& end : first.end->items) {
         const auto item =
             std::find_if(first.intent.items.begin(), first.intent.items.end(),
                          [&](const base::JournalItem& one) { return one.key == end.key; });
@@ -771,11 +773,11 @@ void TestRestore::whatIsRolledBackIsUndoneInTheJournal()
     QCOMPARE(undone, 3);
 }
 
-void TestRestore::whatIsLeftOutIsListed()
+void TestRestore::skippedRowsAreListed()
 {
-    SimBench bench(text("sts3215@1,scs15@3"));
-    bench.poke(1, text("id"), 1);
-    record::Snapshot snapshot = saved(bench);
+    SimFixture fixture(text("sts3215@1,scs15@3"));
+    fixture.poke(1, text("id"), 1);
+    record::Snapshot snapshot = saved(fixture);
     for (record::SnapshotRegister& reg : snapshot.registers) {
         if (reg.key == text("id"))
             reg.raw = 9;
@@ -788,15 +790,15 @@ void TestRestore::whatIsLeftOutIsListed()
     }
     const auto keys = [](const jobs::RestorePlan& plan) {
         QStringList names;
-        for (const jobs::RestoreRow* row : jobs::leftOut(plan))
+        for (const jobs::RestoreRow* row : jobs::omittedRows(plan))
             names << row->key;
         return names;
     };
-    const device::Servo servo = support::wholeServo(bench);
+    const device::Servo servo = support::identifyWithTable(fixture);
     auto plan = jobs::planRestore(servo, snapshot);
     QCOMPARE(keys(plan), QStringList{text("position_offset")});
-    QVERIFY(!plan.find(text("position_offset"))->asked);
-    QVERIFY(plan.tick(text("position_p"), false));
+    QVERIFY(!plan.find(text("position_offset"))->isRequested);
+    QVERIFY(plan.setSelected(text("position_p"), false));
     QCOMPARE(keys(plan), (QStringList{text("position_p"), text("position_offset")}));
     QVERIFY(keys(jobs::planRestore(servo, snapshot, everything())).isEmpty());
 
@@ -807,75 +809,75 @@ void TestRestore::whatIsLeftOutIsListed()
     QStringList named = keys(plan);
     named.sort();
     QCOMPARE(named, (QStringList{text("goal_position"), text("id")}));
-    QVERIFY(jobs::leftOut(plan).front()->asked);
+    QVERIFY(jobs::omittedRows(plan).front()->isRequested);
 
     // A template's rows are asked for, so those another family lacks are missed as well.
     record::Snapshot chosen =
         record::makeTemplate(snapshot, {text("speed_p"), text("overload_torque")}, false).value();
-    plan = jobs::planRestore(support::wholeServo(bench, 3), chosen);
+    plan = jobs::planRestore(support::identifyWithTable(fixture, 3), chosen);
     QVERIFY(keys(plan).contains(text("speed_p")));
-    QVERIFY(plan.find(text("speed_p"))->asked);
+    QVERIFY(plan.find(text("speed_p"))->isRequested);
 }
 
-void TestRestore::severalServosEachForItself()
+void TestRestore::severalServosIndependently()
 {
-    SimBench bench(text("sts3215@1,sts3215@2,scs15@3,sts3215@4"));
-    const record::Snapshot snapshot = saved(bench);
-    bench.poke(2, text("position_p"), 50);
-    bench.poke(4, text("position_p"), 51);
+    SimFixture fixture(text("sts3215@1,sts3215@2,scs15@3,sts3215@4"));
+    const record::Snapshot snapshot = saved(fixture);
+    fixture.poke(2, text("position_p"), 50);
+    fixture.poke(4, text("position_p"), 51);
     jobs::ApplyOptions options;
     options.dryRun = true;
-    bench.forgetFrames();
-    auto all = jobs::applyToServos(bench.context(), {1, 2, 3, 4, 9}, snapshot, options);
-    QVERIFY(bench.onlyAsked());
+    fixture.clearFrames();
+    auto all = jobs::applyToServos(fixture.context(), {1, 2, 3, 4, 9}, snapshot, options);
+    QVERIFY(fixture.onlyReadsSent());
     QCOMPARE(all.size(), std::size_t(5));
-    QCOMPARE(all[0].verdict, jobs::ApplyVerdict::AlreadySo);
+    QCOMPARE(all[0].verdict, jobs::ApplyVerdict::AlreadySet);
     QCOMPARE(all[1].verdict, jobs::ApplyVerdict::Planned);
     QVERIFY(all[2].plan.otherModel);
-    QCOMPARE(all[4].verdict, jobs::ApplyVerdict::NoAnswer);
+    QCOMPARE(all[4].verdict, jobs::ApplyVerdict::NoReply);
 
     options.dryRun = false;
     options.choice.identity = true; // ignored: four servos with one ID
-    std::vector<int> told;
-    all = jobs::applyToServos(bench.context(), {1, 2, 9, 4}, snapshot, options, {},
-                              [&](const jobs::Applied& one) { told.push_back(one.id); });
-    QCOMPARE(told, (std::vector<int>{1, 2, 9, 4}));
-    QCOMPARE(all[0].verdict, jobs::ApplyVerdict::AlreadySo);
+    std::vector<int> progress;
+    all = jobs::applyToServos(fixture.context(), {1, 2, 9, 4}, snapshot, options, {},
+                              [&](const jobs::ApplyResult& one) { progress.push_back(one.id); });
+    QCOMPARE(progress, (std::vector<int>{1, 2, 9, 4}));
+    QCOMPARE(all[0].verdict, jobs::ApplyVerdict::AlreadySet);
     QCOMPARE(all[1].verdict, jobs::ApplyVerdict::Done);
-    QCOMPARE(all[2].verdict, jobs::ApplyVerdict::NoAnswer);
+    QCOMPARE(all[2].verdict, jobs::ApplyVerdict::NoReply);
     QCOMPARE(all[3].verdict, jobs::ApplyVerdict::Done);
-    QCOMPARE(bench.raw(4, text("position_p")), 32);
-    QCOMPARE(bench.raw(4, text("id")), 4);
+    QCOMPARE(fixture.raw(4, text("position_p")), 32);
+    QCOMPARE(fixture.raw(4, text("id")), 4);
 }
 
-void TestRestore::aBundleGoesBackById()
+void TestRestore::aBundleIsRestoredById()
 {
-    SimBench bench(text("sts3215@1,sts3215@2,scs15@3"));
+    SimFixture fixture(text("sts3215@1,sts3215@2,scs15@3"));
     std::vector<device::Servo> servos;
     for (const int id : {3, 1, 2})
-        servos.push_back(support::wholeServo(bench, id));
-    bench.poke(2, text("position_p"), 44);
-    const auto taken = jobs::takeBundle(bench.context(), servos, program);
+        servos.push_back(support::identifyWithTable(fixture, id));
+    fixture.poke(2, text("position_p"), 44);
+    const auto taken = jobs::takeBundle(fixture.context(), servos, program);
     QVERIFY(taken);
     const auto bundle = record::decodeBundle(record::encodeBundle(*taken));
     QVERIFY(bundle);
     QCOMPARE(bundle->servos.size(), std::size_t(3));
     QCOMPARE(bundle->servos[0].servo.id, 1);
-    bench.poke(2, text("position_p"), 11);
-    bench.poke(1, text("max_temperature"), 11);
+    fixture.poke(2, text("position_p"), 11);
+    fixture.poke(1, text("max_temperature"), 11);
     // Somebody has swapped two of them: hands off.
-    bench.withWire([](sim::VirtualBus& wire) {
+    fixture.withBus([](sim::VirtualBus& wire) {
         wire.servo(3)->poke(text("id"), 30);
         wire.servo(1)->poke(text("id"), 3);
         wire.servo(30)->poke(text("id"), 1);
     });
-    bench.letTimePass(std::chrono::milliseconds(50));
-    const auto all = jobs::restoreBundle(bench.context(), *bundle, {});
+    fixture.runFor(std::chrono::milliseconds(50));
+    const auto all = jobs::restoreBundle(fixture.context(), *bundle, {});
     QCOMPARE(all[0].verdict, jobs::ApplyVerdict::OtherServo);
     QCOMPARE(all[1].verdict, jobs::ApplyVerdict::Done);
     QCOMPARE(all[2].verdict, jobs::ApplyVerdict::OtherServo);
-    QCOMPARE(bench.raw(2, text("position_p")), 44);
-    QCOMPARE(bench.raw(3, text("max_temperature")), 11);
+    QCOMPARE(fixture.raw(2, text("position_p")), 44);
+    QCOMPARE(fixture.raw(3, text("max_temperature")), 11);
 }
 
 QTEST_GUILESS_MAIN(TestRestore)

@@ -11,9 +11,9 @@
 #include <QTest>
 
 using device::WriteOutcome;
-using jobs::RecoverAction;
+using jobs::RecoveryAction;
 using jobs::RestoreVerdict;
-using support::SimBench;
+using support::SimFixture;
 using support::TableValues;
 
 namespace {
@@ -22,54 +22,54 @@ QString text(const char* word)
     return QString::fromLatin1(word);
 }
 
-enum class Trouble { LinkCut, PowerLost };
-enum class Then { Finish, Undo, Again };
+enum class Failure { LinkCut, PowerLost };
+enum class FollowUp { Finish, Undo, Again };
 
 /// Nullopt: it ended with an error.
-std::optional<jobs::RestoreOutcome> restoreOn(SimBench& bench, const record::Snapshot& snapshot)
+std::optional<jobs::RestoreOutcome> restoreOn(SimFixture& fixture, const record::Snapshot& snapshot)
 {
     const std::vector<base::Protocol> feetech{base::Protocol::Feetech};
-    auto servo = device::identifyAmong(bench.context(), 1, feetech);
-    if (!servo || !device::readAll(bench.context(), *servo))
+    auto servo = device::identifyAmong(fixture.context(), 1, feetech);
+    if (!servo || !device::readAll(fixture.context(), *servo))
         return std::nullopt;
     jobs::RestoreChoice choice;
     choice.dangerous = true;
     jobs::RestoreOptions options;
     options.dangerous = true;
     const auto plan = jobs::planRestore(*servo, snapshot, choice);
-    const auto outcome = jobs::restore(bench.context(), *servo, plan, options);
+    const auto outcome = jobs::restore(fixture.context(), *servo, plan, options);
     return outcome ? std::optional(*outcome) : std::nullopt;
 }
 
 /// Ends it when this many frames have gone out.
-void arm(SimBench& bench, Trouble trouble, std::size_t frame, bool& fired)
+void arm(SimFixture& fixture, Failure trouble, std::size_t frame, bool& fired)
 {
-    bench.forgetFrames();
-    bench.tap().onWrite = [&bench, trouble, frame, &fired](const base::Bytes&) {
-        if (fired || bench.frameCount() < frame)
+    fixture.clearFrames();
+    fixture.tap().onWrite = [&fixture, trouble, frame, &fired](const base::Bytes&) {
+        if (fired || fixture.frameCount() < frame)
             return;
         fired = true;
-        if (trouble == Trouble::LinkCut)
-            bench.cutLink();
+        if (trouble == Failure::LinkCut)
+            fixture.cutLink();
         else
-            bench.withWire([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
+            fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->powerOff(); });
     };
 }
 
-struct Frames {
+struct RestoreFrames {
     std::size_t all = 0;
     std::size_t firstWrite = 0; ///< number of the frame that begins the change
 };
 
-Frames framesOfWholeRestore(const record::Snapshot& snapshot)
+RestoreFrames fullRestoreFrames(const record::Snapshot& snapshot)
 {
-    SimBench bench(text("sts3215@1"));
-    bench.forgetFrames();
-    const auto outcome = restoreOn(bench, snapshot);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.clearFrames();
+    const auto outcome = restoreOn(fixture, snapshot);
     if (!outcome || outcome->verdict != RestoreVerdict::Done || outcome->rows.size() != 20)
         qFatal("the restore does not work on a whole line");
-    Frames frames;
-    const auto& written = bench.tap().written;
+    RestoreFrames frames;
+    const auto& written = fixture.tap().written;
     frames.all = written.size();
     while (frames.firstWrite < written.size() && written[frames.firstWrite][4] != support::Write)
         ++frames.firstWrite;
@@ -77,10 +77,10 @@ Frames framesOfWholeRestore(const record::Snapshot& snapshot)
 }
 
 /// What the report claims of each row is so.
-QString lies(SimBench& bench, const jobs::RestoreOutcome& outcome)
+QString reportErrors(SimFixture& fixture, const jobs::RestoreOutcome& outcome)
 {
     for (const jobs::RestoreRowResult& row : outcome.rows) {
-        const std::int64_t now = bench.raw(1, row.write.key);
+        const std::int64_t now = fixture.raw(1, row.write.key);
         const bool claimed = row.write.outcome == WriteOutcome::Kept;
         const bool denied = device::isUntouched(row.write.outcome);
         if ((claimed && now != row.write.newRaw) || (denied && now != row.write.oldRaw))
@@ -92,60 +92,60 @@ QString lies(SimBench& bench, const jobs::RestoreOutcome& outcome)
 }
 } // namespace
 
-class TestRestoreCut : public QObject {
+class TestRestoreInterrupted : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
-    void endedAtEveryFrame_data();
-    void endedAtEveryFrame();
+    void interruptedAtEveryFrame_data();
+    void interruptedAtEveryFrame();
 };
 
-void TestRestoreCut::endedAtEveryFrame_data()
+void TestRestoreInterrupted::interruptedAtEveryFrame_data()
 {
     QTest::addColumn<int>("trouble");
     QTest::addColumn<int>("then");
-    QTest::newRow("link cut, finished") << int(Trouble::LinkCut) << int(Then::Finish);
-    QTest::newRow("link cut, undone") << int(Trouble::LinkCut) << int(Then::Undo);
-    QTest::newRow("link cut, restored again") << int(Trouble::LinkCut) << int(Then::Again);
-    QTest::newRow("power lost, finished") << int(Trouble::PowerLost) << int(Then::Finish);
-    QTest::newRow("power lost, undone") << int(Trouble::PowerLost) << int(Then::Undo);
-    QTest::newRow("power lost, restored again") << int(Trouble::PowerLost) << int(Then::Again);
+    QTest::newRow("link cut, finished") << int(Failure::LinkCut) << int(FollowUp::Finish);
+    QTest::newRow("link cut, undone") << int(Failure::LinkCut) << int(FollowUp::Undo);
+    QTest::newRow("link cut, restored again") << int(Failure::LinkCut) << int(FollowUp::Again);
+    QTest::newRow("power lost, finished") << int(Failure::PowerLost) << int(FollowUp::Finish);
+    QTest::newRow("power lost, undone") << int(Failure::PowerLost) << int(FollowUp::Undo);
+    QTest::newRow("power lost, restored again") << int(Failure::PowerLost) << int(FollowUp::Again);
 }
 
-void TestRestoreCut::endedAtEveryFrame()
+void TestRestoreInterrupted::interruptedAtEveryFrame()
 {
     QFETCH(int, trouble);
     QFETCH(int, then);
-    const record::Snapshot snapshot = support::snapshotOfTwentyRows();
-    const Frames frames = framesOfWholeRestore(snapshot);
+    const record::Snapshot snapshot = support::twentyRegisterSnapshot();
+    const RestoreFrames frames = fullRestoreFrames(snapshot);
     int interrupted = 0;
     for (std::size_t frame = 1; frame <= frames.all; ++frame) {
         const QByteArray where = QByteArray::number(qulonglong(frame));
-        SimBench bench(text("sts3215@1"));
-        const TableValues before = support::held(bench);
+        SimFixture fixture(text("sts3215@1"));
+        const TableValues before = support::held(fixture);
         TableValues after = before;
-        for (const auto& [key, raw] : support::twentyRows())
+        for (const auto& [key, raw] : support::twentyRegisters())
             after[key] = raw;
         bool fired = false;
-        arm(bench, Trouble(trouble), frame, fired);
-        const auto outcome = restoreOn(bench, snapshot);
-        bench.tap().onWrite = nullptr;
+        arm(fixture, Failure(trouble), frame, fired);
+        const auto outcome = restoreOn(fixture, snapshot);
+        fixture.tap().onWrite = nullptr;
         QVERIFY2(fired, where.constData());
-        const auto open = *bench.journal().open();
+        const auto open = *fixture.journal().open();
 
         // What is claimed, before anybody looks again.
         if (outcome && outcome->verdict == RestoreVerdict::Done) {
             QVERIFY2(open.empty(), where.constData());
             QVERIFY2(frame >= frames.all - 1, where.constData());
         }
-        bench.withWire([](sim::VirtualBus& wire) { wire.servos().front()->powerOn(); });
-        bench.letTimePass(std::chrono::seconds(3));
+        fixture.withBus([](sim::VirtualBus& wire) { wire.servos().front()->powerOn(); });
+        fixture.runFor(std::chrono::seconds(3));
         if (outcome) {
-            const QString lie = lies(bench, *outcome);
-            QVERIFY2(lie.isEmpty(), where + ": " + lie.toUtf8());
+            const QString reportError = reportErrors(fixture, *outcome);
+            QVERIFY2(reportError.isEmpty(), where + ": " + reportError.toUtf8());
         }
-        if (support::lockIsOpen(bench))
+        if (support::isLockOpen(fixture))
             QVERIFY2(!open.empty(), where.constData());
         for (const base::Intent& intent : open) {
             QCOMPARE(intent.kind, base::IntentKind::Restore);
@@ -153,43 +153,44 @@ void TestRestoreCut::endedAtEveryFrame()
         }
         interrupted += open.empty() ? 0 : 1;
 
-        bench.reconnect(1'000'000);
-        if (Then(then) == Then::Again) {
-            const auto again = restoreOn(bench, snapshot);
+        fixture.reconnect(1'000'000);
+        if (FollowUp(then) == FollowUp::Again) {
+            const auto again = restoreOn(fixture, snapshot);
             QVERIFY2(again.has_value(), where.constData());
             QVERIFY2(again->verdict == RestoreVerdict::Done ||
-                         again->verdict == RestoreVerdict::AlreadySo,
+                         again->verdict == RestoreVerdict::AlreadySet,
                      where.constData());
         } else {
             const auto action =
-                Then(then) == Then::Finish ? RecoverAction::Finish : RecoverAction::Undo;
-            const auto recovered = jobs::recover(bench.context(), action);
+                FollowUp(then) == FollowUp::Finish ? RecoveryAction::Finish : RecoveryAction::Undo;
+            const auto recovered = jobs::recover(fixture.context(), action);
             QVERIFY2(recovered.has_value(), where.constData());
             QCOMPARE(recovered->size(), open.size());
-            for (const jobs::Recovered& one : *recovered)
+            for (const jobs::RecoveryResult& one : *recovered)
                 QVERIFY2(one.done, where.constData());
         }
-        QVERIFY2(!support::lockIsOpen(bench), where.constData());
-        QVERIFY2(bench.journal().open()->empty(), where.constData());
-        const TableValues now = support::held(bench);
-        const bool asWanted = open.empty() && Then(then) != Then::Again
-                                  ? now == before || now == after
-                                  : now == (Then(then) == Then::Undo ? before : after);
-        QVERIFY2(asWanted, where.constData());
-        bench.powerCycle();
-        bench.letTimePass(std::chrono::seconds(3));
-        QVERIFY2(support::held(bench) == now, where.constData());
-        QVERIFY2(!support::lockIsOpen(bench), where.constData());
+        QVERIFY2(!support::isLockOpen(fixture), where.constData());
+        QVERIFY2(fixture.journal().open()->empty(), where.constData());
+        const TableValues now = support::held(fixture);
+        const bool expectedValues =
+            open.empty() && FollowUp(then) != FollowUp::Again
+                ? now == before || now == after
+                : now == (FollowUp(then) == FollowUp::Undo ? before : after);
+        QVERIFY2(expectedValues, where.constData());
+        fixture.powerCycle();
+        fixture.runFor(std::chrono::seconds(3));
+        QVERIFY2(support::held(fixture) == now, where.constData());
+        QVERIFY2(!support::isLockOpen(fixture), where.constData());
 
-        bench.reconnect(1'000'000);
-        if (Then(then) == Then::Again) {
-            const auto third = restoreOn(bench, snapshot);
-            QVERIFY2(third && third->verdict == RestoreVerdict::AlreadySo, where.constData());
-            QVERIFY2(bench.onlyAsked(), where.constData());
+        fixture.reconnect(1'000'000);
+        if (FollowUp(then) == FollowUp::Again) {
+            const auto third = restoreOn(fixture, snapshot);
+            QVERIFY2(third && third->verdict == RestoreVerdict::AlreadySet, where.constData());
+            QVERIFY2(fixture.onlyReadsSent(), where.constData());
         }
     }
     QVERIFY(interrupted > 15);
 }
 
-QTEST_GUILESS_MAIN(TestRestoreCut)
+QTEST_GUILESS_MAIN(TestRestoreInterrupted)
 #include "tst_restore_cut.moc"

@@ -17,34 +17,35 @@
 #include <netinet/tcp.h>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 
 namespace {
-enum class Kill { Before, After }; ///< the servo has heard the frame
+enum class KillTime { Before, After }; ///< the servo has heard the frame
 
 /// A network bridge to the simulator's terminal, on this thread.
-class Bridge {
+class TcpBridge {
 public:
-    explicit Bridge(const QString& terminal)
+    explicit TcpBridge(const QString& terminal)
         : m_terminal(open(qPrintable(terminal), O_RDWR | O_NOCTTY | O_CLOEXEC))
         , m_tcp(support::listenOnLoopback())
     {
         support::makeRaw(m_terminal);
         transport::setTtySpeed(m_terminal, 1'000'000);
     }
-    ~Bridge()
+    ~TcpBridge()
     {
         leave();
         close(m_tcp.listener);
         close(m_terminal);
     }
-    Bridge(const Bridge&) = delete;
-    Bridge& operator=(const Bridge&) = delete;
+    TcpBridge(const TcpBridge&) = delete;
+    TcpBridge& operator=(const TcpBridge&) = delete;
 
     QString port() const { return m_tcp.port; }
 
     /// Runs a command through the bridge. `killAt`: number of the WRITE frame; 0: never.
-    Ran run(CliProgram& cli, const QStringList& arguments, int killAt = 0, Kill kill = Kill::Before)
+    ProgramResult run(CliProgram& cli, const QStringList& arguments, int killAt = 0,
+                      KillTime kill = KillTime::Before)
     {
         m_writes = 0;
         m_killed = false;
@@ -74,23 +75,23 @@ private:
     {
         const QByteArray threeBytes = raw::bytes("FFFF0104020003F5");
         const QByteArray answer = raw::bytes("FFFF010500030A00EC");
-        QByteArray heard;
-        for (int tries = 0; tries < 400 && !heard.contains(answer); ++tries) {
+        QByteArray delivered;
+        for (int tries = 0; tries < 400 && !delivered.contains(answer); ++tries) {
             pass(threeBytes); // deaf while it writes its EPROM
             char chunk[512];
             pollfd state{m_terminal, POLLIN, 0};
-            while (poll(&state, 1, 50) > 0 && !heard.contains(answer)) {
+            while (poll(&state, 1, 50) > 0 && !delivered.contains(answer)) {
                 const ssize_t got = read(m_terminal, chunk, sizeof chunk);
                 if (got <= 0)
                     break;
-                heard.append(chunk, got);
+                delivered.append(chunk, got);
             }
         }
-        if (!heard.contains(answer))
+        if (!delivered.contains(answer))
             qFatal("the servo does not answer");
     }
 
-    void serve(CliProgram& cli, int killAt, Kill kill)
+    void serve(CliProgram& cli, int killAt, KillTime kill)
     {
         pollfd states[2] = {{m_client >= 0 ? m_client : m_tcp.listener, POLLIN, 0},
                             {m_terminal, POLLIN, 0}};
@@ -115,7 +116,7 @@ private:
             (void)send(m_client, chunk, std::size_t(got), MSG_NOSIGNAL);
     }
 
-    void fromHost(CliProgram& cli, int killAt, Kill kill)
+    void fromHost(CliProgram& cli, int killAt, KillTime kill)
     {
         char chunk[512];
         const ssize_t got = recv(m_client, chunk, sizeof chunk, 0);
@@ -126,7 +127,7 @@ private:
             const bool isWrite = frame.size() > 5 && frame[4] == char(support::Write);
             m_writes += isWrite ? 1 : 0;
             const bool now = isWrite && m_writes == killAt;
-            if (!now || kill == Kill::After)
+            if (!now || kill == KillTime::After)
                 pass(frame);
             if (!now)
                 continue;
@@ -165,9 +166,9 @@ private:
     QByteArray m_buffer;
 };
 
-QJsonArray listOf(const Ran& ran, const char* name)
+QJsonArray listOf(const ProgramResult& result, const char* name)
 {
-    return ran.json()[QLatin1String(name)].toArray();
+    return result.json()[QLatin1String(name)].toArray();
 }
 } // namespace
 
@@ -180,27 +181,27 @@ private Q_SLOTS:
     void killedAtEveryWrite();
 
 private:
-    void complete(Bridge& bridge, CliProgram& cli, const QStringList& restore, bool again,
+    void complete(TcpBridge& bridge, CliProgram& cli, const QStringList& restore, bool again,
                   bool open);
 };
 
 void TestRestoreKill::killedAtEveryWrite_data()
 {
     QTest::addColumn<int>("kill");
-    QTest::newRow("before the servo hears it") << int(Kill::Before);
-    QTest::newRow("after the servo has heard it") << int(Kill::After);
+    QTest::newRow("before the servo hears it") << int(KillTime::Before);
+    QTest::newRow("after the servo has heard it") << int(KillTime::After);
 }
 
-void TestRestoreKill::complete(Bridge& bridge, CliProgram& cli, const QStringList& restore,
+void TestRestoreKill::complete(TcpBridge& bridge, CliProgram& cli, const QStringList& restore,
                                bool again, bool open)
 {
     if (again) {
-        const Ran ran = bridge.run(cli, restore);
-        QVERIFY2(ran.exit == 0, qPrintable(ran.err + ran.out));
+        const ProgramResult result = bridge.run(cli, restore);
+        QVERIFY2(result.exit == 0, qPrintable(result.err + result.out));
     } else {
-        const Ran ran = bridge.run(cli, support::words("recover --finish --json"));
-        QVERIFY2(ran.exit == 0, qPrintable(ran.err + ran.out));
-        QCOMPARE(listOf(ran, "intents").isEmpty(), !open);
+        const ProgramResult result = bridge.run(cli, support::words("recover --finish --json"));
+        QVERIFY2(result.exit == 0, qPrintable(result.err + result.out));
+        QCOMPARE(listOf(result, "intents").isEmpty(), !open);
     }
 }
 
@@ -209,7 +210,7 @@ void TestRestoreKill::killedAtEveryWrite()
     QFETCH(int, kill);
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("wanted.servo.json"));
-    QVERIFY(record::saveSnapshot(support::snapshotOfTwentyRows(), file));
+    QVERIFY(record::saveSnapshot(support::twentyRegisterSnapshot(), file));
     const QStringList restore = QStringList(support::words("snapshot restore 1"))
                                 << file << QStringLiteral("--dangerous")
                                 << QStringLiteral("--json");
@@ -217,10 +218,10 @@ void TestRestoreKill::killedAtEveryWrite()
     for (int at = 1;; ++at) {
         const raw::Simulator simulator(
             support::words("--servos sts3215@1+deaf=1+run-to-goal=1 --baud 1000000"));
-        Bridge bridge(simulator.port());
+        TcpBridge bridge(simulator.port());
         CliProgram cli;
         cli.setPort(bridge.port());
-        const Ran ended = bridge.run(cli, restore, at, Kill(kill));
+        const ProgramResult ended = bridge.run(cli, restore, at, KillTime(kill));
         if (!bridge.killed()) {
             QCOMPARE(ended.exit, 0); // there were no more writes
             break;
@@ -230,10 +231,10 @@ void TestRestoreKill::killedAtEveryWrite()
         const QByteArray where = QByteArray::number(at);
 
         // The journal knows what is owed, and looking writes nothing.
-        const Ran look = bridge.run(cli, support::words("recover --json"));
+        const ProgramResult look = bridge.run(cli, support::words("recover --json"));
         QCOMPARE(bridge.writes(), 0);
         const QJsonArray intents = listOf(look, "intents");
-        const Ran lock = bridge.run(cli, support::words("read 1 lock --json"));
+        const ProgramResult lock = bridge.run(cli, support::words("read 1 lock --json"));
         const bool lockOpen =
             listOf(lock, "registers").first().toObject()[QLatin1String("raw")].toInt(-1) == 0;
         QVERIFY2(!lockOpen || intents.size() == 1, where.constData());
@@ -243,17 +244,17 @@ void TestRestoreKill::killedAtEveryWrite()
         }
 
         complete(bridge, cli, restore, at % 2 == 0 || intents.isEmpty(), !intents.isEmpty());
-        const Ran left = bridge.run(cli, support::words("recover --json"));
+        const ProgramResult left = bridge.run(cli, support::words("recover --json"));
         QVERIFY2(listOf(left, "intents").isEmpty(), where.constData());
-        const Ran closed = bridge.run(cli, support::words("read 1 lock --json"));
+        const ProgramResult closed = bridge.run(cli, support::words("read 1 lock --json"));
         QCOMPARE(listOf(closed, "registers").first().toObject()[QLatin1String("raw")].toInt(-1), 1);
-        const Ran diff = bridge.run(cli, QStringList(support::words("snapshot diff 1"))
-                                             << file << QStringLiteral("--json"));
+        const ProgramResult diff = bridge.run(cli, QStringList(support::words("snapshot diff 1"))
+                                                       << file << QStringLiteral("--json"));
         for (const QJsonValue& row : listOf(diff, "rows")) {
-            if (support::twentyRows().count(row[QLatin1String("key")].toString()) > 0)
+            if (support::twentyRegisters().count(row[QLatin1String("key")].toString()) > 0)
                 QCOMPARE(row[QLatin1String("verdict")].toString(), QStringLiteral("identical"));
         }
-        const Ran again = bridge.run(cli, restore);
+        const ProgramResult again = bridge.run(cli, restore);
         QCOMPARE(again.json()[QLatin1String("verdict")].toString(), QStringLiteral("already-so"));
         QCOMPARE(bridge.writes(), 0);
     }

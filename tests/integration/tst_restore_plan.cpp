@@ -17,7 +17,7 @@
 using jobs::RestoreReason;
 using jobs::RestoreRow;
 using jobs::RestoreStage;
-using support::SimBench;
+using support::SimFixture;
 
 namespace {
 QString word(const char* latin1)
@@ -27,8 +27,8 @@ QString word(const char* latin1)
 
 device::Servo servoOf(const char* servos, int baud)
 {
-    SimBench bench(word(servos), support::atBaud(baud));
-    return support::wholeServo(bench);
+    SimFixture fixture(word(servos), support::atBaud(baud));
+    return support::identifyWithTable(fixture);
 }
 
 const device::Servo& sts()
@@ -38,7 +38,7 @@ const device::Servo& sts()
 }
 
 /// A snapshot of `servo` in which every row has a value of its own choice.
-record::Snapshot shuffled(const device::Servo& servo, unsigned seed)
+record::Snapshot randomSnapshot(const device::Servo& servo, unsigned seed)
 {
     record::Snapshot snapshot = jobs::snapshotOf(servo, word("test 1"));
     for (const auto& [key, raw] : support::RandomTable(seed).make(servo)) {
@@ -81,7 +81,7 @@ bool has(const jobs::RestorePlan& plan, const char* key, RestoreReason reason)
 QStringList unmappedKeys(const jobs::RestorePlan& plan)
 {
     QStringList keys;
-    for (const RestoreRow* row : plan.unmapped())
+    for (const RestoreRow* row : plan.unmappedRows())
         keys << row->key;
     return keys;
 }
@@ -93,29 +93,29 @@ class TestRestorePlan : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(word(".*"))); }
 
-    void everyRowSaysWhy();
-    void whatIsTheSameIsNotWritten();
+    void everyRowHasAReason();
+    void unchangedRowsAreNotWritten();
     void valuesThatDoNotFitAreNotWritten_data();
     void valuesThatDoNotFitAreNotWritten();
-    void betweenFamiliesOnlyWhatMeansTheSame_data();
-    void betweenFamiliesOnlyWhatMeansTheSame();
-    void limitsOfAnotherModelAreNotTicked_data();
-    void limitsOfAnotherModelAreNotTicked();
-    void aLimitThatWouldAlarmIsNamed();
-    void whatCannotBeMappedIsListed();
+    void betweenFamiliesOnlyEquivalentRegisters_data();
+    void betweenFamiliesOnlyEquivalentRegisters();
+    void limitsOfAnotherModelAreNotSelected_data();
+    void limitsOfAnotherModelAreNotSelected();
+    void aLimitThatWouldAlarmIsReported();
+    void unmappedKeysAreListed();
     void theRateIsTranslatedBetweenFamilies();
-    void namingARowAsksForIt();
-    void aTemplateLeavesTheRestAlone();
+    void namingARowSelectsIt();
+    void aTemplateChangesOnlyItsRows();
     void theOrderIsSafe_data();
     void theOrderIsSafe();
     void readOnlyServosAreNotWritten();
-    void everyReasonHasWords_data();
-    void everyReasonHasWords();
+    void everyReasonHasText_data();
+    void everyReasonHasText();
 };
 
-void TestRestorePlan::everyRowSaysWhy()
+void TestRestorePlan::everyRowHasAReason()
 {
-    record::Snapshot snapshot = shuffled(sts(), 3);
+    record::Snapshot snapshot = randomSnapshot(sts(), 3);
     setRaw(snapshot, "position_p", std::nullopt);
     setRaw(snapshot, "id", 9);
     setRaw(snapshot, "acceleration", 33);
@@ -127,29 +127,29 @@ void TestRestorePlan::everyRowSaysWhy()
     QVERIFY(has(plan, "id", RestoreReason::Identity));
     QVERIFY(has(plan, "goal_position", RestoreReason::Live));
     QVERIFY(has(plan, "lock", RestoreReason::Live));
-    QVERIFY(has(plan, "acceleration", RestoreReason::OffUnlessAsked));
+    QVERIFY(has(plan, "acceleration", RestoreReason::OptIn));
     QVERIFY(has(plan, "position_offset", RestoreReason::MovesShaft));
     QVERIFY(has(plan, "operating_mode", RestoreReason::NeedsConsent));
     QVERIFY(has(plan, "position_p", RestoreReason::NoValue));
-    QVERIFY(plan.find(word("acceleration"))->mayTick);
-    QVERIFY(!plan.find(word("acceleration"))->ticked);
-    QVERIFY(!plan.find(word("goal_position"))->mayTick);
-    QVERIFY(!plan.find(word("position_p"))->mayTick);
+    QVERIFY(plan.find(word("acceleration"))->isSelectable);
+    QVERIFY(!plan.find(word("acceleration"))->selected);
+    QVERIFY(!plan.find(word("goal_position"))->isSelectable);
+    QVERIFY(!plan.find(word("position_p"))->isSelectable);
     QCOMPARE(unmappedKeys(plan), QStringList{word("position_p")});
     // What may be written stands first.
     bool possible = true;
     for (const RestoreRow& row : plan.rows) {
-        QVERIFY(possible || !row.mayTick);
-        possible = possible && row.mayTick;
+        QVERIFY(possible || !row.isSelectable);
+        possible = possible && row.isSelectable;
     }
 }
 
-void TestRestorePlan::whatIsTheSameIsNotWritten()
+void TestRestorePlan::unchangedRowsAreNotWritten()
 {
     const auto plan = jobs::planRestore(sts(), jobs::snapshotOf(sts(), {}));
-    QVERIFY(jobs::writesOf(plan).empty());
-    QVERIFY(jobs::stepsOf(plan).empty());
-    QVERIFY(plan.unmapped().empty());
+    QVERIFY(jobs::plannedWrites(plan).empty());
+    QVERIFY(jobs::plannedSteps(plan).empty());
+    QVERIFY(plan.unmappedRows().empty());
     QVERIFY(has(plan, "position_p", RestoreReason::Same));
 }
 
@@ -175,11 +175,11 @@ void TestRestorePlan::valuesThatDoNotFitAreNotWritten()
     choice.dangerous = true;
     const auto plan = jobs::planRestore(sts(), snapshot, choice);
     QVERIFY(has(plan, qPrintable(key), RestoreReason::OutsideRange));
-    QVERIFY(jobs::writesOf(plan).empty());
+    QVERIFY(jobs::plannedWrites(plan).empty());
     QCOMPARE(unmappedKeys(plan), QStringList{key});
 }
 
-void TestRestorePlan::betweenFamiliesOnlyWhatMeansTheSame_data()
+void TestRestorePlan::betweenFamiliesOnlyEquivalentRegisters_data()
 {
     QTest::addColumn<int>("from");
     QTest::addColumn<int>("to");
@@ -191,7 +191,7 @@ void TestRestorePlan::betweenFamiliesOnlyWhatMeansTheSame_data()
     }
 }
 
-void TestRestorePlan::betweenFamiliesOnlyWhatMeansTheSame()
+void TestRestorePlan::betweenFamiliesOnlyEquivalentRegisters()
 {
     QFETCH(const int, from);
     QFETCH(const int, to);
@@ -203,12 +203,12 @@ void TestRestorePlan::betweenFamiliesOnlyWhatMeansTheSame()
     choice.dangerous = true;
     choice.live = true;
     for (unsigned seed = 1; seed <= 5; ++seed) {
-        const record::Snapshot snapshot = shuffled(donor, seed);
+        const record::Snapshot snapshot = randomSnapshot(donor, seed);
         const auto plan = jobs::planRestore(servo, snapshot, choice);
         QCOMPARE(plan.otherMap, donor.profile->mapKey != servo.profile->mapKey);
-        for (const jobs::RestoreWrite& write : jobs::writesOf(plan)) {
+        for (const jobs::RestoreWrite& write : jobs::plannedWrites(plan)) {
             const catalog::Register& reg = *servo.profile->find(write.key);
-            const catalog::Meaning meaning = servo.meaning(reg);
+            const catalog::ValueFormat meaning = servo.meaning(reg);
             const record::SnapshotRegister* file = snapshot.find(write.key);
             QVERIFY2(!reg.identity && reg.writable(), qPrintable(write.key));
             QVERIFY2(!plan.otherMap || !meaning.unit.isEmpty(), qPrintable(write.key));
@@ -219,13 +219,14 @@ void TestRestorePlan::betweenFamiliesOnlyWhatMeansTheSame()
         // Nothing is lost from sight: what the file has is the same, possible, or has its reason.
         for (const record::SnapshotRegister& file : snapshot.registers) {
             const RestoreRow* row = plan.find(file.key);
-            QVERIFY2(row != nullptr && (row->mayTick || row->reasons != jobs::RestoreReasons()),
+            QVERIFY2(row != nullptr &&
+                         (row->isSelectable || row->reasons != jobs::RestoreReasons()),
                      qPrintable(file.key));
         }
     }
 }
 
-void TestRestorePlan::limitsOfAnotherModelAreNotTicked_data()
+void TestRestorePlan::limitsOfAnotherModelAreNotSelected_data()
 {
     QTest::addColumn<bool>("template_");
     QTest::newRow("snapshot") << false;
@@ -233,7 +234,7 @@ void TestRestorePlan::limitsOfAnotherModelAreNotTicked_data()
 }
 
 /// An STS3215 for 8 V, an STS3250 at 12 V.
-void TestRestorePlan::limitsOfAnotherModelAreNotTicked()
+void TestRestorePlan::limitsOfAnotherModelAreNotSelected()
 {
     QFETCH(bool, template_);
     const device::Servo strong = servoOf("sts3250@1", 1'000'000);
@@ -248,31 +249,31 @@ void TestRestorePlan::limitsOfAnotherModelAreNotTicked()
     const auto plan = jobs::planRestore(strong, snapshot);
     QVERIFY(plan.otherModel);
     QCOMPARE(plan.sourceModel, word("STS3215"));
-    QVERIFY(plan.find(word("position_p"))->ticked);
-    jobs::RestoreChoice willing;
-    willing.dangerous = true;
-    willing.live = true;
-    const auto dangerous = jobs::planRestore(strong, snapshot, willing);
+    QVERIFY(plan.find(word("position_p"))->selected);
+    jobs::RestoreChoice withConsent;
+    withConsent.dangerous = true;
+    withConsent.live = true;
+    const auto dangerous = jobs::planRestore(strong, snapshot, withConsent);
     for (const char* key : limits) {
         QVERIFY2(has(plan, key, RestoreReason::OtherModelLimit), key);
         QVERIFY2(has(plan, key, RestoreReason::NeedsConsent), key);
-        QVERIFY2(plan.find(word(key))->mayTick && !plan.find(word(key))->ticked, key);
-        QVERIFY2(!dangerous.find(word(key))->ticked, key); // consent is given to a name
+        QVERIFY2(plan.find(word(key))->isSelectable && !plan.find(word(key))->selected, key);
+        QVERIFY2(!dangerous.find(word(key))->selected, key); // consent is given to a name
         jobs::RestorePlan byHand = plan;
-        QVERIFY(byHand.tick(word(key), true) && byHand.needsConsent());
+        QVERIFY(byHand.setSelected(word(key), true) && byHand.needsConsent());
     }
-    willing.otherModelLimits = {word("max_temperature")};
-    const auto named = jobs::planRestore(strong, snapshot, willing);
-    QVERIFY(named.find(word("max_temperature"))->ticked);
-    QVERIFY(!named.find(word("max_voltage"))->ticked);
+    withConsent.otherModelLimits = {word("max_temperature")};
+    const auto named = jobs::planRestore(strong, snapshot, withConsent);
+    QVERIFY(named.find(word("max_temperature"))->selected);
+    QVERIFY(!named.find(word("max_voltage"))->selected);
 
     // To the same model they are rows like others.
-    const auto same = jobs::planRestore(sts(), shuffled(sts(), 5));
+    const auto same = jobs::planRestore(sts(), randomSnapshot(sts(), 5));
     for (const char* key : limits)
         QVERIFY2(!has(same, key, RestoreReason::OtherModelLimit), key);
 }
 
-void TestRestorePlan::aLimitThatWouldAlarmIsNamed()
+void TestRestorePlan::aLimitThatWouldAlarmIsReported()
 {
     device::Servo strong = servoOf("sts3250@1", 1'000'000); // at 12.0 V
     record::Snapshot snapshot = jobs::snapshotOf(sts(), word("test 1"));
@@ -282,7 +283,7 @@ void TestRestorePlan::aLimitThatWouldAlarmIsNamed()
     const auto alarms = [&] {
         QStringList found;
         const auto plan = jobs::planRestore(strong, snapshot);
-        for (const RestoreRow* row : jobs::alarmsToCome(plan))
+        for (const RestoreRow* row : jobs::predictedAlarms(plan))
             found << row->key + QLatin1Char(' ') + row->alarm;
         return found;
     };
@@ -306,10 +307,10 @@ void TestRestorePlan::aLimitThatWouldAlarmIsNamed()
     QCOMPARE(both, (QStringList{word("max_temperature temperature"), word("min_voltage voltage")}));
 }
 
-void TestRestorePlan::whatCannotBeMappedIsListed()
+void TestRestorePlan::unmappedKeysAreListed()
 {
     const device::Servo scs = servoOf("scs15@1", 1'000'000);
-    record::Snapshot snapshot = shuffled(sts(), 1);
+    record::Snapshot snapshot = randomSnapshot(sts(), 1);
     for (record::SnapshotRegister& reg : snapshot.registers) {
         if (reg.key == word("max_torque"))
             reg.unit = word("mNm"); // a file of other times, or of somebody else
@@ -322,9 +323,10 @@ void TestRestorePlan::whatCannotBeMappedIsListed()
     QVERIFY(has(plan, "operating_mode", RestoreReason::NoSuchRegister));
     QVERIFY(has(plan, "max_torque", RestoreReason::OtherMeaning));
     QVERIFY(has(plan, "position_p", RestoreReason::PlainNumber));
-    QVERIFY(plan.find(word("position_p"))->mayTick && !plan.find(word("position_p"))->ticked);
+    QVERIFY(plan.find(word("position_p"))->isSelectable &&
+            !plan.find(word("position_p"))->selected);
     QVERIFY(has(plan, "max_temperature", RestoreReason::OtherModelLimit));
-    QVERIFY(!plan.find(word("max_temperature"))->ticked);
+    QVERIFY(!plan.find(word("max_temperature"))->selected);
     // The same angle, in this servo's steps.
     QVERIFY(has(plan, "max_angle_limit", RestoreReason::Converted));
     // The other way round: what only this servo has stays as it is.
@@ -345,34 +347,34 @@ void TestRestorePlan::theRateIsTranslatedBetweenFamilies()
     const auto named = std::find_if(reg->values.begin(), reg->values.end(),
                                     [](const auto& value) { return value.key == word("38400"); });
     QVERIFY(named != reg->values.end());
-    QCOMPARE(rate->wanted.value(), named->value);
+    QCOMPARE(rate->newRaw.value(), named->value);
     snapshot.baud = 12'345;
     QVERIFY(
         has(jobs::planRestore(modbus, snapshot, choice), "baud_rate", RestoreReason::OtherMeaning));
 }
 
-void TestRestorePlan::namingARowAsksForIt()
+void TestRestorePlan::namingARowSelectsIt()
 {
-    record::Snapshot snapshot = shuffled(sts(), 2);
+    record::Snapshot snapshot = randomSnapshot(sts(), 2);
     setRaw(snapshot, "acceleration", 33);
     jobs::RestoreChoice choice;
     choice.only = QStringList{word("acceleration"), word("position_d"), word("position_offset")};
     const auto plan = jobs::planRestore(sts(), snapshot, choice);
     QStringList keys;
-    for (const jobs::RestoreWrite& write : jobs::writesOf(plan))
+    for (const jobs::RestoreWrite& write : jobs::plannedWrites(plan))
         keys << write.key;
     QCOMPARE(keys, (QStringList{word("position_d"), word("acceleration")}));
     QVERIFY(has(plan, "position_p", RestoreReason::NotChosen));
-    QVERIFY(!plan.find(word("position_offset"))->ticked); // dangerous all the same
+    QVERIFY(!plan.find(word("position_offset"))->selected); // dangerous all the same
 }
 
-void TestRestorePlan::aTemplateLeavesTheRestAlone()
+void TestRestorePlan::aTemplateChangesOnlyItsRows()
 {
-    const auto chosen =
-        record::makeTemplate(shuffled(sts(), 4), {word("position_p"), word("max_temperature")});
+    const auto chosen = record::makeTemplate(randomSnapshot(sts(), 4),
+                                             {word("position_p"), word("max_temperature")});
     const auto plan = jobs::planRestore(sts(), *chosen);
     QCOMPARE(plan.rows.size(), std::size_t(2));
-    QCOMPARE(jobs::writesOf(plan).size(), std::size_t(2));
+    QCOMPARE(jobs::plannedWrites(plan).size(), std::size_t(2));
     QCOMPARE(plan.count(RestoreReason::NotInFile), 0);
 }
 
@@ -388,14 +390,14 @@ void TestRestorePlan::theOrderIsSafe()
     QFETCH(const int, family);
     const support::Family& kind = support::restoreFamilies[std::size_t(family)];
     const device::Servo servo = servoOf(kind.servos, kind.baud);
-    record::Snapshot snapshot = shuffled(servo, 7);
+    record::Snapshot snapshot = randomSnapshot(servo, 7);
     setRaw(snapshot, "id", 9);
     if (const catalog::Register* rate = servo.profile->byRole(catalog::Role::BaudRate))
         setRaw(snapshot, qPrintable(rate->key), servo.raw(*rate) == 1 ? 2 : 1);
     jobs::RestoreChoice choice;
     choice.dangerous = choice.identity = choice.live = true;
     const auto plan = jobs::planRestore(servo, snapshot, choice);
-    const auto writes = jobs::writesOf(plan);
+    const auto writes = jobs::plannedWrites(plan);
     QVERIFY(writes.size() > 5);
     int unlocks = 0;
     int identity = 0;
@@ -418,7 +420,7 @@ void TestRestorePlan::theOrderIsSafe()
     QVERIFY(unlocks <= 3); // one run an area
     QCOMPARE(writes[writes.size() - std::size_t(identity)].stage, RestoreStage::Id);
     // Every step of opening has its closing, and torque comes first.
-    const auto steps = jobs::stepsOf(plan);
+    const auto steps = jobs::plannedSteps(plan);
     QCOMPARE(steps.front().kind, jobs::RestoreStepKind::TorqueOff);
     int open = 0;
     for (const jobs::RestoreStep& step : steps) {
@@ -438,11 +440,11 @@ void TestRestorePlan::readOnlyServosAreNotWritten()
     QVERIFY(!unknown.profile->writable);
     jobs::RestoreChoice choice;
     choice.dangerous = choice.identity = choice.live = true;
-    const auto plan = jobs::planRestore(unknown, shuffled(sts(), 5), choice);
-    QVERIFY(jobs::writesOf(plan).empty());
+    const auto plan = jobs::planRestore(unknown, randomSnapshot(sts(), 5), choice);
+    QVERIFY(jobs::plannedWrites(plan).empty());
 }
 
-void TestRestorePlan::everyReasonHasWords_data()
+void TestRestorePlan::everyReasonHasText_data()
 {
     QTest::addColumn<QString>("name");
     for (std::uint32_t bit = 0; bit < 32; ++bit) {
@@ -452,12 +454,12 @@ void TestRestorePlan::everyReasonHasWords_data()
     }
 }
 
-void TestRestorePlan::everyReasonHasWords()
+void TestRestorePlan::everyReasonHasText()
 {
     QFETCH(const QString, name);
     text::installTranslator(QStringLiteral("en"));
-    QVERIFY(!text::restoreReasonWords(name).isEmpty());
-    QVERIFY(name.contains(QLatin1Char('-')) ? text::restoreReasonWords(name) != name : true);
+    QVERIFY(!text::restoreReasonText(name).isEmpty());
+    QVERIFY(name.contains(QLatin1Char('-')) ? text::restoreReasonText(name) != name : true);
     QVERIFY2(text::restoreReasonHelp(name).endsWith(QLatin1Char('.')), qPrintable(name));
 }
 

@@ -13,7 +13,7 @@
 
 using catalog::Role;
 using jobs::RestoreStepKind;
-using support::SimBench;
+using support::SimFixture;
 using support::TableValues;
 
 namespace {
@@ -23,7 +23,7 @@ QString text(const char* word)
 }
 
 /// Bytes of the servo's table that a request writes.
-struct Span {
+struct ByteRange {
     int offset = 0;
     int bytes = 0;
 };
@@ -34,28 +34,28 @@ int word(const base::Bytes& bytes, std::size_t at)
 }
 
 /// Nullopt: it only asks.
-std::optional<Span> written(const base::Bytes& frame, base::Protocol protocol)
+std::optional<ByteRange> written(const base::Bytes& frame, base::Protocol protocol)
 {
     if (protocol == base::Protocol::Feetech) {
-        const auto heard = protocol::scanFeetechRequest(frame);
-        if (heard.instruction != support::Write)
+        const auto request = protocol::scanFeetechRequest(frame);
+        if (request.instruction != support::Write)
             return std::nullopt;
-        return Span{heard.params[0], int(heard.params.size()) - 1};
+        return ByteRange{request.params[0], int(request.params.size()) - 1};
     }
     if (protocol == base::Protocol::Lx) {
-        const auto heard = protocol::scanLxRequest(frame);
+        const auto request = protocol::scanLxRequest(frame);
         constexpr int saveOffset = 18;
-        if (heard.params.empty() && heard.instruction != saveOffset)
+        if (request.params.empty() && request.instruction != saveOffset)
             return std::nullopt;
-        return Span{heard.instruction * 8, int(heard.params.size())};
+        return ByteRange{request.instruction * 8, int(request.params.size())};
     }
-    const auto heard = protocol::scanModbusRequest(frame);
+    const auto request = protocol::scanModbusRequest(frame);
     constexpr int one = 0x06;
     constexpr int several = 0x10;
-    if (heard.instruction == one)
-        return Span{word(heard.params, 0) * 2, 2};
-    if (heard.instruction == several)
-        return Span{word(heard.params, 0) * 2, word(heard.params, 2) * 2};
+    if (request.instruction == one)
+        return ByteRange{word(request.params, 0) * 2, 2};
+    if (request.instruction == several)
+        return ByteRange{word(request.params, 0) * 2, word(request.params, 2) * 2};
     return std::nullopt;
 }
 
@@ -66,48 +66,48 @@ QString change(const QString& key, std::int64_t raw)
 }
 
 /// What every frame changes, looked at when the next one goes out.
-class Witness {
+class WriteObserver {
 public:
-    Witness(SimBench& bench, const device::Servo& servo)
-        : m_bench(bench)
+    WriteObserver(SimFixture& fixture, const device::Servo& servo)
+        : m_fixture(fixture)
         , m_profile(servo.profile)
     {
-        bench.tap().onWrite = [this](const base::Bytes& frame) {
-            look();
+        fixture.tap().onWrite = [this](const base::Bytes& frame) {
+            observe();
             m_span = written(frame, m_profile->protocol);
             m_before = m_span ? covered(*m_span) : TableValues();
         };
     }
-    ~Witness() { m_bench.tap().onWrite = nullptr; }
-    Witness(const Witness&) = delete;
-    Witness& operator=(const Witness&) = delete;
+    ~WriteObserver() { m_fixture.tap().onWrite = nullptr; }
+    WriteObserver(const WriteObserver&) = delete;
+    WriteObserver& operator=(const WriteObserver&) = delete;
 
     QStringList changes()
     {
-        look();
+        observe();
         return m_changes;
     }
     int idle() const { return m_idle; } ///< writes that changed nothing
-    int saves() const { return m_saves; }
+    int snapshotCount() const { return m_snapshotCount; }
 
 private:
-    TableValues covered(const Span& span) const
+    TableValues covered(const ByteRange& span) const
     {
         TableValues values;
         for (const catalog::Register& reg : m_profile->registers) {
             if (reg.writable() && reg.writeOffset >= span.offset &&
                 reg.writeOffset + reg.size <= span.offset + span.bytes)
-                values[reg.key] = m_bench.raw(1, reg.key);
+                values[reg.key] = m_fixture.raw(1, reg.key);
         }
         return values;
     }
 
-    void look()
+    void observe()
     {
         if (!m_span)
             return;
-        const Span span = *std::exchange(m_span, std::nullopt);
-        m_saves += span.bytes == 0 ? 1 : 0;
+        const ByteRange span = *std::exchange(m_span, std::nullopt);
+        m_snapshotCount += span.bytes == 0 ? 1 : 0;
         bool changed = span.bytes == 0;
         // In the order of the table, as the list has those that go out in one frame. What travels
         // in a block goes out with what is written.
@@ -121,20 +121,20 @@ private:
         m_idle += changed || !now.empty() ? 0 : 1;
     }
 
-    SimBench& m_bench;
+    SimFixture& m_fixture;
     catalog::ProfilePtr m_profile;
-    std::optional<Span> m_span;
+    std::optional<ByteRange> m_span;
     TableValues m_before;
     QStringList m_changes;
     int m_idle = 0;
-    int m_saves = 0;
+    int m_snapshotCount = 0;
 };
 
 /// What the dry run promises. Torque that a command may switch on is switched off where it did.
-QStringList promised(const jobs::RestorePlan& plan, const QStringList& happened)
+QStringList plannedSteps(const jobs::RestorePlan& plan, const QStringList& happened)
 {
     QStringList list;
-    for (const jobs::RestoreStep& step : jobs::stepsOf(plan)) {
+    for (const jobs::RestoreStep& step : jobs::plannedSteps(plan)) {
         if (step.kind == RestoreStepKind::TorqueOff && step.from == 0)
             continue;
         const QString what = change(step.key, step.to.value_or(0));
@@ -146,7 +146,7 @@ QStringList promised(const jobs::RestorePlan& plan, const QStringList& happened)
 }
 
 /// Where the two lists part; empty: nowhere.
-QString parting(const QStringList& happened, const QStringList& listed)
+QString firstDifference(const QStringList& happened, const QStringList& listed)
 {
     for (qsizetype i = 0; i < std::max(happened.size(), listed.size()); ++i) {
         if (happened.value(i) != listed.value(i))
@@ -158,16 +158,16 @@ QString parting(const QStringList& happened, const QStringList& listed)
 }
 
 /// Commands of all kinds stand in it, and it may be under torque.
-void stir(SimBench& bench, const device::Servo& servo, unsigned seed)
+void randomizeState(SimFixture& fixture, const device::Servo& servo, unsigned seed)
 {
     for (const Role role : {Role::GoalSpeed, Role::GoalTime, Role::GoalCurrent}) {
         const catalog::Register* reg = servo.profile->byRole(role);
         if (reg != nullptr && reg->writable() && (seed % 3) != 0)
-            bench.poke(1, reg->key, 40 + int(seed));
+            fixture.poke(1, reg->key, 40 + int(seed));
     }
     const catalog::Register* torque = servo.profile->byRole(Role::TorqueSwitch);
     if (torque != nullptr && (seed % 2) == 0)
-        bench.poke(1, torque->key, 1);
+        fixture.poke(1, torque->key, 1);
 }
 
 jobs::RestoreChoice everything()
@@ -185,13 +185,13 @@ class TestRestoreSteps : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void theListIsWhatTheWireShows_data();
-    void theListIsWhatTheWireShows();
+    void theListMatchesTheWire_data();
+    void theListMatchesTheWire();
     void aRememberedSpeedIsInTheList_data();
     void aRememberedSpeedIsInTheList();
 };
 
-void TestRestoreSteps::theListIsWhatTheWireShows_data()
+void TestRestoreSteps::theListMatchesTheWire_data()
 {
     QTest::addColumn<int>("family");
     QTest::addColumn<int>("seed");
@@ -202,35 +202,37 @@ void TestRestoreSteps::theListIsWhatTheWireShows_data()
     }
 }
 
-void TestRestoreSteps::theListIsWhatTheWireShows()
+void TestRestoreSteps::theListMatchesTheWire()
 {
     QFETCH(const int, family);
     QFETCH(const int, seed);
     const support::Family& kind = support::restoreFamilies[std::size_t(family)];
-    SimBench bench(text(kind.servos), support::atBaud(kind.baud));
-    const TableValues factory = support::held(bench);
+    SimFixture fixture(text(kind.servos), support::atBaud(kind.baud));
+    const TableValues factory = support::held(fixture);
     support::RandomTable random{unsigned(seed)};
-    support::pokeAll(bench, random.make(support::wholeServo(bench)));
-    const record::Snapshot snapshot = jobs::snapshotOf(support::wholeServo(bench), text("test 1"));
+    support::pokeAllPersistent(fixture, random.make(support::identifyWithTable(fixture)));
+    const record::Snapshot snapshot =
+        jobs::snapshotOf(support::identifyWithTable(fixture), text("test 1"));
     // Now and then from one random table to another, else from the factory's.
-    support::pokeAll(bench, seed % 4 == 0 ? random.make(support::wholeServo(bench)) : factory);
-    stir(bench, support::wholeServo(bench), unsigned(seed));
-    bench.letTimePass(std::chrono::seconds(1));
+    support::pokeAllPersistent(
+        fixture, seed % 4 == 0 ? random.make(support::identifyWithTable(fixture)) : factory);
+    randomizeState(fixture, support::identifyWithTable(fixture), unsigned(seed));
+    fixture.runFor(std::chrono::seconds(1));
 
-    device::Servo servo = support::wholeServo(bench);
-    const auto plan = jobs::planRestore(bench.context(), servo, snapshot, everything());
-    Witness witness(bench, servo);
-    const auto outcome = jobs::restore(bench.context(), servo, plan, {true, {}, {}});
+    device::Servo servo = support::identifyWithTable(fixture);
+    const auto plan = jobs::planRestore(fixture.context(), servo, snapshot, everything());
+    WriteObserver observer(fixture, servo);
+    const auto outcome = jobs::restore(fixture.context(), servo, plan, {true, {}, {}});
     QVERIFY2(outcome, outcome ? "" : qPrintable(outcome.error().detail));
     QCOMPARE(outcome->verdict, jobs::RestoreVerdict::Done);
-    const QStringList happened = witness.changes();
-    QCOMPARE(parting(happened, promised(plan, happened)), QString());
-    QCOMPARE(witness.idle(), 0);
+    const QStringList happened = observer.changes();
+    QCOMPARE(firstDifference(happened, plannedSteps(plan, happened)), QString());
+    QCOMPARE(observer.idle(), 0);
     // The save command of LX belongs to the write of the one register that has one.
     const catalog::Register* offset = servo.profile->byRole(Role::PositionOffset);
     const bool writesOffset =
         offset != nullptr && offset->saveOffset >= 0 && !happened.filter(offset->key).isEmpty();
-    QCOMPARE(witness.saves() > 0, writesOffset);
+    QCOMPARE(observer.snapshotCount() > 0, writesOffset);
 }
 
 void TestRestoreSteps::aRememberedSpeedIsInTheList_data()
@@ -246,24 +248,24 @@ void TestRestoreSteps::aRememberedSpeedIsInTheList()
 {
     QFETCH(const QString, servos);
     QFETCH(const int, baud);
-    SimBench bench(servos, support::atBaud(baud));
-    device::Servo servo = support::wholeServo(bench);
+    SimFixture fixture(servos, support::atBaud(baud));
+    device::Servo servo = support::identifyWithTable(fixture);
     const record::Snapshot snapshot = jobs::snapshotOf(servo, text("test 1"));
     const QString speed = servo.profile->byRole(Role::GoalSpeed)->key;
-    bench.poke(1, speed, 120);
-    servo = support::wholeServo(bench);
-    QVERIFY(device::switchMode(bench.context(), servo, text("speed"))->allGood());
-    QCOMPARE(bench.raw(1, speed), 0);
+    fixture.poke(1, speed, 120);
+    servo = support::identifyWithTable(fixture);
+    QVERIFY(device::switchMode(fixture.context(), servo, text("speed"))->isSuccessful());
+    QCOMPARE(fixture.raw(1, speed), 0);
 
-    servo = support::wholeServo(bench);
-    const auto plan = jobs::planRestore(bench.context(), servo, snapshot, everything());
-    Witness witness(bench, servo);
-    QCOMPARE(jobs::restore(bench.context(), servo, plan, {true, {}, {}})->verdict,
+    servo = support::identifyWithTable(fixture);
+    const auto plan = jobs::planRestore(fixture.context(), servo, snapshot, everything());
+    WriteObserver observer(fixture, servo);
+    QCOMPARE(jobs::restore(fixture.context(), servo, plan, {true, {}, {}})->verdict,
              jobs::RestoreVerdict::Done);
-    const QStringList happened = witness.changes();
+    const QStringList happened = observer.changes();
     QVERIFY(happened.contains(change(speed, 120)));
-    QCOMPARE(parting(happened, promised(plan, happened)), QString());
-    QCOMPARE(witness.idle(), 0);
+    QCOMPARE(firstDifference(happened, plannedSteps(plan, happened)), QString());
+    QCOMPARE(observer.idle(), 0);
 }
 
 QTEST_GUILESS_MAIN(TestRestoreSteps)

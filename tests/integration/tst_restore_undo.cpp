@@ -16,9 +16,9 @@
 #include <QTest>
 
 using jobs::OnFailure;
-using jobs::RecoverAction;
+using jobs::RecoveryAction;
 using jobs::RestoreVerdict;
-using support::SimBench;
+using support::SimFixture;
 using support::TableValues;
 
 namespace {
@@ -28,27 +28,27 @@ QString text(const char* word)
 }
 
 constexpr int rowCount = 7;
-constexpr int unlockAndThreeRows = 4;
+constexpr int framesUntilFourthRow = 4;
 
-enum class Trouble { OtherValue, Silence };
-enum class Before { Usual, OutsideTheSheet };
+enum class Failure { OtherValue, Silence };
+enum class InitialTable { Default, OutsideDocumentedRange };
 
 /// A servo with seven rows to restore, and a history on disk that knows its table before.
-class UndoBench {
+class RestoreUndoFixture {
 public:
-    explicit UndoBench(Before before = Before::Usual)
+    explicit RestoreUndoFixture(InitialTable before = InitialTable::Default)
     {
-        wanted = jobs::snapshotOf(support::wholeServo(bench), text("test 1"));
+        wanted = jobs::snapshotOf(support::identifyWithTable(sim), text("test 1"));
         wanted.at = QDateTime::currentDateTimeUtc();
-        support::disturb(bench);
-        if (before == Before::OutsideTheSheet) {
-            support::pokeKept(bench, text("max_temperature"), 140);
-            support::pokeKept(bench, text("max_torque"), 1023);
-            support::pokeKept(bench, text("min_angle_limit"), 3000);
-            support::pokeKept(bench, text("max_angle_limit"), 200);
+        support::changeSevenRegisters(sim);
+        if (before == InitialTable::OutsideDocumentedRange) {
+            support::pokePersistent(sim, text("max_temperature"), 140);
+            support::pokePersistent(sim, text("max_torque"), 1023);
+            support::pokePersistent(sim, text("min_angle_limit"), 3000);
+            support::pokePersistent(sim, text("max_angle_limit"), 200);
         }
-        first = support::held(bench);
-        record::Snapshot now = jobs::snapshotOf(support::wholeServo(bench), text("test 1"));
+        first = support::held(sim);
+        record::Snapshot now = jobs::snapshotOf(support::identifyWithTable(sim), text("test 1"));
         now.at = QDateTime::currentDateTimeUtc();
         if (!open()->log().addSnapshot(now, record::SnapshotReason::Automatic))
             qFatal("no history");
@@ -56,7 +56,7 @@ public:
 
     device::Context context()
     {
-        const device::Context plain = bench.context();
+        const device::Context plain = sim.context();
         return {plain.bus, plain.catalog, journal, plain.stop, plain.notices};
     }
 
@@ -73,47 +73,47 @@ public:
     }
 
     /// The link is cut before the fourth row.
-    void breakOff()
+    void interruptRestore()
     {
-        support::cutAtWrite(bench, unlockAndThreeRows + 1);
+        support::cutAtWrite(sim, framesUntilFourthRow + 1);
         const auto outcome = restore();
         if (!outcome || outcome->verdict != RestoreVerdict::Failed)
             qFatal("it was not broken off");
-        mend();
+        restoreLink();
         if (journal.open()->size() != 1)
             qFatal("no intent is open");
     }
 
     /// What is still to be written of the open restore.
-    base::JournalItem nextMissing()
+    base::JournalItem nextPendingItem()
     {
         const base::Intent intent = journal.open()->front();
         for (const base::JournalItem& item : intent.items) {
-            if (bench.raw(1, item.key) != item.newRaw)
+            if (sim.raw(1, item.key) != item.newRaw)
                 return item;
         }
         qFatal("nothing is missing");
     }
 
-    void trouble(Trouble kind)
+    void trouble(Failure kind)
     {
-        const base::JournalItem missing = nextMissing();
-        if (kind == Trouble::OtherValue)
-            support::meddle(bench, std::uint8_t(missing.address), missing.key, missing.newRaw + 1,
-                            1);
+        const base::JournalItem missing = nextPendingItem();
+        if (kind == Failure::OtherValue)
+            support::overwriteAfterWrite(sim, std::uint8_t(missing.address), missing.key,
+                                         missing.newRaw + 1, 1);
         else
-            support::fallSilent(bench, 3); // the lock, a row, and then
+            support::muteFromWrite(sim, 3); // the lock, a row, and then
     }
 
     /// The cable is back, the servo answers again.
-    void mend()
+    void restoreLink()
     {
-        bench.tap().onWrite = nullptr;
-        bench.wireConfig().faults.muteIds.clear();
-        bench.reconnect(1'000'000);
+        sim.tap().onWrite = nullptr;
+        sim.wireConfig().faults.muteIds.clear();
+        sim.reconnect(1'000'000);
     }
 
-    base::Result<std::vector<jobs::Recovered>> recover(RecoverAction action)
+    base::Result<std::vector<jobs::RecoveryResult>> recover(RecoveryAction action)
     {
         return jobs::recover(context(), action);
     }
@@ -127,14 +127,14 @@ public:
     }
 
     /// Nothing is open, the lock is closed, the table is the one before, also after a power-off.
-    QString notAsBefore()
+    QString findLeftovers()
     {
         if (!journal.open()->empty())
             return text("an intent is open");
         for (const char* when : {"", " after a power-off"}) {
-            if (support::lockIsOpen(bench))
+            if (support::isLockOpen(sim))
                 return text("the lock is open") + text(when);
-            for (const auto& [key, raw] : support::held(bench)) {
+            for (const auto& [key, raw] : support::held(sim)) {
                 if (first.at(key) != raw)
                     return QStringLiteral("%1: %2, it was %3%4")
                         .arg(key)
@@ -142,14 +142,14 @@ public:
                         .arg(first.at(key))
                         .arg(text(when));
             }
-            bench.powerCycle();
-            bench.letTimePass(std::chrono::seconds(3));
+            sim.powerCycle();
+            sim.runFor(std::chrono::seconds(3));
         }
-        return historyLies();
+        return historyMismatch();
     }
 
     /// The history's table of this moment against the servo's.
-    QString historyLies()
+    QString historyMismatch()
     {
         const auto history = open();
         const auto servos = history->log().servos();
@@ -159,7 +159,7 @@ public:
                                            servos->front().number, QDateTime::currentDateTimeUtc());
         if (!point)
             return text("no table");
-        for (const auto& [key, raw] : support::held(bench)) {
+        for (const auto& [key, raw] : support::held(sim)) {
             const record::SnapshotRegister* row = point->table.find(key);
             if (row == nullptr || row->raw != raw)
                 return QStringLiteral("history: %1 is %2, the servo has %3")
@@ -171,7 +171,7 @@ public:
     }
 
     /// The end of the restore that was begun first: undone, with every row that was touched.
-    QString notUndone(int touched)
+    QString undoErrors(int touched)
     {
         const auto entries = journal.entries();
         const base::JournalEntry& restore = entries->front();
@@ -194,7 +194,7 @@ public:
         return undone == touched ? QString() : QStringLiteral("%1 rows are undone").arg(undone);
     }
 
-    SimBench bench{text("sts3215@1")};
+    SimFixture sim{text("sts3215@1")};
     const QTemporaryDir folder;
     record::HistoryJournal journal{folder.filePath(text("history.sqlite")), text("test 1")};
     record::Snapshot wanted;
@@ -208,67 +208,68 @@ class TestRestoreUndo : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void aBrokenOffRestoreIsUndone_data();
-    void aBrokenOffRestoreIsUndone();
-    void aFinishingThatFailsIsRolledBack_data();
-    void aFinishingThatFailsIsRolledBack();
-    void aFinishingThatFailedIsUndone_data();
-    void aFinishingThatFailedIsUndone();
-    void aWayBackBrokenOffIsGoneToItsEnd_data();
-    void aWayBackBrokenOffIsGoneToItsEnd();
-    void endingItOnTheWayPutsBack();
-    void onlyTheWayBackIsOpen_data();
-    void onlyTheWayBackIsOpen();
-    void whatSomebodyWroteSinceIsLeftAlone_data();
-    void whatSomebodyWroteSinceIsLeftAlone();
+    void anInterruptedRestoreIsUndone_data();
+    void anInterruptedRestoreIsUndone();
+    void aFailedCompletionIsRolledBack_data();
+    void aFailedCompletionIsRolledBack();
+    void aFailedCompletionIsUndone_data();
+    void aFailedCompletionIsUndone();
+    void anInterruptedRollbackIsCompleted_data();
+    void anInterruptedRollbackIsCompleted();
+    void stoppingMidwayRollsBack();
+    void onlyTheRollbackIsOpen_data();
+    void onlyTheRollbackIsOpen();
+    void laterForeignWritesAreKept_data();
+    void laterForeignWritesAreKept();
     void theLatestIsUndoneFirst();
-    void aRowThatIsSoAlreadyIsNotForgotten();
-    void whatNobodyHeldIsRefused();
+    void anAlreadyMatchingRowIsIncluded();
+    void unknownValuesAreRefused();
 };
 
-void TestRestoreUndo::aBrokenOffRestoreIsUndone_data()
+void TestRestoreUndo::anInterruptedRestoreIsUndone_data()
 {
     QTest::addColumn<int>("before");
-    QTest::newRow("usual values") << int(Before::Usual);
-    QTest::newRow("outside the sheet") << int(Before::OutsideTheSheet);
+    QTest::newRow("usual values") << int(InitialTable::Default);
+    QTest::newRow("outside the sheet") << int(InitialTable::OutsideDocumentedRange);
 }
 
-void TestRestoreUndo::aBrokenOffRestoreIsUndone()
+void TestRestoreUndo::anInterruptedRestoreIsUndone()
 {
     QFETCH(const int, before);
-    UndoBench bench{Before(before)};
-    bench.breakOff();
-    const auto items = bench.journal.open()->front().items.size();
-    const auto undone = bench.recover(RecoverAction::Undo);
+    RestoreUndoFixture fixture{InitialTable(before)};
+    fixture.interruptRestore();
+    const auto items = fixture.journal.open()->front().items.size();
+    const auto undone = fixture.recover(RecoveryAction::Undo);
     QVERIFY(undone && undone->size() == 1);
     QVERIFY2(undone->front().done,
              undone->front().error ? qPrintable(base::errorName(undone->front().error->code)) : "");
     QVERIFY(undone->front().torqueIsOff);
-    QCOMPARE(bench.notUndone(int(items)), QString());
-    QCOMPARE(bench.notAsBefore(), QString());
+    QCOMPARE(fixture.undoErrors(int(items)), QString());
+    QCOMPARE(fixture.findLeftovers(), QString());
 }
 
-void TestRestoreUndo::aFinishingThatFailsIsRolledBack_data()
+void TestRestoreUndo::aFailedCompletionIsRolledBack_data()
 {
     QTest::addColumn<int>("trouble");
     QTest::addColumn<int>("before");
-    for (const auto& [name, before] : {std::pair{"", Before::Usual},
-                                       std::pair{", outside the sheet", Before::OutsideTheSheet}}) {
+    for (const auto& [name, before] :
+         {std::pair{"", InitialTable::Default},
+          std::pair{", outside the sheet", InitialTable::OutsideDocumentedRange}}) {
         QTest::addRow("a row shows another value%s", name)
-            << int(Trouble::OtherValue) << int(before);
-        QTest::addRow("the servo falls silent%s", name) << int(Trouble::Silence) << int(before);
+            << int(Failure::OtherValue) << int(before);
+        QTest::addRow("the servo falls silent%s", name) << int(Failure::Silence) << int(before);
     }
 }
 
-void TestRestoreUndo::aFinishingThatFailsIsRolledBack()
+void TestRestoreUndo::aFailedCompletionIsRolledBack()
 {
     QFETCH(const int, trouble);
     QFETCH(const int, before);
-    UndoBench bench{Before(before)};
-    bench.breakOff();
-    bench.trouble(Trouble(trouble));
-    const auto outcome = bench.restore(OnFailure::RollBack);
-    bench.mend();
+    RestoreUndoFixture fixture{InitialTable(before)};
+    fixture.interruptRestore();
+    fixture.trouble(Failure(trouble));
+    const auto outcome = fixture.restore(OnFailure::RollBack);
+    fixture.restoreLink();
     QVERIFY(outcome);
     QCOMPARE(outcome->verdict, RestoreVerdict::RolledBack);
     QCOMPARE(outcome->lock, device::LockState::Closed);
@@ -281,99 +282,100 @@ void TestRestoreUndo::aFinishingThatFailsIsRolledBack()
         touched += isTouched ? 1 : 0;
     }
     // Those of the first try are among them.
-    QVERIFY(touched > unlockAndThreeRows - 1);
-    QCOMPARE(bench.notUndone(touched), QString());
-    QCOMPARE(bench.notAsBefore(), QString());
+    QVERIFY(touched > framesUntilFourthRow - 1);
+    QCOMPARE(fixture.undoErrors(touched), QString());
+    QCOMPARE(fixture.findLeftovers(), QString());
 }
 
-void TestRestoreUndo::aFinishingThatFailedIsUndone_data()
+void TestRestoreUndo::aFailedCompletionIsUndone_data()
 {
-    aFinishingThatFailsIsRolledBack_data();
+    aFailedCompletionIsRolledBack_data();
 }
 
-void TestRestoreUndo::aFinishingThatFailedIsUndone()
+void TestRestoreUndo::aFailedCompletionIsUndone()
 {
     QFETCH(const int, trouble);
     QFETCH(const int, before);
-    UndoBench bench{Before(before)};
-    bench.breakOff();
-    const auto items = bench.journal.open()->front().items.size();
-    bench.trouble(Trouble(trouble));
-    const auto finished = bench.recover(RecoverAction::Finish);
-    bench.mend();
+    RestoreUndoFixture fixture{InitialTable(before)};
+    fixture.interruptRestore();
+    const auto items = fixture.journal.open()->front().items.size();
+    fixture.trouble(Failure(trouble));
+    const auto finished = fixture.recover(RecoveryAction::Finish);
+    fixture.restoreLink();
     QVERIFY(finished && finished->size() == 1);
     QVERIFY(!finished->front().done);
     QVERIFY(finished->front().error);
-    QVERIFY(!bench.journal.open()->empty());
+    QVERIFY(!fixture.journal.open()->empty());
 
-    const auto undone = bench.recover(RecoverAction::Undo);
+    const auto undone = fixture.recover(RecoveryAction::Undo);
     QVERIFY(undone);
-    for (const jobs::Recovered& one : *undone)
+    for (const jobs::RecoveryResult& one : *undone)
         QVERIFY2(one.done, one.error ? qPrintable(base::errorName(one.error->code)) : "");
-    QCOMPARE(bench.notUndone(int(items)), QString());
-    QCOMPARE(bench.notAsBefore(), QString());
+    QCOMPARE(fixture.undoErrors(int(items)), QString());
+    QCOMPARE(fixture.findLeftovers(), QString());
 }
 
-void TestRestoreUndo::aWayBackBrokenOffIsGoneToItsEnd_data()
+void TestRestoreUndo::anInterruptedRollbackIsCompleted_data()
 {
     QTest::addColumn<int>("action");
     QTest::addColumn<int>("before");
     for (const auto& [name, action] :
-         {std::pair{"finish", RecoverAction::Finish}, std::pair{"undo", RecoverAction::Undo}}) {
-        QTest::addRow("%s", name) << int(action) << int(Before::Usual);
-        QTest::addRow("%s, outside the sheet", name) << int(action) << int(Before::OutsideTheSheet);
+         {std::pair{"finish", RecoveryAction::Finish}, std::pair{"undo", RecoveryAction::Undo}}) {
+        QTest::addRow("%s", name) << int(action) << int(InitialTable::Default);
+        QTest::addRow("%s, outside the sheet", name)
+            << int(action) << int(InitialTable::OutsideDocumentedRange);
     }
 }
 
-void TestRestoreUndo::aWayBackBrokenOffIsGoneToItsEnd()
+void TestRestoreUndo::anInterruptedRollbackIsCompleted()
 {
     QFETCH(const int, action);
     QFETCH(const int, before);
     int brokenOff = 0;
     for (int cut = 1;; ++cut) {
-        UndoBench bench{Before(before)};
+        RestoreUndoFixture fixture{InitialTable(before)};
         // The third row falls silent, so the restore stays open; on the way back the cable goes.
         bool fired = false;
-        support::fallSilent(bench.bench, unlockAndThreeRows,
-                            [&, left = cut](const base::Bytes& frame) mutable {
-                                if (fired || !support::isWrite(frame) || --left > 0)
-                                    return;
-                                fired = true;
-                                bench.bench.cutLink();
-                            });
-        const auto outcome = bench.restore(OnFailure::RollBack);
-        bench.mend();
+        support::muteFromWrite(fixture.sim, framesUntilFourthRow,
+                               [&, left = cut](const base::Bytes& frame) mutable {
+                                   if (fired || !support::isWrite(frame) || --left > 0)
+                                       return;
+                                   fired = true;
+                                   fixture.sim.cutLink();
+                               });
+        const auto outcome = fixture.restore(OnFailure::RollBack);
+        fixture.restoreLink();
         QVERIFY(outcome);
         const QByteArray where = QByteArray::number(cut);
         if (!fired) {
             QCOMPARE(outcome->verdict, RestoreVerdict::RolledBack);
-            QCOMPARE(bench.notAsBefore(), QString());
+            QCOMPARE(fixture.findLeftovers(), QString());
             break;
         }
         QVERIFY2(outcome->verdict == RestoreVerdict::Failed, where);
         for (const jobs::RestoreRowResult& row : outcome->rows) {
-            const bool told = row.rolledBack || outcome->notPutBack.contains(row.write.key);
-            QVERIFY2(told || device::isUntouched(row.write.outcome), where);
+            const bool reported = row.rolledBack || outcome->notReverted.contains(row.write.key);
+            QVERIFY2(reported || device::isUntouched(row.write.outcome), where);
         }
         const bool somethingOpen =
-            !outcome->notPutBack.isEmpty() || outcome->lock != device::LockState::Closed;
+            !outcome->notReverted.isEmpty() || outcome->lock != device::LockState::Closed;
         QVERIFY2(somethingOpen, where);
-        const auto open = *bench.journal.open();
+        const auto open = *fixture.journal.open();
         QVERIFY2(open.size() == 2, where);
         ++brokenOff;
 
-        const auto ended = bench.recover(RecoverAction(action));
+        const auto ended = fixture.recover(RecoveryAction(action));
         QVERIFY2(ended && ended->size() == 2, where);
-        for (const jobs::Recovered& one : *ended) {
+        for (const jobs::RecoveryResult& one : *ended) {
             QVERIFY2(one.done, where + (one.error ? base::errorName(one.error->code).toLatin1()
                                                   : QByteArray()));
             const bool isRestore = one.before.intent.uuid == open.front().uuid;
-            QVERIFY2(one.action == (isRestore ? RecoverAction::Undo : RecoverAction::Finish),
+            QVERIFY2(one.action == (isRestore ? RecoveryAction::Undo : RecoveryAction::Finish),
                      where);
         }
-        const QString end = bench.notUndone(int(open.front().items.size()));
+        const QString end = fixture.undoErrors(int(open.front().items.size()));
         QVERIFY2(end.isEmpty(), where + ": " + end.toUtf8());
-        const QString differs = bench.notAsBefore();
+        const QString differs = fixture.findLeftovers();
         QVERIFY2(differs.isEmpty(), where + ": " + differs.toUtf8());
     }
     // Unlocking, two rows and locking at least.
@@ -381,155 +383,155 @@ void TestRestoreUndo::aWayBackBrokenOffIsGoneToItsEnd()
 }
 
 /// Ctrl-C in the middle, rolling back asked for.
-void TestRestoreUndo::endingItOnTheWayPutsBack()
+void TestRestoreUndo::stoppingMidwayRollsBack()
 {
-    UndoBench bench;
-    bench.bench.tap().onWrite = [&, left = unlockAndThreeRows](const base::Bytes& frame) mutable {
+    RestoreUndoFixture fixture;
+    fixture.sim.tap().onWrite = [&, left = framesUntilFourthRow](const base::Bytes& frame) mutable {
         if (support::isWrite(frame) && --left == 0)
-            bench.bench.stop().request();
+            fixture.sim.stop().request();
     };
-    const auto outcome = bench.restore(OnFailure::RollBack);
+    const auto outcome = fixture.restore(OnFailure::RollBack);
     QVERIFY(outcome && outcome->verdict == RestoreVerdict::RolledBack);
-    QVERIFY(outcome->notPutBack.isEmpty());
-    bench.mend();
-    QCOMPARE(bench.notAsBefore(), QString());
+    QVERIFY(outcome->notReverted.isEmpty());
+    fixture.restoreLink();
+    QCOMPARE(fixture.findLeftovers(), QString());
 }
 
-void TestRestoreUndo::onlyTheWayBackIsOpen_data()
+void TestRestoreUndo::onlyTheRollbackIsOpen_data()
 {
-    aWayBackBrokenOffIsGoneToItsEnd_data();
+    anInterruptedRollbackIsCompleted_data();
 }
 
 /// A row that shows another value ends the restore as failed; only its way back is then owed.
-void TestRestoreUndo::onlyTheWayBackIsOpen()
+void TestRestoreUndo::onlyTheRollbackIsOpen()
 {
     QFETCH(const int, action);
     QFETCH(const int, before);
-    UndoBench bench{Before(before)};
+    RestoreUndoFixture fixture{InitialTable(before)};
     constexpr std::uint8_t address = 21;
     int writes = 0;
-    bench.bench.tap().onWrite = [&, pending = false](const base::Bytes& frame) mutable {
+    fixture.sim.tap().onWrite = [&, pending = false](const base::Bytes& frame) mutable {
         if (std::exchange(pending, support::isWrite(frame) && frame[5] == address) && writes == 0) {
-            bench.bench.poke(1, text("position_p"), 99);
+            fixture.sim.poke(1, text("position_p"), 99);
             writes = 1;
         }
         // Locked, unlocked, the first row, and in the middle of the second it is cut.
         constexpr int secondRowBack = 5;
         if (writes > 0 && support::isWrite(frame) && ++writes == secondRowBack)
-            bench.bench.cutLink();
+            fixture.sim.cutLink();
     };
-    const auto outcome = bench.restore(OnFailure::RollBack);
-    bench.mend();
+    const auto outcome = fixture.restore(OnFailure::RollBack);
+    fixture.restoreLink();
     QVERIFY(outcome && outcome->verdict == RestoreVerdict::Failed);
-    const auto open = *bench.journal.open();
+    const auto open = *fixture.journal.open();
     QCOMPARE(open.size(), std::size_t(1));
-    QCOMPARE(bench.journal.entries()->front().end->outcome, text("failed"));
+    QCOMPARE(fixture.journal.entries()->front().end->outcome, text("failed"));
 
-    const auto ended = bench.recover(RecoverAction(action));
+    const auto ended = fixture.recover(RecoveryAction(action));
     QVERIFY(ended && ended->size() == 1);
     QVERIFY2(ended->front().done,
              ended->front().error ? qPrintable(base::errorName(ended->front().error->code)) : "");
-    QVERIFY(!support::lockIsOpen(bench.bench));
-    QVERIFY(bench.journal.open()->empty());
+    QVERIFY(!support::isLockOpen(fixture.sim));
+    QVERIFY(fixture.journal.open()->empty());
     for (const base::JournalItem& item : open.front().items) {
-        const bool back = RecoverAction(action) == RecoverAction::Finish;
-        QCOMPARE(bench.bench.raw(1, item.key), back ? item.newRaw : item.oldRaw);
+        const bool back = RecoveryAction(action) == RecoveryAction::Finish;
+        QCOMPARE(fixture.sim.raw(1, item.key), back ? item.newRaw : item.oldRaw);
     }
-    QCOMPARE(bench.historyLies(), QString());
-    if (RecoverAction(action) == RecoverAction::Finish)
-        QCOMPARE(bench.notAsBefore(), QString());
+    QCOMPARE(fixture.historyMismatch(), QString());
+    if (RecoveryAction(action) == RecoveryAction::Finish)
+        QCOMPARE(fixture.findLeftovers(), QString());
 }
 
-void TestRestoreUndo::whatSomebodyWroteSinceIsLeftAlone_data()
+void TestRestoreUndo::laterForeignWritesAreKept_data()
 {
     QTest::addColumn<int>("action");
-    QTest::newRow("finish") << int(RecoverAction::Finish);
-    QTest::newRow("undo") << int(RecoverAction::Undo);
+    QTest::newRow("finish") << int(RecoveryAction::Finish);
+    QTest::newRow("undo") << int(RecoveryAction::Undo);
 }
 
 /// The other rows are settled.
-void TestRestoreUndo::whatSomebodyWroteSinceIsLeftAlone()
+void TestRestoreUndo::laterForeignWritesAreKept()
 {
     QFETCH(int, action);
-    UndoBench bench;
-    bench.breakOff();
-    const base::JournalItem missing = bench.nextMissing();
-    device::Servo servo = support::wholeServo(bench.bench);
+    RestoreUndoFixture fixture;
+    fixture.interruptRestore();
+    const base::JournalItem missing = fixture.nextPendingItem();
+    device::Servo servo = support::identifyWithTable(fixture.sim);
     const auto written =
-        device::write(bench.context(), servo, {{missing.key, missing.newRaw + 1}}, {});
-    QVERIFY(written && written->allGood());
-    const auto open = *bench.journal.open();
+        device::write(fixture.context(), servo, {{missing.key, missing.newRaw + 1}}, {});
+    QVERIFY(written && written->isSuccessful());
+    const auto open = *fixture.journal.open();
     QCOMPARE(open.size(), std::size_t(1));
-    const auto one = bench.recover(RecoverAction(action));
+    const auto one = fixture.recover(RecoveryAction(action));
     QVERIFY(one && one->size() == 1 && one->front().done);
     QCOMPARE(one->front().before.replaced, QStringList{missing.key});
-    QVERIFY(bench.journal.open()->empty());
+    QVERIFY(fixture.journal.open()->empty());
     for (const base::JournalItem& item : open.front().items) {
-        const bool back = RecoverAction(action) == RecoverAction::Undo;
+        const bool back = RecoveryAction(action) == RecoveryAction::Undo;
         const std::int64_t settled = back ? item.oldRaw : item.newRaw;
-        QCOMPARE(bench.bench.raw(1, item.key),
+        QCOMPARE(fixture.sim.raw(1, item.key),
                  item.key == missing.key ? missing.newRaw + 1 : settled);
     }
 }
 
 void TestRestoreUndo::theLatestIsUndoneFirst()
 {
-    UndoBench bench;
-    const device::Servo servo = support::wholeServo(bench.bench);
+    RestoreUndoFixture fixture;
+    const device::Servo servo = support::identifyWithTable(fixture.sim);
     const catalog::Register& reg = *servo.profile->find(text("position_p"));
-    const std::int64_t before = bench.first.at(reg.key);
+    const std::int64_t before = fixture.first.at(reg.key);
     base::Intent intent;
     intent.servo = servo.identity();
     for (const std::int64_t old : {before, before + 1}) {
         intent.items = {{reg.key, reg.address, old, old + 1}};
-        QVERIFY(bench.journal.begin(intent));
+        QVERIFY(fixture.journal.begin(intent));
     }
-    support::pokeKept(bench.bench, reg.key, before + 2);
-    const auto undone = bench.recover(RecoverAction::Undo);
+    support::pokePersistent(fixture.sim, reg.key, before + 2);
+    const auto undone = fixture.recover(RecoveryAction::Undo);
     QVERIFY(undone && undone->size() == 2);
     QVERIFY(undone->front().done && undone->back().done);
-    QCOMPARE(bench.notAsBefore(), QString());
+    QCOMPARE(fixture.findLeftovers(), QString());
 }
 
 /// Only the servo's own restore (0x06) has no new values, and leaves the history without them.
-void TestRestoreUndo::aRowThatIsSoAlreadyIsNotForgotten()
+void TestRestoreUndo::anAlreadyMatchingRowIsIncluded()
 {
-    UndoBench bench;
-    device::Servo servo = support::wholeServo(bench.bench);
+    RestoreUndoFixture fixture;
+    device::Servo servo = support::identifyWithTable(fixture.sim);
     device::WriteOptions options;
     options.kind = base::IntentKind::Restore;
-    const device::WriteItem so{text("position_p"), bench.first.at(text("position_p"))};
-    QVERIFY(device::write(bench.context(), servo, {so, {text("max_torque"), 800}}, options));
-    QCOMPARE(bench.historyLies(), QString());
-    QVERIFY(device::write(bench.context(), servo, {so}, options));
-    QCOMPARE(bench.historyLies(), QString());
+    const device::WriteItem so{text("position_p"), fixture.first.at(text("position_p"))};
+    QVERIFY(device::write(fixture.context(), servo, {so, {text("max_torque"), 800}}, options));
+    QCOMPARE(fixture.historyMismatch(), QString());
+    QVERIFY(device::write(fixture.context(), servo, {so}, options));
+    QCOMPARE(fixture.historyMismatch(), QString());
 }
 
 /// Finishing is no way around the sheet.
-void TestRestoreUndo::whatNobodyHeldIsRefused()
+void TestRestoreUndo::unknownValuesAreRefused()
 {
-    UndoBench bench;
-    device::Servo servo = support::wholeServo(bench.bench);
+    RestoreUndoFixture fixture;
+    device::Servo servo = support::identifyWithTable(fixture.sim);
     base::Intent intent;
     intent.kind = base::IntentKind::Restore;
     intent.servo = servo.identity();
     const catalog::Register& reg = *servo.profile->find(text("max_torque"));
     intent.items = {{reg.key, reg.address, 900, 1023}};
-    QVERIFY(bench.journal.begin(intent));
-    bench.bench.forgetFrames();
-    const auto refused = bench.recover(RecoverAction::Finish);
+    QVERIFY(fixture.journal.begin(intent));
+    fixture.sim.clearFrames();
+    const auto refused = fixture.recover(RecoveryAction::Finish);
     QVERIFY(refused && refused->size() == 1 && !refused->front().done);
     QCOMPARE(refused->front().error->code, base::ErrorCode::OutOfRange);
-    QVERIFY(bench.bench.onlyAsked());
+    QVERIFY(fixture.sim.onlyReadsSent());
 
     // Once it was found with that value, it may have it again.
     base::Intent earlier = intent;
     earlier.items = {{reg.key, reg.address, 1023, 900}};
-    const auto uuid = bench.journal.begin(earlier);
-    QVERIFY(uuid && bench.journal.end(*uuid, {text("done"), {}, {}}));
-    const auto finished = bench.recover(RecoverAction::Finish);
+    const auto uuid = fixture.journal.begin(earlier);
+    QVERIFY(uuid && fixture.journal.end(*uuid, {text("done"), {}, {}}));
+    const auto finished = fixture.recover(RecoveryAction::Finish);
     QVERIFY(finished && finished->size() == 1 && finished->front().done);
-    QCOMPARE(bench.bench.raw(1, text("max_torque")), 1023);
+    QCOMPARE(fixture.sim.raw(1, text("max_torque")), 1023);
 }
 
 QTEST_GUILESS_MAIN(TestRestoreUndo)

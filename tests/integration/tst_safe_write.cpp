@@ -12,29 +12,29 @@ using device::LockState;
 using device::WriteItem;
 using device::WriteOptions;
 using device::WriteOutcome;
-using support::SimBench;
+using support::SimFixture;
 
 namespace {
 const QString twoServos = QStringLiteral("sts3215@1,scs15@2");
 
-bool noted(SimBench& bench, device::NoticeCode code)
+bool hasNotice(SimFixture& fixture, device::NoticeCode code)
 {
-    for (const device::Notice& notice : bench.notices()) {
+    for (const device::Notice& notice : fixture.notices()) {
         if (notice.code == code)
             return true;
     }
     return false;
 }
 
-std::size_t openIntents(SimBench& bench)
+std::size_t openIntents(SimFixture& fixture)
 {
-    return bench.journal().open()->size();
+    return fixture.journal().open()->size();
 }
 
-base::Bytes wholeTable(SimBench& bench, int id)
+base::Bytes wholeTable(SimFixture& fixture, int id)
 {
     base::Bytes bytes;
-    bench.withWire([&](sim::VirtualBus& wire) {
+    fixture.withBus([&](sim::VirtualBus& wire) {
         for (const catalog::Register& reg : wire.servo(id)->profile().registers) {
             if (reg.area == catalog::Area::Eprom || reg.area == catalog::Area::Sram)
                 bytes.push_back(std::uint8_t(wire.servo(id)->raw(reg.key) & 0xFF));
@@ -50,9 +50,9 @@ class TestSafeWrite : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void keptSurvivesPowerOff_data();
-    void keptSurvivesPowerOff();
-    void temporaryIsLostAtPowerOff_data() { keptSurvivesPowerOff_data(); }
+    void savedSurvivesPowerOff_data();
+    void savedSurvivesPowerOff();
+    void temporaryIsLostAtPowerOff_data() { savedSurvivesPowerOff_data(); }
     void temporaryIsLostAtPowerOff();
     void temporaryClosesALockLeftOpen();
     void safeWriteClosesALockLeftOpen();
@@ -60,26 +60,26 @@ private Q_SLOTS:
     void bothLimitsGoInOneFrame();
     void refusedBeforeTheFirstByte_data();
     void refusedBeforeTheFirstByte();
-    void valueJustReadMayBeWrittenBack();
+    void readValueCanBeWrittenBack();
     void sramIsTemporary();
-    void foreignLockIsNeverWritten_data();
-    void foreignLockIsNeverWritten();
-    void lostAcknowledgementsAreNoLoss();
+    void lockOfAnotherFamilyIsNeverWritten_data();
+    void lockOfAnotherFamilyIsNeverWritten();
+    void lostAcknowledgmentsAreHarmless();
     void responseLevelZero();
     void switchingTheResponseLevel_data();
     void switchingTheResponseLevel();
     void fullJournalWritesNothing();
-    void torqueGoesOffWhereAsked();
+    void torqueIsSwitchedOffOnRequest();
     void stopBetweenRegistersClosesTheLock();
     void silentServoIsNoAnswer();
     void journalKeepsTheOldValue();
-    void brownOutIsNotCalledKept();
-    void anExchangedServoIsNotJudged();
-    void aLockThatMayBeClosedIsNotCalledOpen_data();
-    void aLockThatMayBeClosedIsNotCalledOpen();
+    void brownOutIsNotReportedSaved();
+    void aReplacedServoIsNotVerified();
+    void aPossiblyClosedLockIsNotReportedOpen_data();
+    void aPossiblyClosedLockIsNotReportedOpen();
 };
 
-void TestSafeWrite::keptSurvivesPowerOff_data()
+void TestSafeWrite::savedSurvivesPowerOff_data()
 {
     QTest::addColumn<int>("id");
     QTest::addColumn<QString>("key");
@@ -90,24 +90,24 @@ void TestSafeWrite::keptSurvivesPowerOff_data()
     QTest::newRow("SCS, two bytes") << 2 << "min_startup_force" << 300;
 }
 
-void TestSafeWrite::keptSurvivesPowerOff()
+void TestSafeWrite::savedSurvivesPowerOff()
 {
     QFETCH(int, id);
     QFETCH(QString, key);
     QFETCH(int, value);
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(id);
-    const auto report = device::write(bench.context(), servo, {{key, value}}, {});
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(id);
+    const auto report = device::write(fixture.context(), servo, {{key, value}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes.size(), std::size_t(1));
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
     QCOMPARE(*report->writes[0].readBack, std::int64_t(value));
     QCOMPARE(report->lock, LockState::Closed);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.raw(id, QStringLiteral("lock")), 1);
-    bench.powerCycle();
-    QCOMPARE(bench.raw(id, key), std::int64_t(value));
-    QCOMPARE(openIntents(bench), std::size_t(0));
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.raw(id, QStringLiteral("lock")), 1);
+    fixture.powerCycle();
+    QCOMPARE(fixture.raw(id, key), std::int64_t(value));
+    QCOMPARE(openIntents(fixture), std::size_t(0));
 }
 
 void TestSafeWrite::temporaryIsLostAtPowerOff()
@@ -115,58 +115,58 @@ void TestSafeWrite::temporaryIsLostAtPowerOff()
     QFETCH(int, id);
     QFETCH(QString, key);
     QFETCH(int, value);
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(id);
-    const std::int64_t before = bench.raw(id, key);
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(id);
+    const std::int64_t before = fixture.raw(id, key);
     WriteOptions options;
     options.temporary = true;
-    const auto report = device::write(bench.context(), servo, {{key, value}}, options);
+    const auto report = device::write(fixture.context(), servo, {{key, value}}, options);
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
     QCOMPARE(report->lock, LockState::Closed);
-    QCOMPARE(bench.raw(id, key), std::int64_t(value));
-    bench.powerCycle();
-    QCOMPARE(bench.raw(id, key), before);
+    QCOMPARE(fixture.raw(id, key), std::int64_t(value));
+    fixture.powerCycle();
+    QCOMPARE(fixture.raw(id, key), before);
 }
 
 void TestSafeWrite::temporaryClosesALockLeftOpen()
 {
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(1);
-    bench.poke(1, QStringLiteral("lock"), 0);
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
+    fixture.poke(1, QStringLiteral("lock"), 0);
     WriteOptions options;
     options.temporary = true;
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, options);
+        device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, options);
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
-    QVERIFY(noted(bench, device::NoticeCode::LockFoundOpen));
-    bench.powerCycle();
-    QCOMPARE(bench.raw(1, QStringLiteral("max_temperature")), 70);
+    QVERIFY(hasNotice(fixture, device::NoticeCode::LockFoundOpen));
+    fixture.powerCycle();
+    QCOMPARE(fixture.raw(1, QStringLiteral("max_temperature")), 70);
 }
 
 void TestSafeWrite::safeWriteClosesALockLeftOpen()
 {
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(1);
-    bench.poke(1, QStringLiteral("lock"), 0);
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
+    fixture.poke(1, QStringLiteral("lock"), 0);
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
-    QVERIFY(report && report->allGood());
-    QVERIFY(noted(bench, device::NoticeCode::LockFoundOpen));
-    QCOMPARE(bench.raw(1, QStringLiteral("lock")), 1);
+        device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+    QVERIFY(report && report->isSuccessful());
+    QVERIFY(hasNotice(fixture, device::NoticeCode::LockFoundOpen));
+    QCOMPARE(fixture.raw(1, QStringLiteral("lock")), 1);
 }
 
 void TestSafeWrite::onlyTheNamedRegisterChanges()
 {
-    SimBench bench(twoServos);
+    SimFixture fixture(twoServos);
     for (const int id : {1, 2}) {
-        device::Servo servo = bench.servo(id);
-        const base::Bytes before = wholeTable(bench, id);
+        device::Servo servo = fixture.servo(id);
+        const base::Bytes before = wholeTable(fixture, id);
         const auto report =
-            device::write(bench.context(), servo, {{QStringLiteral("position_p"), 17}}, {});
-        QVERIFY(report && report->allGood());
-        const base::Bytes after = wholeTable(bench, id);
+            device::write(fixture.context(), servo, {{QStringLiteral("position_p"), 17}}, {});
+        QVERIFY(report && report->isSuccessful());
+        const base::Bytes after = wholeTable(fixture, id);
         int changed = 0;
         for (std::size_t i = 0; i < before.size(); ++i)
             changed += before[i] != after[i] ? 1 : 0;
@@ -176,17 +176,17 @@ void TestSafeWrite::onlyTheNamedRegisterChanges()
 
 void TestSafeWrite::bothLimitsGoInOneFrame()
 {
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(1);
-    bench.forgetFrames();
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
+    fixture.clearFrames();
     const auto report = device::write(
-        bench.context(), servo,
+        fixture.context(), servo,
         {{QStringLiteral("max_angle_limit"), 3000}, {QStringLiteral("min_angle_limit"), 1000}}, {});
-    QVERIFY(report && report->allGood());
+    QVERIFY(report && report->isSuccessful());
     // 1000 = E8 03, 3000 = B8 0B, at address 9.
     const base::Bytes frame = *base::fromHex(QStringLiteral("FF FF 01 07 03 09 E8 03 B8 0B 3D"));
-    QVERIFY(std::find(bench.tap().written.begin(), bench.tap().written.end(), frame) !=
-            bench.tap().written.end());
+    QVERIFY(std::find(fixture.tap().written.begin(), fixture.tap().written.end(), frame) !=
+            fixture.tap().written.end());
 }
 
 void TestSafeWrite::refusedBeforeTheFirstByte_data()
@@ -226,43 +226,43 @@ void TestSafeWrite::refusedBeforeTheFirstByte()
     QFETCH(int, value);
     QFETCH(bool, dangerous);
     QFETCH(base::ErrorCode, code);
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(id);
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(id);
     WriteOptions options;
     options.dangerous = dangerous;
-    const auto report = device::write(bench.context(), servo, {{key, value}}, options);
+    const auto report = device::write(fixture.context(), servo, {{key, value}}, options);
     QVERIFY(!report);
     QCOMPARE(report.error().code, code);
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(openIntents(bench), std::size_t(0));
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(openIntents(fixture), std::size_t(0));
 }
 
-void TestSafeWrite::valueJustReadMayBeWrittenBack()
+void TestSafeWrite::readValueCanBeWrittenBack()
 {
-    SimBench bench(twoServos);
-    bench.poke(1, QStringLiteral("lock"), 0);
-    bench.poke(1, QStringLiteral("max_temperature"), 120); // beyond what the sheet allows
-    bench.poke(1, QStringLiteral("lock"), 1);
-    bench.letTimePass(std::chrono::milliseconds(50));
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(twoServos);
+    fixture.poke(1, QStringLiteral("lock"), 0);
+    fixture.poke(1, QStringLiteral("max_temperature"), 120); // beyond what the sheet allows
+    fixture.poke(1, QStringLiteral("lock"), 1);
+    fixture.runFor(std::chrono::milliseconds(50));
+    device::Servo servo = fixture.servo(1);
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 120}}, {});
-    QVERIFY(report && report->allGood());
+        device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 120}}, {});
+    QVERIFY(report && report->isSuccessful());
 }
 
 void TestSafeWrite::sramIsTemporary()
 {
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("torque_limit"), 500}}, {});
+        device::write(fixture.context(), servo, {{QStringLiteral("torque_limit"), 500}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
     QCOMPARE(report->lock, LockState::None);
-    QCOMPARE(bench.raw(1, QStringLiteral("torque_limit")), 500);
+    QCOMPARE(fixture.raw(1, QStringLiteral("torque_limit")), 500);
 }
 
-void TestSafeWrite::foreignLockIsNeverWritten_data()
+void TestSafeWrite::lockOfAnotherFamilyIsNeverWritten_data()
 {
     QTest::addColumn<int>("id");
     QTest::addColumn<int>("foreignLock");
@@ -270,49 +270,49 @@ void TestSafeWrite::foreignLockIsNeverWritten_data()
     QTest::newRow("SCS: 55 is undefined") << 2 << 55;
 }
 
-void TestSafeWrite::foreignLockIsNeverWritten()
+void TestSafeWrite::lockOfAnotherFamilyIsNeverWritten()
 {
     QFETCH(int, id);
     QFETCH(int, foreignLock);
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(id);
-    bench.forgetFrames();
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(id);
+    fixture.clearFrames();
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
-    QVERIFY(report && report->allGood());
-    for (const base::Bytes& frame : bench.tap().written) {
-        if (support::isChange(frame))
+        device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+    QVERIFY(report && report->isSuccessful());
+    for (const base::Bytes& frame : fixture.tap().written) {
+        if (support::isWriteFrame(frame))
             QVERIFY(frame[5] != foreignLock);
     }
 }
 
-void TestSafeWrite::lostAcknowledgementsAreNoLoss()
+void TestSafeWrite::lostAcknowledgmentsAreHarmless()
 {
-    SimBench bench(twoServos);
+    SimFixture fixture(twoServos);
     for (const int id : {1, 2}) {
-        device::Servo servo = bench.servo(id);
-        support::loseAcknowledgements(bench);
+        device::Servo servo = fixture.servo(id);
+        support::dropAcknowledgments(fixture);
         const auto report =
-            device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
-        support::hearEverything(bench);
+            device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+        support::restoreReplies(fixture);
         QVERIFY(report);
         QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
         QCOMPARE(report->lock, LockState::Closed);
-        QCOMPARE(bench.raw(id, QStringLiteral("lock")), 1);
+        QCOMPARE(fixture.raw(id, QStringLiteral("lock")), 1);
     }
 }
 
 void TestSafeWrite::responseLevelZero()
 {
-    SimBench bench(twoServos);
+    SimFixture fixture(twoServos);
     for (const int id : {1, 2}) {
-        bench.poke(id, QStringLiteral("response_level"), 0);
-        device::Servo servo = bench.servo(id);
+        fixture.poke(id, QStringLiteral("response_level"), 0);
+        device::Servo servo = fixture.servo(id);
         const auto report =
-            device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
-        QVERIFY(report && report->allGood());
+            device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+        QVERIFY(report && report->isSuccessful());
         QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
-        QCOMPARE(bench.bus().statistics().total.timeOuts, std::uint64_t(0));
+        QCOMPARE(fixture.bus().statistics().total.timeouts, std::uint64_t(0));
     }
 }
 
@@ -328,142 +328,142 @@ void TestSafeWrite::switchingTheResponseLevel()
 {
     QFETCH(int, from);
     QFETCH(int, to);
-    SimBench bench(twoServos);
-    bench.poke(1, QStringLiteral("response_level"), from);
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(twoServos);
+    fixture.poke(1, QStringLiteral("response_level"), from);
+    device::Servo servo = fixture.servo(1);
     WriteOptions options;
     options.dangerous = true;
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("response_level"), to}}, options);
-    QVERIFY(report && report->allGood());
-    QCOMPARE(bench.raw(1, QStringLiteral("response_level")), to);
+        device::write(fixture.context(), servo, {{QStringLiteral("response_level"), to}}, options);
+    QVERIFY(report && report->isSuccessful());
+    QCOMPARE(fixture.raw(1, QStringLiteral("response_level")), to);
 }
 
 void TestSafeWrite::fullJournalWritesNothing()
 {
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(1);
-    bench.journal().failWith(ErrorCode::DiskFull);
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
+    fixture.journal().setError(ErrorCode::DiskFull);
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+        device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::DiskFull);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestSafeWrite::torqueGoesOffWhereAsked()
+void TestSafeWrite::torqueIsSwitchedOffOnRequest()
 {
-    SimBench bench(twoServos);
-    bench.poke(1, QStringLiteral("torque_switch"), 1);
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(twoServos);
+    fixture.poke(1, QStringLiteral("torque_switch"), 1);
+    device::Servo servo = fixture.servo(1);
     WriteOptions options;
     options.dangerous = true;
     const auto quiet =
-        device::write(bench.context(), servo, {{QStringLiteral("position_p"), 30}}, options);
-    QVERIFY(quiet && quiet->allGood());
-    QCOMPARE(bench.raw(1, QStringLiteral("torque_switch")), 1);
+        device::write(fixture.context(), servo, {{QStringLiteral("position_p"), 30}}, options);
+    QVERIFY(quiet && quiet->isSuccessful());
+    QCOMPARE(fixture.raw(1, QStringLiteral("torque_switch")), 1);
     const auto offset =
-        device::write(bench.context(), servo, {{QStringLiteral("position_offset"), 30}}, options);
-    QVERIFY(offset && offset->allGood());
-    QCOMPARE(bench.raw(1, QStringLiteral("torque_switch")), 0);
-    QVERIFY(noted(bench, device::NoticeCode::TorqueSwitchedOff));
+        device::write(fixture.context(), servo, {{QStringLiteral("position_offset"), 30}}, options);
+    QVERIFY(offset && offset->isSuccessful());
+    QCOMPARE(fixture.raw(1, QStringLiteral("torque_switch")), 0);
+    QVERIFY(hasNotice(fixture, device::NoticeCode::TorqueSwitchedOff));
 }
 
 void TestSafeWrite::stopBetweenRegistersClosesTheLock()
 {
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
     // The user stops while the first register is being written (address 13).
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         if (frame[4] == support::Write && frame[5] == 13)
-            bench.stop().request();
+            fixture.stop().request();
     };
     const auto report = device::write(
-        bench.context(), servo,
+        fixture.context(), servo,
         {{QStringLiteral("max_temperature"), 61}, {QStringLiteral("position_p"), 30}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
     QCOMPARE(report->writes[1].outcome, WriteOutcome::NotSent);
     QCOMPARE(report->writes[1].error->code, ErrorCode::Stopped);
-    QCOMPARE(bench.raw(1, QStringLiteral("position_p")), *report->writes[1].oldRaw);
+    QCOMPARE(fixture.raw(1, QStringLiteral("position_p")), *report->writes[1].oldRaw);
     QCOMPARE(report->lock, LockState::Closed);
-    QCOMPARE(bench.raw(1, QStringLiteral("lock")), 1);
+    QCOMPARE(fixture.raw(1, QStringLiteral("lock")), 1);
 }
 
 void TestSafeWrite::silentServoIsNoAnswer()
 {
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(1);
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         if (frame[4] == support::Write && frame[5] == 13)
-            bench.wireConfig().faults.muteIds = {1};
+            fixture.wireConfig().faults.muteIds = {1};
     };
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+        device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
     QVERIFY(report);
-    QCOMPARE(report->writes[0].outcome, WriteOutcome::NoAnswer);
-    QVERIFY(!report->allGood());
-    QVERIFY(noted(bench, device::NoticeCode::LockLeftOpen));
-    QCOMPARE(openIntents(bench), std::size_t(1));
+    QCOMPARE(report->writes[0].outcome, WriteOutcome::NoReply);
+    QVERIFY(!report->isSuccessful());
+    QVERIFY(hasNotice(fixture, device::NoticeCode::LockLeftOpen));
+    QCOMPARE(openIntents(fixture), std::size_t(1));
 }
 
 void TestSafeWrite::journalKeepsTheOldValue()
 {
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(1);
-    QVERIFY(device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {}));
-    const auto entries = *bench.journal().entries();
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
+    QVERIFY(device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {}));
+    const auto entries = *fixture.journal().entries();
     QCOMPARE(entries.size(), std::size_t(1));
     QCOMPARE(entries[0].intent.items[0].oldRaw, 70);
     QCOMPARE(entries[0].intent.items[0].newRaw, 61);
     QCOMPARE(entries[0].end->outcome, QStringLiteral("done"));
 }
 
-void TestSafeWrite::brownOutIsNotCalledKept()
+void TestSafeWrite::brownOutIsNotReportedSaved()
 {
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
     bool once = false;
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         // The supply dips after the unlock: the lock closes by itself.
         if (frame[4] == support::Write && frame[5] == 13 && !std::exchange(once, true))
-            bench.powerCycle();
+            fixture.powerCycle();
     };
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+        device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Unknown);
-    QVERIFY(!report->allGood());
-    QCOMPARE(openIntents(bench), std::size_t(1));
-    bench.powerCycle();
-    QCOMPARE(bench.raw(1, QStringLiteral("max_temperature")), 70);
+    QVERIFY(!report->isSuccessful());
+    QCOMPARE(openIntents(fixture), std::size_t(1));
+    fixture.powerCycle();
+    QCOMPARE(fixture.raw(1, QStringLiteral("max_temperature")), 70);
 }
 
 /// After the value has arrived another servo of the kind is plugged in: what it shows is its own.
-void TestSafeWrite::anExchangedServoIsNotJudged()
+void TestSafeWrite::aReplacedServoIsNotVerified()
 {
-    SimBench bench(twoServos);
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(twoServos);
+    device::Servo servo = fixture.servo(1);
     bool written = false;
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         const bool readBack = frame[4] == support::Read && frame[5] <= 13 && written;
         written = written || (frame[4] == support::Write && frame[5] == 13);
         if (!readBack)
             return;
         written = false;
-        bench.powerCycle();
-        bench.poke(1, QStringLiteral("max_temperature"), 70);
+        fixture.powerCycle();
+        fixture.poke(1, QStringLiteral("max_temperature"), 70);
     };
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+        device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes[0].readBack, std::optional<std::int64_t>(70));
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Unknown);
     QVERIFY(!report->openIntent.isEmpty());
-    QCOMPARE(openIntents(bench), std::size_t(1));
+    QCOMPARE(openIntents(fixture), std::size_t(1));
 }
 
-void TestSafeWrite::aLockThatMayBeClosedIsNotCalledOpen_data()
+void TestSafeWrite::aPossiblyClosedLockIsNotReportedOpen_data()
 {
     QTest::addColumn<bool>("acknowledged");
     QTest::newRow("the reading is lost") << true;
@@ -471,27 +471,27 @@ void TestSafeWrite::aLockThatMayBeClosedIsNotCalledOpen_data()
 }
 
 /// The servo has closed its lock; only what would show it gets lost.
-void TestSafeWrite::aLockThatMayBeClosedIsNotCalledOpen()
+void TestSafeWrite::aPossiblyClosedLockIsNotReportedOpen()
 {
     QFETCH(bool, acknowledged);
-    SimBench bench(QStringLiteral("sts3215@1"));
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
     const base::Bytes closes{0xFF, 0xFF, 0x01, 0x04, 0x03, 0x37, 0x01, 0xBF};
     bool sent = false;
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         const bool now = frame == closes;
         if (sent || (now && !acknowledged))
-            bench.wireConfig().faults.drop = 1;
+            fixture.wireConfig().faults.drop = 1;
         sent = sent || now;
     };
     const auto report =
-        device::write(bench.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
+        device::write(fixture.context(), servo, {{QStringLiteral("max_temperature"), 61}}, {});
     QVERIFY(report && sent);
-    QCOMPARE(bench.raw(1, QStringLiteral("lock")), 1);
+    QCOMPARE(fixture.raw(1, QStringLiteral("lock")), 1);
     QCOMPARE(report->lock, LockState::Unknown);
-    QVERIFY(!report->allGood());
-    QVERIFY(noted(bench, device::NoticeCode::LockLeftOpen));
-    QCOMPARE(openIntents(bench), std::size_t(1));
+    QVERIFY(!report->isSuccessful());
+    QVERIFY(hasNotice(fixture, device::NoticeCode::LockLeftOpen));
+    QCOMPARE(openIntents(fixture), std::size_t(1));
 }
 
 QTEST_GUILESS_MAIN(TestSafeWrite)

@@ -12,13 +12,13 @@
 
 using base::ErrorCode;
 using std::chrono::milliseconds;
-using support::BenchOptions;
-using support::SimBench;
+using support::SimFixture;
+using support::SimFixtureOptions;
 
-using scan_help::fast;
-using scan_help::find;
-using scan_help::idsOf;
-using scan_help::slowAdapter;
+using scan_support::fast;
+using scan_support::find;
+using scan_support::idsOf;
+using scan_support::slowAdapterOptions;
 
 namespace {
 const QString six =
@@ -31,21 +31,21 @@ class TestScan : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void listsEveryServoAndOnlyAsks();
+    void listsEveryServoAndOnlyReads();
     void listsAlarmedServos();
-    void asksOnlyTheRange();
-    void countsLateRepliesForTheIdTheyName();
-    void oneLateReplyAdvisesNothing();
-    void lateEchoesAreNobody();
-    void slowPassFindsWhoWasSilent();
-    void aServoThatIsExpectedIsAskedAgain();
-    void aBundleMissesNobodyWhoWasSilentOnce();
-    void aLineOnWhichNoTwoSearchesAgreeIsRefused();
+    void scansOnlyTheRange();
+    void lateRepliesAreCountedByTheirId();
+    void oneLateReplyGivesNoAdvice();
+    void lateEchoesAreNoServos();
+    void slowPassFindsSilentServos();
+    void anExpectedServoIsRetried();
+    void aBundleIncludesServosSilentOnce();
+    void inconsistentScansAreRefused();
     void searchesAllRatesAndReturnsToItsOwn();
-    void listsAServoHeardAtANeighbouringRateOnce();
-    void tellsWhichRatesTheAdapterRefuses();
+    void listsAServoSeenAtANeighboringRateOnce();
+    void reportsRatesTheAdapterRefuses();
     void emergencyReachesTheServosAtTheirOwnRate();
-    void lostFirstTransactionHidesNobody();
+    void lostFirstTransactionHidesNoServo();
     void progressRisesToTheEnd();
     void stopsWithin100Milliseconds_data();
     void stopsWithin100Milliseconds();
@@ -53,15 +53,15 @@ private Q_SLOTS:
     void silentBusIsAnEmptyList();
     void linkCutEndsTheScan_data();
     void linkCutEndsTheScan();
-    void refusesNonsense_data();
-    void refusesNonsense();
+    void refusesInvalidSpecs_data();
+    void refusesInvalidSpecs();
 };
 
-void TestScan::listsEveryServoAndOnlyAsks()
+void TestScan::listsEveryServoAndOnlyReads()
 {
-    SimBench bench(six, {fast, fast, {}});
+    SimFixture fixture(six, {fast, fast, {}});
     std::vector<int> announced;
-    const auto report = jobs::scan(bench.context(), {}, {}, [&](const jobs::Found& found) {
+    const auto report = jobs::scan(fixture.context(), {}, {}, [&](const jobs::FoundServo& found) {
         announced.push_back(found.servo.id);
     });
     QVERIFY(report);
@@ -70,11 +70,11 @@ void TestScan::listsEveryServoAndOnlyAsks()
     QCOMPARE(find(*report, 7)->servo.profile->modelName, QStringLiteral("STS3250"));
     QCOMPARE(find(*report, 100)->servo.profile->modelName, QStringLiteral("SCS15"));
     QCOMPARE(find(*report, 253)->servo.baud, fast);
-    for (const jobs::Found& found : report->found)
-        QVERIFY2(!found.twinsSuspected && !found.heardLate,
+    for (const jobs::FoundServo& found : report->found)
+        QVERIFY2(!found.duplicateSuspected && !found.lateReplySeen,
                  qPrintable(QString::number(found.servo.id)));
-    QVERIFY(bench.onlyAsked());
-    QVERIFY(!report->slowPassAdvised && !report->garbledHeard && !report->stopped);
+    QVERIFY(fixture.onlyReadsSent());
+    QVERIFY(!report->slowPassAdvised && !report->hasGarbledReplies && !report->stopped);
     QCOMPARE(report->lateReplies, 0);
     QVERIFY2(report->elapsed <= milliseconds(1500),
              qPrintable(QString::number(report->elapsed.count())));
@@ -82,8 +82,8 @@ void TestScan::listsEveryServoAndOnlyAsks()
 
 void TestScan::listsAlarmedServos()
 {
-    SimBench bench(QStringLiteral("demo"));
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(QStringLiteral("demo"));
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({1, 2, 3, 4, 5, 6}));
     QCOMPARE(int(find(*report, 6)->servo.status), 1); // voltage
@@ -91,47 +91,47 @@ void TestScan::listsAlarmedServos()
     QCOMPARE(int(find(*report, 1)->servo.status), 0);
 }
 
-void TestScan::asksOnlyTheRange()
+void TestScan::scansOnlyTheRange()
 {
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@10,sts3215@20,sts3215@21"));
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@10,sts3215@20,sts3215@21"));
     jobs::ScanSpec spec;
     spec.firstId = 10;
     spec.lastId = 20;
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({10, 20}));
-    QCOMPARE(bench.framesTo(9) + bench.framesTo(21), 0);
+    QCOMPARE(fixture.framesSentTo(9) + fixture.framesSentTo(21), 0);
     for (int id = 10; id <= 20; ++id)
-        QVERIFY(bench.framesTo(id) > 0);
+        QVERIFY(fixture.framesSentTo(id) > 0);
 }
 
-void TestScan::countsLateRepliesForTheIdTheyName()
+void TestScan::lateRepliesAreCountedByTheirId()
 {
-    BenchOptions options = slowAdapter();
+    SimFixtureOptions options = slowAdapterOptions();
     options.servoBaud = fast;
-    SimBench bench(six, options);
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(six, options);
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({0, 7, 100, 101, 200, 253}));
-    for (const jobs::Found& found : report->found) {
-        QVERIFY(found.heardLate);
-        QVERIFY(!found.twinsSuspected);
+    for (const jobs::FoundServo& found : report->found) {
+        QVERIFY(found.lateReplySeen);
+        QVERIFY(!found.duplicateSuspected);
         QVERIFY(found.servo.profile);
         QCOMPARE(found.servo.raw(QStringLiteral("id")),
                  std::optional<std::int64_t>(found.servo.id));
     }
     QCOMPARE(report->lateReplies, 6);
     // All 254, the one that is asked ahead of them, and each late one once more by itself.
-    QCOMPARE(bench.frames(support::Ping), 254 + 1 + 6);
+    QCOMPARE(fixture.frames(support::Ping), 254 + 1 + 6);
     QVERIFY(report->slowPassAdvised);
     QVERIFY2(report->elapsed <= milliseconds(2000),
              qPrintable(QString::number(report->elapsed.count())));
 }
 
-void TestScan::oneLateReplyAdvisesNothing()
+void TestScan::oneLateReplyGivesNoAdvice()
 {
-    SimBench bench(QStringLiteral("sts3215@30"), slowAdapter());
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(QStringLiteral("sts3215@30"), slowAdapterOptions());
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({30}));
     QCOMPARE(report->lateReplies, 1);
@@ -139,35 +139,35 @@ void TestScan::oneLateReplyAdvisesNothing()
 }
 
 // The echo of a PING reads like the reply of a servo with a voltage alarm.
-void TestScan::lateEchoesAreNobody()
+void TestScan::lateEchoesAreNoServos()
 {
-    BenchOptions options = slowAdapter();
+    SimFixtureOptions options = slowAdapterOptions();
     options.wire.echo = true;
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@5"), options);
-    bench.withWire([](sim::VirtualBus& wire) { wire.servo(5)->surroundings().supplyVolts = 9; });
-    bench.letTimePass(milliseconds(200));
-    QVERIFY(bench.bus().echoes());
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@5"), options);
+    fixture.withBus([](sim::VirtualBus& wire) { wire.servo(5)->environment().supplyVolts = 9; });
+    fixture.runFor(milliseconds(200));
+    QVERIFY(fixture.bus().hasEcho());
     jobs::ScanSpec spec;
     spec.lastId = 20;
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({1, 5}));
     QCOMPARE(int(find(*report, 1)->servo.status), 0);
     QCOMPARE(int(find(*report, 5)->servo.status), 1);
 }
 
-void TestScan::slowPassFindsWhoWasSilent()
+void TestScan::slowPassFindsSilentServos()
 {
     jobs::ScanSpec spec;
     spec.lastId = 60;
     for (const bool slowPass : {false, true}) {
-        SimBench bench(QStringLiteral("sts3215@1,sts3215@2,sts3215@30"), slowAdapter());
-        bench.tap().onWrite = [&](const base::Bytes&) { // 30 does not answer the first time
-            bench.wireConfig().faults.muteIds =
-                bench.framesTo(30) < 2 ? std::vector<int>{30} : std::vector<int>{};
+        SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2,sts3215@30"), slowAdapterOptions());
+        fixture.tap().onWrite = [&](const base::Bytes&) { // 30 does not answer the first time
+            fixture.wireConfig().faults.muteIds =
+                fixture.framesSentTo(30) < 2 ? std::vector<int>{30} : std::vector<int>{};
         };
         spec.slowPass = slowPass;
-        const auto report = jobs::scan(bench.context(), spec);
+        const auto report = jobs::scan(fixture.context(), spec);
         QVERIFY(report);
         QCOMPARE(idsOf(*report), slowPass ? QList<int>({1, 2, 30}) : QList<int>({1, 2}));
         QCOMPARE(report->slowPassAdvised, !slowPass);
@@ -175,12 +175,12 @@ void TestScan::slowPassFindsWhoWasSilent()
 }
 
 /// One reply was lost. Who was not there before is not asked twice.
-void TestScan::aServoThatIsExpectedIsAskedAgain()
+void TestScan::anExpectedServoIsRetried()
 {
     for (const bool expected : {false, true}) {
-        SimBench bench(six, {fast, fast, {}});
+        SimFixture fixture(six, {fast, fast, {}});
         bool lost = false;
-        bench.tap().answerInstead = [&](const base::Bytes& frame) -> std::optional<base::Bytes> {
+        fixture.tap().replyOverride = [&](const base::Bytes& frame) -> std::optional<base::Bytes> {
             if (frame[2] != 100 || frame[4] != support::Ping || std::exchange(lost, true))
                 return std::nullopt;
             return base::Bytes();
@@ -188,26 +188,26 @@ void TestScan::aServoThatIsExpectedIsAskedAgain()
         jobs::ScanSpec spec;
         if (expected)
             spec.expected = {{100, fast, base::Protocol::Feetech}, {5, fast}, {100, 500'000}};
-        const auto report = jobs::scan(bench.context(), spec);
+        const auto report = jobs::scan(fixture.context(), spec);
         QVERIFY(report && lost);
         QCOMPARE(idsOf(*report), expected ? QList<int>({0, 7, 100, 101, 200, 253})
                                           : QList<int>({0, 7, 101, 200, 253}));
-        QVERIFY(bench.onlyAsked());
+        QVERIFY(fixture.onlyReadsSent());
     }
 }
 
-void TestScan::aBundleMissesNobodyWhoWasSilentOnce()
+void TestScan::aBundleIncludesServosSilentOnce()
 {
-    SimBench bench(six, {fast, fast, {}});
+    SimFixture fixture(six, {fast, fast, {}});
     const auto mute = [&](std::vector<int> ids) {
-        bench.withWire([&](sim::VirtualBus& bus) {
+        fixture.withBus([&](sim::VirtualBus& bus) {
             bus.config().faults.muteIds = {ids.begin(), ids.end()};
         });
     };
     mute({7, 100});
     double before = 0;
     int searches = 1;
-    const auto servos = jobs::scanAll(bench.context(), {}, [&](const jobs::Progress& progress) {
+    const auto servos = jobs::scanAll(fixture.context(), {}, [&](const jobs::Progress& progress) {
         if (progress.fraction < before) {
             ++searches;
             mute({});
@@ -217,17 +217,17 @@ void TestScan::aBundleMissesNobodyWhoWasSilentOnce()
     QVERIFY(servos);
     QCOMPARE(int(servos->size()), 6);
     QCOMPARE(searches, 3);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestScan::aLineOnWhichNoTwoSearchesAgreeIsRefused()
+void TestScan::inconsistentScansAreRefused()
 {
-    SimBench bench(six, {fast, fast, {}});
+    SimFixture fixture(six, {fast, fast, {}});
     double before = 1;
     bool silent = false;
-    const auto servos = jobs::scanAll(bench.context(), {}, [&](const jobs::Progress& progress) {
+    const auto servos = jobs::scanAll(fixture.context(), {}, [&](const jobs::Progress& progress) {
         if (progress.fraction < before)
-            bench.withWire([&](sim::VirtualBus& bus) {
+            fixture.withBus([&](sim::VirtualBus& bus) {
                 silent = !silent;
                 bus.config().faults.muteIds.clear();
                 if (silent)
@@ -242,14 +242,14 @@ void TestScan::aLineOnWhichNoTwoSearchesAgreeIsRefused()
 
 void TestScan::searchesAllRatesAndReturnsToItsOwn()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.baud = 500'000;
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2:500000,sm40blhv@3:115200,scs15@4:38400"),
-                   options);
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2:500000,sm40blhv@3:115200,scs15@4:38400"),
+                       options);
     jobs::ScanSpec spec;
     spec.lastId = 10;
     spec.bauds = {fast, 500'000, 115'200, 38'400, fast};
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({1, 2, 3, 4}));
     QCOMPARE(find(*report, 1)->servo.baud, fast);
@@ -257,94 +257,94 @@ void TestScan::searchesAllRatesAndReturnsToItsOwn()
     QCOMPARE(find(*report, 3)->servo.baud, 115'200);
     QCOMPARE(find(*report, 4)->servo.baud, 38'400);
     QCOMPARE(report->rates, (std::vector<int>{fast, 500'000, 115'200, 38'400}));
-    QCOMPARE(bench.bus().baud(), 500'000);
-    QVERIFY(bench.onlyAsked());
+    QCOMPARE(fixture.bus().baud(), 500'000);
+    QVERIFY(fixture.onlyReadsSent());
     // Nobody is left held: the bus serves others again.
-    QVERIFY(device::identify(bench.context(), 2));
+    QVERIFY(device::identify(fixture.context(), 2));
 }
 
-void TestScan::listsAServoHeardAtANeighbouringRateOnce()
+void TestScan::listsAServoSeenAtANeighboringRateOnce()
 {
-    SimBench bench(QStringLiteral("sts3215@1:250000"));
+    SimFixture fixture(QStringLiteral("sts3215@1:250000"));
     jobs::ScanSpec spec;
     spec.lastId = 3;
     spec.bauds = {256'000, 250'000};
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({1}));
     QCOMPARE(report->found.front().servo.baud, 250'000);
 
-    // With only the neighbour searched it is better than nothing.
+    // With only the neighbor searched it is better than nothing.
     spec.bauds = {256'000};
-    const auto near = jobs::scan(bench.context(), spec);
+    const auto near = jobs::scan(fixture.context(), spec);
     QVERIFY(near);
     QCOMPARE(idsOf(*near), QList<int>({1}));
     QCOMPARE(near->found.front().servo.baud, 256'000);
 }
 
-void TestScan::tellsWhichRatesTheAdapterRefuses()
+void TestScan::reportsRatesTheAdapterRefuses()
 {
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2:500000"));
-    bench.tap().refusedRates = {128'000, 76'800};
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2:500000"));
+    fixture.tap().refusedRates = {128'000, 76'800};
     jobs::ScanSpec spec;
     spec.lastId = 5;
     spec.bauds = {fast, 128'000, 500'000, 76'800};
     double last = 0;
     const auto report =
-        jobs::scan(bench.context(), spec, [&](const jobs::Progress& p) { last = p.fraction; });
+        jobs::scan(fixture.context(), spec, [&](const jobs::Progress& p) { last = p.fraction; });
     QVERIFY(report);
     QCOMPARE(report->rates, (std::vector<int>{fast, 500'000}));
-    QCOMPARE(report->ratesRefused, (std::vector<int>{128'000, 76'800}));
+    QCOMPARE(report->unsupportedRates, (std::vector<int>{128'000, 76'800}));
     QCOMPARE(idsOf(*report), QList<int>({1, 2}));
     QCOMPARE(last, 1.0);
-    QCOMPARE(bench.bus().baud(), fast);
+    QCOMPARE(fixture.bus().baud(), fast);
 }
 
 void TestScan::emergencyReachesTheServosAtTheirOwnRate()
 {
-    SimBench bench(QStringLiteral("sts3215@1"));
-    bench.poke(1, QStringLiteral("goal_position"), 3000); // switches torque on
-    QCOMPARE(bench.raw(1, QStringLiteral("torque_switch")), std::int64_t{1});
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    fixture.poke(1, QStringLiteral("goal_position"), 3000); // switches torque on
+    QCOMPARE(fixture.raw(1, QStringLiteral("torque_switch")), std::int64_t{1});
     // WRITE to all, address 40: 0.
-    bench.bus().setStopFrames(
+    fixture.bus().setStopFrames(
         {{base::Protocol::Feetech, {0xFF, 0xFF, 0xFE, 0x04, 0x03, 0x28, 0x00, 0xD2}}});
     jobs::ScanSpec spec;
     spec.bauds = {500'000};
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
-        if (frame[4] == support::Ping && bench.frameCount() == 20)
-            bench.bus().requestEmergency();
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
+        if (frame[4] == support::Ping && fixture.frameCount() == 20)
+            fixture.bus().requestEmergency();
     };
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::Preempted);
-    QCOMPARE(bench.bus().baud(), fast);
-    QVERIFY(bench.framesTo(protocol::broadcastId) >= 2);
-    bench.letTimePass(milliseconds(5));
-    QCOMPARE(bench.raw(1, QStringLiteral("torque_switch")), std::int64_t{0});
+    QCOMPARE(fixture.bus().baud(), fast);
+    QVERIFY(fixture.framesSentTo(protocol::broadcastId) >= 2);
+    fixture.runFor(milliseconds(5));
+    QCOMPARE(fixture.raw(1, QStringLiteral("torque_switch")), std::int64_t{0});
 }
 
-void TestScan::lostFirstTransactionHidesNobody()
+void TestScan::lostFirstTransactionHidesNoServo()
 {
-    SimBench bench(QStringLiteral("sts3215@0,sts3215@4"));
+    SimFixture fixture(QStringLiteral("sts3215@0,sts3215@4"));
     jobs::ScanSpec spec;
     spec.lastId = 4;
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        bench.wireConfig().faults.dropRequest = bench.frames(support::Ping) == 1 ? 1.0 : 0.0;
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        fixture.wireConfig().faults.dropRequest = fixture.frames(support::Ping) == 1 ? 1.0 : 0.0;
     };
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({0, 4}));
 }
 
 void TestScan::progressRisesToTheEnd()
 {
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2:500000"));
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2:500000"));
     jobs::ScanSpec spec;
     spec.bauds = {fast, 500'000};
-    const base::Duration estimate = jobs::scanEstimate(bench.context(), spec);
+    const base::Duration estimate = jobs::estimateScanTime(fixture.context(), spec);
     std::vector<jobs::Progress> seen;
     const auto report =
-        jobs::scan(bench.context(), spec, [&](const jobs::Progress& p) { seen.push_back(p); });
+        jobs::scan(fixture.context(), spec, [&](const jobs::Progress& p) { seen.push_back(p); });
     QVERIFY(report);
     QVERIFY(seen.size() > 10);
     QCOMPARE(seen.front().fraction, 0.0);
@@ -374,23 +374,23 @@ void TestScan::stopsWithin100Milliseconds_data()
 void TestScan::stopsWithin100Milliseconds()
 {
     QFETCH(int, frame);
-    SimBench bench(six, {fast, fast, slowAdapter().wire});
+    SimFixture fixture(six, {fast, fast, slowAdapterOptions().wire});
     jobs::ScanSpec spec;
     spec.bauds = {fast, 500'000};
     base::Duration requestedAt{};
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        if (int(bench.frameCount()) != frame)
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        if (int(fixture.frameCount()) != frame)
             return;
-        requestedAt = bench.clock().now();
-        bench.stop().request();
+        requestedAt = fixture.clock().now();
+        fixture.stop().request();
     };
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
     QVERIFY(report->stopped);
-    QVERIFY2(bench.clock().now() - requestedAt <= milliseconds(100),
-             qPrintable(QString::number((bench.clock().now() - requestedAt).count())));
-    QCOMPARE(int(bench.frameCount()), frame); // no new step begins
-    QCOMPARE(bench.bus().baud(), fast);
+    QVERIFY2(fixture.clock().now() - requestedAt <= milliseconds(100),
+             qPrintable(QString::number((fixture.clock().now() - requestedAt).count())));
+    QCOMPARE(int(fixture.frameCount()), frame); // no new step begins
+    QCOMPARE(fixture.bus().baud(), fast);
 }
 
 void TestScan::silentBusIsAnEmptyList_data()
@@ -405,13 +405,13 @@ void TestScan::silentBusIsAnEmptyList()
 {
     QFETCH(QString, servos);
     QFETCH(int, mute);
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.faults.muteIds = {mute};
-    SimBench bench(servos, options);
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(servos, options);
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QVERIFY(report->found.empty());
-    QVERIFY(!report->garbledHeard);
+    QVERIFY(!report->hasGarbledReplies);
     QVERIFY(report->elapsed <= milliseconds(1500));
 }
 
@@ -425,25 +425,25 @@ void TestScan::linkCutEndsTheScan_data()
 void TestScan::linkCutEndsTheScan()
 {
     QFETCH(int, frame);
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"));
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"));
     jobs::ScanSpec spec;
     spec.bauds = {fast, 500'000};
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        if (int(bench.frameCount()) == frame)
-            bench.cutLink();
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        if (int(fixture.frameCount()) == frame)
+            fixture.cutLink();
     };
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::LinkLost);
 
-    bench.tap().onWrite = {};
-    bench.reconnect(fast);
-    const auto again = jobs::scan(bench.context(), {});
+    fixture.tap().onWrite = {};
+    fixture.reconnect(fast);
+    const auto again = jobs::scan(fixture.context(), {});
     QVERIFY(again);
     QCOMPARE(idsOf(*again), QList<int>({1, 2}));
 }
 
-void TestScan::refusesNonsense_data()
+void TestScan::refusesInvalidSpecs_data()
 {
     QTest::addColumn<int>("first");
     QTest::addColumn<int>("last");
@@ -454,20 +454,20 @@ void TestScan::refusesNonsense_data()
     QTest::newRow("no rate") << 0 << 10 << 0;
 }
 
-void TestScan::refusesNonsense()
+void TestScan::refusesInvalidSpecs()
 {
     QFETCH(int, first);
     QFETCH(int, last);
     QFETCH(int, baud);
-    SimBench bench(QStringLiteral("sts3215@1"));
+    SimFixture fixture(QStringLiteral("sts3215@1"));
     jobs::ScanSpec spec;
     spec.firstId = first;
     spec.lastId = last;
     spec.bauds = {baud};
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::BadArgument);
-    QCOMPARE(bench.frameCount(), std::size_t{0});
+    QCOMPARE(fixture.frameCount(), std::size_t{0});
 }
 
 QTEST_GUILESS_MAIN(TestScan)

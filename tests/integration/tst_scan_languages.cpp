@@ -12,19 +12,19 @@ using base::ErrorCode;
 using base::Protocol;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using support::BenchOptions;
-using support::SimBench;
+using support::SimFixture;
+using support::SimFixtureOptions;
 
-using scan_help::fast;
-using scan_help::find;
-using scan_help::idsOf;
+using scan_support::fast;
+using scan_support::find;
+using scan_support::idsOf;
 
 namespace {
-constexpr int common = 115'200; ///< every language can be met at this rate
+constexpr int commonBaud = 115'200; ///< every language can be met at this rate
 
-BenchOptions at(int baud)
+SimFixtureOptions at(int baud)
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.baud = baud;
     options.servoBaud = baud;
     return options;
@@ -45,9 +45,9 @@ Protocol languageOf(const base::Bytes& frame)
                                        : Protocol::Modbus;
 }
 
-int framesIn(SimBench& bench, Protocol protocol)
+int framesIn(SimFixture& fixture, Protocol protocol)
 {
-    const auto& frames = bench.tap().written;
+    const auto& frames = fixture.tap().written;
     return int(std::count_if(frames.begin(), frames.end(), [&](const base::Bytes& frame) {
         return languageOf(frame) == protocol;
     }));
@@ -56,7 +56,7 @@ int framesIn(SimBench& bench, Protocol protocol)
 /// The searches in the order in which they were told, repetitions left out.
 using Searches = std::vector<std::pair<int, Protocol>>;
 
-struct Told {
+struct ProgressLog {
     Searches searches;
     std::vector<jobs::Progress> progress;
 
@@ -75,7 +75,7 @@ struct Told {
 QString listOf(const jobs::ScanReport& report)
 {
     QStringList words;
-    for (const jobs::Found& found : report.found)
+    for (const jobs::FoundServo& found : report.found)
         words << QStringLiteral("%1 %2")
                      .arg(base::protocolName(found.servo.protocol))
                      .arg(found.servo.id);
@@ -85,39 +85,39 @@ QString listOf(const jobs::ScanReport& report)
 
 Q_DECLARE_METATYPE(base::Protocol)
 
-class TestScanLanguages : public QObject {
+class TestScanProtocols : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void aServoThatIsAloneIsFoundAtOnce_data();
-    void aServoThatIsAloneIsFoundAtOnce();
-    void listsEveryLanguageOnOneLine();
-    void sweepTakesItsTimeAndNoMore_data();
-    void sweepTakesItsTimeAndNoMore();
-    void triesWhatCanBeMetAtTheRate_data();
-    void triesWhatCanBeMetAtTheRate();
-    void triesOnlyWhatIsAskedFor();
-    void quickSearchesComeFirst();
-    void whoSpeaksUpIsSearchedFirst();
-    void countsLateRepliesForTheIdTheyName_data();
-    void countsLateRepliesForTheIdTheyName();
-    void suspectsTwins_data();
-    void suspectsTwins();
-    void lostQuestionHidesNobody_data();
-    void lostQuestionHidesNobody();
+    void aSingleServoIsFoundAtOnce_data();
+    void aSingleServoIsFoundAtOnce();
+    void listsEveryProtocolOnOneBus();
+    void fullScanTakesTheExpectedTime_data();
+    void fullScanTakesTheExpectedTime();
+    void triesProtocolsPossibleAtTheRate_data();
+    void triesProtocolsPossibleAtTheRate();
+    void triesOnlyRequestedProtocols();
+    void quickScansComeFirst();
+    void respondingProtocolIsScannedFirst();
+    void lateRepliesAreCountedByTheirId_data();
+    void lateRepliesAreCountedByTheirId();
+    void suspectsDuplicateIds_data();
+    void suspectsDuplicateIds();
+    void lostRequestHidesNoServo_data();
+    void lostRequestHidesNoServo();
     void showsAlarmsOfModbusServos();
-    void listsANeighbouringRateOnce();
+    void listsANeighboringRateOnce();
     void stopsWithin100Milliseconds_data();
     void stopsWithin100Milliseconds();
-    void tellsThatFamiliesAreMixed_data();
-    void tellsThatFamiliesAreMixed();
-    void refusesWhatNoLanguageHas_data();
-    void refusesWhatNoLanguageHas();
+    void reportsMixedFamilies_data();
+    void reportsMixedFamilies();
+    void refusesImpossibleIds_data();
+    void refusesImpossibleIds();
 };
 
-void TestScanLanguages::aServoThatIsAloneIsFoundAtOnce_data()
+void TestScanProtocols::aSingleServoIsFoundAtOnce_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<Protocol>("protocol");
@@ -127,80 +127,81 @@ void TestScanLanguages::aServoThatIsAloneIsFoundAtOnce_data()
                             << QStringLiteral("SMSMB");
 }
 
-void TestScanLanguages::aServoThatIsAloneIsFoundAtOnce()
+void TestScanProtocols::aSingleServoIsFoundAtOnce()
 {
     QFETCH(QString, servo);
     QFETCH(Protocol, protocol);
-    SimBench bench(servo, at(common));
-    const base::Duration start = bench.clock().now();
+    SimFixture fixture(servo, at(commonBaud));
+    const base::Duration start = fixture.clock().now();
     std::vector<base::Duration> heardAt;
-    Told told;
+    ProgressLog log;
     const auto report =
-        jobs::scan(bench.context(), {}, told.listener(), [&](const jobs::Found& found) {
-            heardAt.push_back(bench.clock().now() - start);
+        jobs::scan(fixture.context(), {}, log.listener(), [&](const jobs::FoundServo& found) {
+            heardAt.push_back(fixture.clock().now() - start);
             QVERIFY(found.servo.profile);
         });
     QVERIFY(report);
     QCOMPARE(report->found.size(), std::size_t{1});
-    const jobs::Found& found = report->found.front();
+    const jobs::FoundServo& found = report->found.front();
     QCOMPARE(found.servo.protocol, protocol);
     QTEST(found.servo.profile->modelName, "name");
-    QVERIFY(!found.twinsSuspected && !found.heardLate);
+    QVERIFY(!found.duplicateSuspected && !found.lateReplySeen);
     // Told once, long before the IDs have been gone through.
     QCOMPARE(heardAt.size(), std::size_t{1});
     QVERIFY2(heardAt.front() < milliseconds(400),
              qPrintable(QString::number(heardAt.front().count())));
     QVERIFY(report->elapsed > seconds(5));
-    QVERIFY(std::all_of(told.progress.begin(), told.progress.end(),
+    QVERIFY(std::all_of(log.progress.begin(), log.progress.end(),
                         [](const jobs::Progress& p) { return p.found <= 1; }));
-    QCOMPARE(told.progress.back().found, 1);
-    QVERIFY(bench.onlyAsked());
+    QCOMPARE(log.progress.back().found, 1);
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestScanLanguages::listsEveryLanguageOnOneLine()
+void TestScanProtocols::listsEveryProtocolOnOneBus()
 {
-    SimBench bench(QStringLiteral("sts3215@1,scs15@40,lx16a@1,lx224@2,lx224hv@253,smsmb@1,smsmb@9"),
-                   at(common));
+    SimFixture fixture(
+        QStringLiteral("sts3215@1,scs15@40,lx16a@1,lx224@2,lx224hv@253,smsmb@1,smsmb@9"),
+        at(commonBaud));
     QStringList announced;
-    const auto report = jobs::scan(bench.context(), {}, {}, [&](const jobs::Found& found) {
+    const auto report = jobs::scan(fixture.context(), {}, {}, [&](const jobs::FoundServo& found) {
         announced << QString::number(found.servo.id);
     });
     QVERIFY(report);
     QCOMPARE(listOf(*report), QStringLiteral("feetech 1, modbus 1, lx 1, lx 2, modbus 9, "
                                              "feetech 40, lx 253"));
     QCOMPARE(announced.size(), 7);
-    for (const jobs::Found& found : report->found) {
+    for (const jobs::FoundServo& found : report->found) {
         QVERIFY(found.servo.profile);
         QCOMPARE(found.servo.profile->protocol, found.servo.protocol);
-        QCOMPARE(found.servo.baud, common);
-        QVERIFY(!found.twinsSuspected && !found.heardLate);
+        QCOMPARE(found.servo.baud, commonBaud);
+        QVERIFY(!found.duplicateSuspected && !found.lateReplySeen);
     }
-    QVERIFY(!report->garbledHeard && !report->slowPassAdvised);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(!report->hasGarbledReplies && !report->slowPassAdvised);
+    QVERIFY(fixture.onlyReadsSent());
     QVERIFY2(report->elapsed < seconds(18), qPrintable(QString::number(report->elapsed.count())));
 }
 
-void TestScanLanguages::sweepTakesItsTimeAndNoMore_data()
+void TestScanProtocols::fullScanTakesTheExpectedTime_data()
 {
     QTest::addColumn<Protocol>("protocol");
     QTest::addColumn<int>("baud");
     QTest::addColumn<int>("mostMs");
-    QTest::newRow("LX") << Protocol::Lx << common << 8'000;
-    QTest::newRow("Modbus") << Protocol::Modbus << common << 247 * 50;
+    QTest::newRow("LX") << Protocol::Lx << commonBaud << 8'000;
+    QTest::newRow("Modbus") << Protocol::Modbus << commonBaud << 247 * 50;
     QTest::newRow("Modbus at 9600") << Protocol::Modbus << 9'600 << 247 * 80;
 }
 
-void TestScanLanguages::sweepTakesItsTimeAndNoMore()
+void TestScanProtocols::fullScanTakesTheExpectedTime()
 {
     QFETCH(Protocol, protocol);
     QFETCH(int, baud);
     QFETCH(int, mostMs);
-    BenchOptions options;
+    SimFixtureOptions options;
     options.baud = baud;
-    SimBench bench(QStringLiteral("sts3215@1"), options); // silent in every other language
+    SimFixture fixture(QStringLiteral("sts3215@1"), options); // silent in every other language
     const jobs::ScanSpec spec = in({protocol});
-    const base::Duration estimate = jobs::scanEstimate(bench.context(), spec);
-    const auto report = jobs::scan(bench.context(), spec);
+    const base::Duration estimate = jobs::estimateScanTime(fixture.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
     QVERIFY(report->found.empty());
     QVERIFY2(report->elapsed <= milliseconds(mostMs),
@@ -209,80 +210,80 @@ void TestScanLanguages::sweepTakesItsTimeAndNoMore()
              qPrintable(QString::number(estimate.count())));
 }
 
-void TestScanLanguages::triesWhatCanBeMetAtTheRate_data()
+void TestScanProtocols::triesProtocolsPossibleAtTheRate_data()
 {
     QTest::addColumn<int>("baud");
     QTest::addColumn<bool>("lx");
     QTest::addColumn<bool>("modbus");
     QTest::newRow("1000000") << fast << false << false;
     QTest::newRow("500000") << 500'000 << false << false;
-    QTest::newRow("115200") << common << true << true;
+    QTest::newRow("115200") << commonBaud << true << true;
     QTest::newRow("57600") << 57'600 << false << true;
     QTest::newRow("256000") << 256'000 << false << true;
 }
 
-void TestScanLanguages::triesWhatCanBeMetAtTheRate()
+void TestScanProtocols::triesProtocolsPossibleAtTheRate()
 {
     QFETCH(int, baud);
-    SimBench bench(QStringLiteral("sts3215@3:1000000"));
+    SimFixture fixture(QStringLiteral("sts3215@3:1000000"));
     jobs::ScanSpec spec;
     spec.lastId = 5;
     spec.bauds = {baud};
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
-    QVERIFY(framesIn(bench, Protocol::Feetech) > 0);
-    QTEST(framesIn(bench, Protocol::Lx) > 0, "lx");
-    QTEST(framesIn(bench, Protocol::Modbus) > 0, "modbus");
+    QVERIFY(framesIn(fixture, Protocol::Feetech) > 0);
+    QTEST(framesIn(fixture, Protocol::Lx) > 0, "lx");
+    QTEST(framesIn(fixture, Protocol::Modbus) > 0, "modbus");
 }
 
-void TestScanLanguages::triesOnlyWhatIsAskedFor()
+void TestScanProtocols::triesOnlyRequestedProtocols()
 {
-    SimBench bench(QStringLiteral("sts3215@1,lx16a@1,smsmb@1"), at(common));
+    SimFixture fixture(QStringLiteral("sts3215@1,lx16a@1,smsmb@1"), at(commonBaud));
     for (const Protocol protocol : base::allProtocols) {
-        bench.forgetFrames();
-        const auto report = jobs::scan(bench.context(), in({protocol}));
+        fixture.clearFrames();
+        const auto report = jobs::scan(fixture.context(), in({protocol}));
         QVERIFY(report);
         QCOMPARE(listOf(*report), base::protocolName(protocol) + QStringLiteral(" 1"));
-        QCOMPARE(framesIn(bench, protocol), int(bench.frameCount()));
+        QCOMPARE(framesIn(fixture, protocol), int(fixture.frameCount()));
     }
 }
 
-void TestScanLanguages::quickSearchesComeFirst()
+void TestScanProtocols::quickScansComeFirst()
 {
-    SimBench bench(QStringLiteral("sts3215@3:57600"));
+    SimFixture fixture(QStringLiteral("sts3215@3:57600"));
     jobs::ScanSpec spec;
     spec.lastId = 5;
-    spec.bauds = {common, 57'600};
-    Told told;
-    const auto report = jobs::scan(bench.context(), spec, told.listener());
+    spec.bauds = {commonBaud, 57'600};
+    ProgressLog log;
+    const auto report = jobs::scan(fixture.context(), spec, log.listener());
     QVERIFY(report);
     const auto feetech = std::pair(57'600, Protocol::Feetech);
-    const auto last = std::find(told.searches.rbegin(), told.searches.rend(), feetech);
-    const Searches after(last.base(), told.searches.end());
-    QCOMPARE(
-        after,
-        (Searches{{common, Protocol::Lx}, {common, Protocol::Modbus}, {57'600, Protocol::Modbus}}));
-    QCOMPARE(told.progress.back().fraction, 1.0);
-    QCOMPARE(bench.bus().baud(), fast);
+    const auto last = std::find(log.searches.rbegin(), log.searches.rend(), feetech);
+    const Searches after(last.base(), log.searches.end());
+    QCOMPARE(after, (Searches{{commonBaud, Protocol::Lx},
+                              {commonBaud, Protocol::Modbus},
+                              {57'600, Protocol::Modbus}}));
+    QCOMPARE(log.progress.back().fraction, 1.0);
+    QCOMPARE(fixture.bus().baud(), fast);
 }
 
 // Several answers to the question to all collide: somebody is there, so that language goes first.
-void TestScanLanguages::whoSpeaksUpIsSearchedFirst()
+void TestScanProtocols::respondingProtocolIsScannedFirst()
 {
-    SimBench bench(QStringLiteral("lx16a@1,lx16a@2,lx16a@3"), at(common));
-    Told told;
-    const auto report = jobs::scan(bench.context(), {}, told.listener());
+    SimFixture fixture(QStringLiteral("lx16a@1,lx16a@2,lx16a@3"), at(commonBaud));
+    ProgressLog log;
+    const auto report = jobs::scan(fixture.context(), {}, log.listener());
     QVERIFY(report);
     QCOMPARE(listOf(*report), QStringLiteral("lx 1, lx 2, lx 3"));
-    QCOMPARE(told.searches, (Searches{{common, Protocol::Feetech},
-                                      {common, Protocol::Lx},
-                                      {common, Protocol::Modbus},
-                                      {common, Protocol::Lx},
-                                      {common, Protocol::Feetech},
-                                      {common, Protocol::Modbus}}));
+    QCOMPARE(log.searches, (Searches{{commonBaud, Protocol::Feetech},
+                                     {commonBaud, Protocol::Lx},
+                                     {commonBaud, Protocol::Modbus},
+                                     {commonBaud, Protocol::Lx},
+                                     {commonBaud, Protocol::Feetech},
+                                     {commonBaud, Protocol::Modbus}}));
 }
 
-void TestScanLanguages::countsLateRepliesForTheIdTheyName_data()
+void TestScanProtocols::lateRepliesAreCountedByTheirId_data()
 {
     QTest::addColumn<Protocol>("protocol");
     QTest::addColumn<QString>("servos");
@@ -290,26 +291,26 @@ void TestScanLanguages::countsLateRepliesForTheIdTheyName_data()
     QTest::newRow("Modbus") << Protocol::Modbus << QStringLiteral("smsmb@5,smsmb@6,smsmb@200");
 }
 
-void TestScanLanguages::countsLateRepliesForTheIdTheyName()
+void TestScanProtocols::lateRepliesAreCountedByTheirId()
 {
     QFETCH(Protocol, protocol);
     QFETCH(QString, servos);
-    BenchOptions options = at(common);
+    SimFixtureOptions options = at(commonBaud);
     options.wire.adapterLatency = milliseconds(36); // beyond the patience of the sweep
-    SimBench bench(servos, options);
-    const auto report = jobs::scan(bench.context(), in({protocol}));
+    SimFixture fixture(servos, options);
+    const auto report = jobs::scan(fixture.context(), in({protocol}));
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({5, 6, 200}));
-    for (const jobs::Found& found : report->found) {
-        QVERIFY(found.heardLate);
-        QVERIFY(!found.twinsSuspected);
+    for (const jobs::FoundServo& found : report->found) {
+        QVERIFY(found.lateReplySeen);
+        QVERIFY(!found.duplicateSuspected);
         QVERIFY(found.servo.profile);
     }
     QCOMPARE(report->lateReplies, 3);
     QVERIFY(report->slowPassAdvised);
 }
 
-void TestScanLanguages::suspectsTwins_data()
+void TestScanProtocols::suspectsDuplicateIds_data()
 {
     QTest::addColumn<Protocol>("protocol");
     QTest::addColumn<QString>("model");
@@ -317,25 +318,25 @@ void TestScanLanguages::suspectsTwins_data()
     QTest::newRow("Modbus") << Protocol::Modbus << QStringLiteral("SMSMB");
 }
 
-void TestScanLanguages::suspectsTwins()
+void TestScanProtocols::suspectsDuplicateIds()
 {
     QFETCH(Protocol, protocol);
     QFETCH(QString, model);
     // Alike but for where their shafts stand.
-    const std::vector<sim::ServoRecipe> servos{{model, 5, {}, {}, 60, {}, {}},
-                                               {model, 5, {}, {}, 150, {}, {}},
-                                               {model, 6, {}, {}, 60, {}, {}}};
-    BenchOptions options;
-    options.baud = common;
-    SimBench bench(servos, options);
-    const auto report = jobs::scan(bench.context(), in({protocol}));
+    const std::vector<sim::ServoSpec> servos{{model, 5, {}, {}, 60, {}, {}},
+                                             {model, 5, {}, {}, 150, {}, {}},
+                                             {model, 6, {}, {}, 60, {}, {}}};
+    SimFixtureOptions options;
+    options.baud = commonBaud;
+    SimFixture fixture(servos, options);
+    const auto report = jobs::scan(fixture.context(), in({protocol}));
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({5, 6}));
-    QVERIFY(find(*report, 5)->twinsSuspected);
-    QVERIFY(!find(*report, 6)->twinsSuspected);
+    QVERIFY(find(*report, 5)->duplicateSuspected);
+    QVERIFY(!find(*report, 6)->duplicateSuspected);
 }
 
-void TestScanLanguages::lostQuestionHidesNobody_data()
+void TestScanProtocols::lostRequestHidesNoServo_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<Protocol>("protocol");
@@ -343,75 +344,75 @@ void TestScanLanguages::lostQuestionHidesNobody_data()
     QTest::newRow("Modbus") << QStringLiteral("smsmb@7") << Protocol::Modbus;
 }
 
-void TestScanLanguages::lostQuestionHidesNobody()
+void TestScanProtocols::lostRequestHidesNoServo()
 {
     QFETCH(QString, servo);
     QFETCH(Protocol, protocol);
-    SimBench bench(servo, at(common));
-    bench.tap().onWrite = [&](const base::Bytes&) { // the first frame in this language is lost
-        bench.wireConfig().faults.dropRequest = framesIn(bench, protocol) == 1 ? 1.0 : 0.0;
+    SimFixture fixture(servo, at(commonBaud));
+    fixture.tap().onWrite = [&](const base::Bytes&) { // the first frame in this language is lost
+        fixture.wireConfig().faults.dropRequest = framesIn(fixture, protocol) == 1 ? 1.0 : 0.0;
     };
-    const base::Duration start = bench.clock().now();
+    const base::Duration start = fixture.clock().now();
     base::Duration heardAt{};
-    const auto report = jobs::scan(bench.context(), {}, {}, [&](const jobs::Found&) {
-        heardAt = bench.clock().now() - start;
+    const auto report = jobs::scan(fixture.context(), {}, {}, [&](const jobs::FoundServo&) {
+        heardAt = fixture.clock().now() - start;
     });
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({7}));
     QVERIFY(heardAt > base::Duration{} && heardAt < milliseconds(400));
 }
 
-void TestScanLanguages::showsAlarmsOfModbusServos()
+void TestScanProtocols::showsAlarmsOfModbusServos()
 {
-    SimBench bench(QStringLiteral("smsmb@1,smsmb@2"), at(common));
-    bench.poke(2, QStringLiteral("torque_switch"), 1); // a state of the status register, no fault
-    bench.withWire([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(2); });
-    bench.letTimePass(milliseconds(20));
-    const auto report = jobs::scan(bench.context(), in({Protocol::Modbus}));
+    SimFixture fixture(QStringLiteral("smsmb@1,smsmb@2"), at(commonBaud));
+    fixture.poke(2, QStringLiteral("torque_switch"), 1); // a state of the status register, no fault
+    fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(2); });
+    fixture.runFor(milliseconds(20));
+    const auto report = jobs::scan(fixture.context(), in({Protocol::Modbus}));
     QVERIFY(report);
     QCOMPARE(int(find(*report, 1)->servo.status), 2); // sensor
     QCOMPARE(int(find(*report, 2)->servo.status), 0);
-    QCOMPARE(bench.raw(2, QStringLiteral("servo_status")), std::int64_t{16});
+    QCOMPARE(fixture.raw(2, QStringLiteral("servo_status")), std::int64_t{16});
 }
 
-void TestScanLanguages::listsANeighbouringRateOnce()
+void TestScanProtocols::listsANeighboringRateOnce()
 {
-    SimBench bench(QStringLiteral("smsmb@3:57600"));
+    SimFixture fixture(QStringLiteral("smsmb@3:57600"));
     jobs::ScanSpec spec = in({Protocol::Modbus});
     spec.lastId = 5;
     spec.bauds = {56'000, 57'600};
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({3}));
     QCOMPARE(report->found.front().servo.baud, 57'600);
 }
 
-void TestScanLanguages::stopsWithin100Milliseconds_data()
+void TestScanProtocols::stopsWithin100Milliseconds_data()
 {
     QTest::addColumn<int>("frame");
     for (const int frame : {1, 3, 5, 250, 300, 600, 700})
         QTest::addRow("at frame %d", frame) << frame;
 }
 
-void TestScanLanguages::stopsWithin100Milliseconds()
+void TestScanProtocols::stopsWithin100Milliseconds()
 {
     QFETCH(int, frame);
-    SimBench bench(QStringLiteral("lx16a@9,smsmb@8"), at(common));
+    SimFixture fixture(QStringLiteral("lx16a@9,smsmb@8"), at(commonBaud));
     base::Duration requestedAt{};
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        if (int(bench.frameCount()) != frame)
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        if (int(fixture.frameCount()) != frame)
             return;
-        requestedAt = bench.clock().now();
-        bench.stop().request();
+        requestedAt = fixture.clock().now();
+        fixture.stop().request();
     };
-    const auto report = jobs::scan(bench.context(), {});
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QVERIFY(report->stopped);
-    QVERIFY(bench.clock().now() - requestedAt <= milliseconds(100));
-    QCOMPARE(int(bench.frameCount()), frame);
+    QVERIFY(fixture.clock().now() - requestedAt <= milliseconds(100));
+    QCOMPARE(int(fixture.frameCount()), frame);
 }
 
-void TestScanLanguages::tellsThatFamiliesAreMixed_data()
+void TestScanProtocols::reportsMixedFamilies_data()
 {
     QTest::addColumn<QString>("servos");
     QTest::addColumn<bool>("mixed");
@@ -422,22 +423,22 @@ void TestScanLanguages::tellsThatFamiliesAreMixed_data()
     QTest::newRow("SCS alone") << QStringLiteral("scs15@1,scs0009@2") << false;
 }
 
-void TestScanLanguages::tellsThatFamiliesAreMixed()
+void TestScanProtocols::reportsMixedFamilies()
 {
     QFETCH(QString, servos);
     QFETCH(bool, mixed);
-    SimBench bench(servos, at(fast));
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(servos, at(fast));
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
-    const auto& notices = bench.notices();
+    const auto& notices = fixture.notices();
     QCOMPARE(std::count_if(notices.begin(), notices.end(),
                            [](const device::Notice& notice) {
-                               return notice.code == device::NoticeCode::FamiliesMixed;
+                               return notice.code == device::NoticeCode::MixedFamilies;
                            }),
              mixed ? 1 : 0);
 }
 
-void TestScanLanguages::refusesWhatNoLanguageHas_data()
+void TestScanProtocols::refusesImpossibleIds_data()
 {
     QTest::addColumn<int>("first");
     QTest::addColumn<int>("last");
@@ -445,23 +446,23 @@ void TestScanLanguages::refusesWhatNoLanguageHas_data()
     QTest::newRow("beyond") << 248 << 253;
 }
 
-void TestScanLanguages::refusesWhatNoLanguageHas()
+void TestScanProtocols::refusesImpossibleIds()
 {
     QFETCH(int, first);
     QFETCH(int, last);
-    SimBench bench(QStringLiteral("smsmb@1"), at(common));
+    SimFixture fixture(QStringLiteral("smsmb@1"), at(commonBaud));
     jobs::ScanSpec spec = in({Protocol::Modbus});
     spec.firstId = first;
     spec.lastId = last;
-    const auto report = jobs::scan(bench.context(), spec);
+    const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::BadArgument);
-    QCOMPARE(bench.frameCount(), std::size_t{0});
+    QCOMPARE(fixture.frameCount(), std::size_t{0});
     // Beside a language that has them they are searched.
     spec.protocols = {Protocol::Modbus, Protocol::Lx};
-    QVERIFY(jobs::scan(bench.context(), spec));
-    QCOMPARE(framesIn(bench, Protocol::Modbus), 0);
+    QVERIFY(jobs::scan(fixture.context(), spec));
+    QCOMPARE(framesIn(fixture, Protocol::Modbus), 0);
 }
 
-QTEST_GUILESS_MAIN(TestScanLanguages)
+QTEST_GUILESS_MAIN(TestScanProtocols)
 #include "tst_scan_languages.moc"

@@ -7,15 +7,15 @@
 #include <QRegularExpression>
 #include <QTest>
 
-using scan_help::fast;
-using scan_help::find;
-using scan_help::idsOf;
+using scan_support::fast;
+using scan_support::find;
+using scan_support::idsOf;
 using std::chrono::milliseconds;
-using support::BenchOptions;
-using support::SimBench;
+using support::SimFixture;
+using support::SimFixtureOptions;
 
 namespace {
-std::vector<sim::ServoRecipe> twins(const QString& one, const QString& other)
+std::vector<sim::ServoSpec> twins(const QString& one, const QString& other)
 {
     return {{one, 5, fast, 7.4, 180, {}, nullptr},
             {other, 5, fast, 7.4, 95, {}, nullptr},
@@ -23,26 +23,26 @@ std::vector<sim::ServoRecipe> twins(const QString& one, const QString& other)
 }
 } // namespace
 
-class TestScanTwins : public QObject {
+class TestScanDuplicateId : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void suspectsTwins_data();
-    void suspectsTwins();
-    void suspectsTwinsThatAnswerOneAfterTheOther();
-    void listsAServoThatOnlyAnswersBroken_data();
-    void listsAServoThatOnlyAnswersBroken();
-    void brokenBytesEverywhereProveNobody();
-    void oneBrokenAnswerIsNoTwin();
-    void noiseIsReportedAndProvesNobody();
-    void oneServoCouldSayThis_data();
-    void oneServoCouldSayThis();
-    void blindPartOfATurnIsNoJump();
+    void suspectsDuplicateIds_data();
+    void suspectsDuplicateIds();
+    void suspectsDuplicateIdsThatReplyInTurn();
+    void listsAServoWithOnlyGarbledReplies_data();
+    void listsAServoWithOnlyGarbledReplies();
+    void garbledBytesProveNoServo();
+    void oneGarbledReplyIsNoDuplicate();
+    void noiseIsReportedAndProvesNoServo();
+    void oneServoCouldReplyLikeThis_data();
+    void oneServoCouldReplyLikeThis();
+    void blindSpotOfATurnIsNoJump();
 };
 
-void TestScanTwins::suspectsTwins_data()
+void TestScanDuplicateId::suspectsDuplicateIds_data()
 {
     QTest::addColumn<QString>("one");
     QTest::addColumn<QString>("other");
@@ -57,102 +57,103 @@ void TestScanTwins::suspectsTwins_data()
     }
 }
 
-void TestScanTwins::suspectsTwins()
+void TestScanDuplicateId::suspectsDuplicateIds()
 {
     QFETCH(QString, one);
     QFETCH(QString, other);
     QFETCH(int, latencyMs);
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.adapterLatency = milliseconds(latencyMs);
-    SimBench bench(twins(one, other), options);
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(twins(one, other), options);
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({5, 9}));
-    QVERIFY(find(*report, 5)->twinsSuspected);
-    QVERIFY(!find(*report, 9)->twinsSuspected);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(find(*report, 5)->duplicateSuspected);
+    QVERIFY(!find(*report, 9)->duplicateSuspected);
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 // Two SMS servos with different reply delays: each answer comes whole, and there are two of them.
-void TestScanTwins::suspectsTwinsThatAnswerOneAfterTheOther()
+void TestScanDuplicateId::suspectsDuplicateIdsThatReplyInTurn()
 {
     const QString sms = QStringLiteral("SM40BLHV");
     const auto slow = [](sim::VirtualServo& servo) {
         servo.poke(QStringLiteral("return_delay"), 250);
     };
-    SimBench bench({{sms, 5, fast, 12.0, 180, {}, nullptr}, {sms, 5, fast, 12.0, 180, {}, slow}});
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(
+        {{sms, 5, fast, 12.0, 180, {}, nullptr}, {sms, 5, fast, 12.0, 180, {}, slow}});
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({5}));
-    QVERIFY(report->found.front().twinsSuspected);
+    QVERIFY(report->found.front().duplicateSuspected);
 }
 
-void TestScanTwins::listsAServoThatOnlyAnswersBroken_data()
+void TestScanDuplicateId::listsAServoWithOnlyGarbledReplies_data()
 {
     QTest::addColumn<int>("latencyMs");
     QTest::newRow("at once") << 0;
     QTest::newRow("while later IDs are asked") << 16;
 }
 
-void TestScanTwins::listsAServoThatOnlyAnswersBroken()
+void TestScanDuplicateId::listsAServoWithOnlyGarbledReplies()
 {
     QFETCH(int, latencyMs);
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.faults.corrupt = 1.0;
     options.wire.adapterLatency = milliseconds(latencyMs);
-    SimBench bench(QStringLiteral("sts3215@17"), options);
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(QStringLiteral("sts3215@17"), options);
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({17}));
-    QVERIFY(report->found.front().twinsSuspected);
+    QVERIFY(report->found.front().duplicateSuspected);
     QVERIFY(!report->found.front().servo.profile);
-    QVERIFY(!report->garbledHeard); // explained by the servo listed
+    QVERIFY(!report->hasGarbledReplies); // explained by the servo listed
 }
 
-void TestScanTwins::brokenBytesEverywhereProveNobody()
+void TestScanDuplicateId::garbledBytesProveNoServo()
 {
     QStringList servos;
     for (int id = 1; id <= 40; ++id)
         servos.append(QStringLiteral("sts3215@%1").arg(id));
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.faults.corrupt = 1.0;
-    SimBench bench(servos.join(QLatin1Char(',')), options);
-    const auto report = jobs::scan(bench.context(), {});
+    SimFixture fixture(servos.join(QLatin1Char(',')), options);
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QVERIFY(report->found.empty());
-    QVERIFY(report->garbledHeard);
+    QVERIFY(report->hasGarbledReplies);
 }
 
-void TestScanTwins::oneBrokenAnswerIsNoTwin()
+void TestScanDuplicateId::oneGarbledReplyIsNoDuplicate()
 {
-    SimBench bench(QStringLiteral("sts3215@17"));
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        bench.wireConfig().faults.corrupt = bench.framesTo(17) == 1 ? 1.0 : 0.0;
+    SimFixture fixture(QStringLiteral("sts3215@17"));
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        fixture.wireConfig().faults.corrupt = fixture.framesSentTo(17) == 1 ? 1.0 : 0.0;
     };
-    const auto report = jobs::scan(bench.context(), {});
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QCOMPARE(idsOf(*report), QList<int>({17}));
-    QVERIFY(!report->found.front().twinsSuspected);
+    QVERIFY(!report->found.front().duplicateSuspected);
     QVERIFY(report->found.front().servo.profile);
-    QVERIFY(!report->garbledHeard); // it was explained
+    QVERIFY(!report->hasGarbledReplies); // it was explained
 }
 
-void TestScanTwins::noiseIsReportedAndProvesNobody()
+void TestScanDuplicateId::noiseIsReportedAndProvesNoServo()
 {
-    SimBench bench(QStringLiteral("sts3215@40"));
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    SimFixture fixture(QStringLiteral("sts3215@40"));
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         // A frame cut short by noise: bytes come, once, and never again.
-        sim::FaultPlan& faults = bench.wireConfig().faults;
-        faults.muteIds = bench.framesTo(40) > 1 ? std::vector<int>{40} : std::vector<int>{};
+        sim::FaultPlan& faults = fixture.wireConfig().faults;
+        faults.muteIds = fixture.framesSentTo(40) > 1 ? std::vector<int>{40} : std::vector<int>{};
         faults.truncate = frame[2] == 40 ? 1.0 : 0.0;
     };
-    const auto report = jobs::scan(bench.context(), {});
+    const auto report = jobs::scan(fixture.context(), {});
     QVERIFY(report);
     QVERIFY(report->found.empty());
-    QVERIFY(report->garbledHeard);
+    QVERIFY(report->hasGarbledReplies);
 }
 
-void TestScanTwins::oneServoCouldSayThis_data()
+void TestScanDuplicateId::oneServoCouldReplyLikeThis_data()
 {
     QTest::addColumn<int>("before");
     QTest::addColumn<int>("after");
@@ -168,7 +169,7 @@ void TestScanTwins::oneServoCouldSayThis_data()
     QTest::newRow("sudden heat") << 2048 << 2048 << 0 << 45 << false;
 }
 
-void TestScanTwins::oneServoCouldSayThis()
+void TestScanDuplicateId::oneServoCouldReplyLikeThis()
 {
     QFETCH(int, before);
     QFETCH(int, after);
@@ -200,11 +201,11 @@ void TestScanTwins::oneServoCouldSayThis()
     device::Servo b = a;
     a.image.store(56, feedback(before, 30), {});
     b.image.store(56, feedback(after, temperature), {});
-    QCOMPARE(device::couldBeOneServo(a, b, milliseconds(4)), possible);
+    QCOMPARE(device::canBeOneServo(a, b, milliseconds(4)), possible);
 }
 
 /// An SCS servo at rest where it cannot measure says now one end of its range, now the other.
-void TestScanTwins::blindPartOfATurnIsNoJump()
+void TestScanDuplicateId::blindSpotOfATurnIsNoJump()
 {
     const auto at = [](int position) {
         device::Servo servo;
@@ -216,11 +217,11 @@ void TestScanTwins::blindPartOfATurnIsNoJump()
         return servo;
     };
     QCOMPARE(at(1023).raw(catalog::Role::PresentPosition), std::optional<std::int64_t>(1023));
-    QVERIFY(device::couldBeOneServo(at(1023), at(0), milliseconds(4)));
-    QVERIFY(device::couldBeOneServo(at(0), at(1023), milliseconds(4)));
-    QVERIFY(!device::couldBeOneServo(at(900), at(100), milliseconds(4)));
-    QVERIFY(!device::couldBeOneServo(at(512), at(540), milliseconds(4)));
+    QVERIFY(device::canBeOneServo(at(1023), at(0), milliseconds(4)));
+    QVERIFY(device::canBeOneServo(at(0), at(1023), milliseconds(4)));
+    QVERIFY(!device::canBeOneServo(at(900), at(100), milliseconds(4)));
+    QVERIFY(!device::canBeOneServo(at(512), at(540), milliseconds(4)));
 }
 
-QTEST_GUILESS_MAIN(TestScanTwins)
+QTEST_GUILESS_MAIN(TestScanDuplicateId)
 #include "tst_scan_twins.moc"

@@ -38,7 +38,7 @@ bool hasValidChecksum(const QByteArray& frame)
 }
 } // namespace
 
-class tst_ServodeskSim : public QObject {
+class TestServodeskSim : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -72,21 +72,21 @@ private Q_SLOTS:
         QCOMPARE(client.ask("FFFF0109042A00080000E803D4", 6), fine);
         QCOMPARE(client.ask("FFFF0104024001B7", 7), bytes("FFFF01030001FA"));
         QCOMPARE(client.ask("FFFF0104022A02CC", 8), bytes("FFFF0104001805DD"));
-        client.say(bytes("FFFFFE0205FA"));
+        client.send(bytes("FFFFFE0205FA"));
         QCOMPARE(client.ask("FFFF0104024001B7", 7), bytes("FFFF01030000FB"));
         QCOMPARE(client.ask("FFFF0104022A02CC", 8), bytes("FFFF0104000008F2"));
         // SYNC WRITE to four servos, unanswered.
-        client.say(bytes("FFFFFE20832A0601000800 00E80302000800 00E80303000800 00E80304000800 "
-                         "00E80358"));
+        client.send(bytes("FFFFFE20832A0601000800 00E80302000800 00E80303000800 00E80304000800 "
+                          "00E80358"));
         QCOMPARE(client.ask("FFFF0404022A02C9", 8), bytes("FFFF0404000008EF"));
         // STS burst: acceleration 50, position -1000, speed 2400.
         QCOMPARE(client.ask("FFFF010A032932E883000060 09C2", 6), fine);
         QCOMPARE(client.ask("FFFF0104022907C8", 13), bytes("FFFF01090032E883000060 09EF"));
         // State reset and calibration, plain and with a value.
         QCOMPARE(client.ask("FFFF01020AF2", 6), fine);
-        QCOMPARE(client.askUntilAnswered("FFFF01020BF1", 6), fine);
-        QCOMPARE(client.askUntilAnswered("FFFF01040B0004EB", 6), fine);
-        QCOMPARE(client.askUntilAnswered(pingOne, 6), fine);
+        QCOMPARE(client.requestUntilReply("FFFF01020BF1", 6), fine);
+        QCOMPARE(client.requestUntilReply("FFFF01040B0004EB", 6), fine);
+        QCOMPARE(client.requestUntilReply(pingOne, 6), fine);
     }
 
     void syncReadIsAnsweredInOrder()
@@ -112,7 +112,7 @@ private Q_SLOTS:
         QCOMPARE(client.ask("FFFF0104022C02CA", 8), bytes("FFFF010400C8042E"));
     }
 
-    void scsSpeaksHighByteFirst()
+    void scsIsBigEndian()
     {
         Simulator simulator(list("--servos scs15@1 --eprom-ms 1"));
         Client client(simulator.port());
@@ -127,7 +127,7 @@ private Q_SLOTS:
         QCOMPARE(client.ask("FFFF0104023001C7", 7), bytes("FFFF01030001FA"));
     }
 
-    void anIdChangeActsAtOnce_data()
+    void anIdChangeTakesEffectAtOnce_data()
     {
         QTest::addColumn<QString>("servo");
         QTest::addColumn<QByteArray>("acknowledgement");
@@ -135,7 +135,7 @@ private Q_SLOTS:
         QTest::newRow("the new ID acknowledges")
             << QStringLiteral("sts3215@1+new-id-reply=1") << bytes("FFFF050200F8");
     }
-    void anIdChangeActsAtOnce()
+    void anIdChangeTakesEffectAtOnce()
     {
         QFETCH(QString, servo);
         QFETCH(QByteArray, acknowledgement);
@@ -146,11 +146,11 @@ private Q_SLOTS:
         QCOMPARE(client.ask("FFFF050201F7", 6), bytes("FFFF050200F8"));
         QCOMPARE(client.ask("FFFF05040337 01BB", 6), bytes("FFFF050200F8"));
         // The old ID is silent: the next answer heard is the new one's.
-        client.say(bytes(pingOne));
+        client.send(bytes(pingOne));
         QCOMPARE(client.ask("FFFF050201F7", 6), bytes("FFFF050200F8"));
         // Broadcast write of the ID, unanswered.
-        client.say(bytes("FFFFFE04030501F4"));
-        QCOMPARE(client.askUntilAnswered(pingOne, 6), fine);
+        client.send(bytes("FFFFFE04030501F4"));
+        QCOMPARE(client.requestUntilReply(pingOne, 6), fine);
     }
 
     void aRebootIsNotAnswered()
@@ -158,9 +158,9 @@ private Q_SLOTS:
         Simulator simulator(list("--servos sts3215@1,sts3215@2"));
         Client client(simulator.port());
         QCOMPARE(client.ask("FFFF01040328 01CE", 6), fine);
-        client.say(bytes("FFFF010208F4"));
+        client.send(bytes("FFFF010208F4"));
         QCOMPARE(client.ask("FFFF020201FA", 6), bytes("FFFF020200FB"));
-        QCOMPARE(client.askUntilAnswered(pingOne, 6), fine);
+        QCOMPARE(client.requestUntilReply(pingOne, 6), fine);
         QCOMPARE(client.ask("FFFF0104022801CF", 7), bytes("FFFF01030000FB"));
     }
 
@@ -174,10 +174,10 @@ private Q_SLOTS:
             // P := 40 unlocked, D := 50 locked again.
             QCOMPARE(client.ask("FFFF01040337 00C0", 6), fine);
             QCOMPARE(client.ask("FFFF0104031528BA", 6), fine);
-            QCOMPARE(client.askUntilAnswered(pingOne, 6), fine);
+            QCOMPARE(client.requestUntilReply(pingOne, 6), fine);
             QCOMPARE(client.ask("FFFF01040337 01BF", 6), fine);
             QCOMPARE(client.ask("FFFF0104031632AF", 6), fine);
-            QCOMPARE(client.askUntilAnswered("FFFF0104021502E1", 8), bytes("FFFF0104002832A0"));
+            QCOMPARE(client.requestUntilReply("FFFF0104021502E1", 8), bytes("FFFF0104002832A0"));
             QCOMPARE(simulator.end(), 0);
         }
         Simulator simulator(stsWithState(file));
@@ -190,7 +190,7 @@ private Q_SLOTS:
 
     // ID 254 must never be stored; a rate or mode that is in no list is not taken either. The write
     // is acknowledged, since no bit says "rejected", and reading tells.
-    void whatItCannotBeIsNotTaken()
+    void invalidServosAreRefused()
     {
         Simulator simulator(list("--servos sts3215@1"));
         Client client(simulator.port());
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QCOMPARE(client.ask("FFFFFE0201FE", 18), bytes("FFFF010200FC FFFF020200FB FFFF060200F7"));
     }
 
-    void theWordsOfAPresetAreForAllItsServos()
+    void presetOptionsApplyToAllServos()
     {
         Simulator simulator(list("--preset sweep+staggered-ping=1"));
         Client client(simulator.port());
@@ -234,7 +234,7 @@ private Q_SLOTS:
                 QFile now(file);
                 return now.open(QIODevice::ReadOnly) && now.readAll() != before;
             };
-            QTRY_VERIFY_WITH_TIMEOUT(changed(), raw::patienceMs);
+            QTRY_VERIFY_WITH_TIMEOUT(changed(), raw::timeoutMs);
             simulator.end(SIGKILL);
         }
         Simulator simulator(stsWithState(file));
@@ -242,7 +242,7 @@ private Q_SLOTS:
         QCOMPARE(client.ask("FFFF0104021501E2", 7), bytes("FFFF01030028D3"));
     }
 
-    void refusesAStateFileItDoesNotKnow_data()
+    void refusesAnUnknownStateFile_data()
     {
         QTest::addColumn<QByteArray>("content");
         QTest::newRow("text") << QByteArray("shopping list");
@@ -261,7 +261,7 @@ private Q_SLOTS:
                           "{\"model\":\"STS3215\",\"eprom\":\"00\"},"
                           "{\"model\":\"SCS15\",\"eprom\":\"00\"}]}");
     }
-    void refusesAStateFileItDoesNotKnow()
+    void refusesAnUnknownStateFile()
     {
         QFETCH(QByteArray, content);
         QTemporaryDir folder;
@@ -278,7 +278,7 @@ private Q_SLOTS:
         QCOMPARE(state.readAll(), content);
     }
 
-    void refusesAStateFileInAFolderThatIsNotThere()
+    void refusesAStateFileInAMissingFolder()
     {
         QTemporaryDir folder;
         Simulator simulator(stsWithState(folder.filePath(QStringLiteral("no/such/folder.json"))));
@@ -297,33 +297,33 @@ private Q_SLOTS:
     }
 
     // As on a port that was closed: what the last client did not read is gone.
-    void aClientFindsNothingOfTheOneBefore()
+    void aClientGetsNoBytesOfThePreviousOne()
     {
         Simulator simulator(list("--servos sts3215@1,sts3215@2"));
         {
             Client client(simulator.port());
-            client.say(bytes(pingOne));
-            QVERIFY(client.readable(raw::patienceMs));
+            client.send(bytes(pingOne));
+            QVERIFY(client.readable(raw::timeoutMs));
         }
         const auto clean = [&] { return !Client(simulator.port()).readable(0); };
-        QTRY_VERIFY_WITH_TIMEOUT(clean(), raw::patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(clean(), raw::timeoutMs);
         Client client(simulator.port());
         // The simulator may still be emptying the line after the client before; that takes what
         // comes meanwhile with it.
-        QCOMPARE(client.askUntilAnswered("FFFF020201FA", 6), bytes("FFFF020200FB"));
+        QCOMPARE(client.requestUntilReply("FFFF020201FA", 6), bytes("FFFF020200FB"));
     }
 
     void theClientsRateCounts()
     {
         Simulator simulator(list("--servos sts3215@1,sts3215@2:115200"));
         Client client(simulator.port(), B115200);
-        client.say(bytes(pingOne));
+        client.send(bytes(pingOne));
         QCOMPARE(client.ask("FFFF020201FA", 6), bytes("FFFF020200FB"));
         client.setRate(B1000000);
-        QCOMPARE(client.askUntilAnswered(pingOne, 6), fine);
+        QCOMPARE(client.requestUntilReply(pingOne, 6), fine);
     }
 
-    void aRateForAllMayBeChosen()
+    void oneRateForAllServos()
     {
         Simulator simulator(list("--preset demo --baud 57600"));
         Client client(simulator.port(), B57600);
@@ -337,15 +337,15 @@ private Q_SLOTS:
         QCOMPARE(client.ask(pingOne, 12), bytes(pingOne) + fine);
     }
 
-    void aMuteServoStaysMute()
+    void aMutedServoStaysMuted()
     {
         Simulator simulator(list("--servos sts3215@1,sts3215@2 --fault mute=1"));
         Client client(simulator.port());
-        client.say(bytes(pingOne));
+        client.send(bytes(pingOne));
         QCOMPARE(client.ask("FFFF020201FA", 6), bytes("FFFF020200FB"));
     }
 
-    void answersTakeTheirTime_data()
+    void repliesTakeWireTime_data()
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<int>("atLeastMicroseconds");
@@ -354,7 +354,7 @@ private Q_SLOTS:
         QTest::newRow("in the adapter") << list("--baud 38400 --latency-ms 50") << 50'000 + 7552;
         QTest::newRow("when late") << list("--baud 38400 --fault late=1,late-ms=60") << 60'000;
     }
-    void answersTakeTheirTime()
+    void repliesTakeWireTime()
     {
         QFETCH(QStringList, arguments);
         QFETCH(int, atLeastMicroseconds);
@@ -368,7 +368,7 @@ private Q_SLOTS:
         QVERIFY(took >= std::chrono::microseconds(atLeastMicroseconds));
     }
 
-    void theLinkLeadsToThePortAndGoes()
+    void theSymlinkPointsToThePortAndIsRemoved()
     {
         QTemporaryDir folder;
         const QString link = folder.filePath(QStringLiteral("servo"));
@@ -384,7 +384,7 @@ private Q_SLOTS:
         QVERIFY(!QFileInfo(link).isSymLink());
     }
 
-    void theLinkReplacesNoFile()
+    void theSymlinkReplacesNoFile()
     {
         QTemporaryDir folder;
         const QString name = folder.filePath(QStringLiteral("precious"));
@@ -441,7 +441,7 @@ private Q_SLOTS:
         QVERIFY2(complaint.contains(culprit), qPrintable(complaint));
     }
 
-    void explainsItself()
+    void printsHelp()
     {
         Simulator simulator({QStringLiteral("--help")});
         QCOMPARE(simulator.wait(), 0);
@@ -450,5 +450,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_ServodeskSim)
+QTEST_GUILESS_MAIN(TestServodeskSim)
 #include "tst_servodesk_sim.moc"

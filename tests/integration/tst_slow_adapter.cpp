@@ -12,7 +12,7 @@
 using base::ErrorCode;
 using device::LockState;
 using device::WriteOutcome;
-using support::SimBench;
+using support::SimFixture;
 using namespace std::chrono_literals;
 
 Q_DECLARE_METATYPE(base::Duration)
@@ -23,16 +23,16 @@ QString text(const char* latin)
     return QString::fromLatin1(latin);
 }
 
-support::BenchOptions late(base::Duration latency)
+support::SimFixtureOptions late(base::Duration latency)
 {
-    support::BenchOptions options;
+    support::SimFixtureOptions options;
     options.wire.adapterLatency = latency;
     return options;
 }
 
-bool closed(SimBench& bench, int id)
+bool closed(SimFixture& fixture, int id)
 {
-    return bench.raw(id, text("lock")) == 1;
+    return fixture.raw(id, text("lock")) == 1;
 }
 
 void links()
@@ -54,68 +54,68 @@ class TestSlowAdapter : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void freeIdIsGiven_data() { links(); }
-    void freeIdIsGiven();
+    void freeIdIsAssigned_data() { links(); }
+    void freeIdIsAssigned();
     void takenIdIsRefused_data() { links(); }
     void takenIdIsRefused();
-    void takenIdIsNotProposed_data() { links(); }
-    void takenIdIsNotProposed();
+    void takenIdIsNotSuggested_data() { links(); }
+    void takenIdIsNotSuggested();
     void rateIsChanged_data() { links(); }
     void rateIsChanged();
     void defaultsAreRestored_data() { links(); }
     void defaultsAreRestored();
-    void middleIsSet_data() { links(); }
-    void middleIsSet();
-    void lineIsCommissioned_data() { links(); }
-    void lineIsCommissioned();
-    void twoOnTheLineAreSeen_data() { links(); }
-    void twoOnTheLineAreSeen();
+    void centerIsSet_data() { links(); }
+    void centerIsSet();
+    void batchIsCommissioned_data() { links(); }
+    void batchIsCommissioned();
+    void twoConnectedServosAreDetected_data() { links(); }
+    void twoConnectedServosAreDetected();
     void lateEchoIsNoServo_data();
     void lateEchoIsNoServo();
-    void quickLinkStaysQuick();
+    void fastLinkStaysFast();
 
 private:
     /// As a command does it: the first word on the line is the one to the servo.
-    device::Servo connect(SimBench& bench, int id)
+    device::Servo connect(SimFixture& fixture, int id)
     {
         QFETCH(base::Duration, timeout);
         if (timeout > 0ms)
-            bench.bus().setPatience(timeout);
-        return bench.servo(id);
+            fixture.bus().setTimeout(timeout);
+        return fixture.servo(id);
     }
 };
 
-void TestSlowAdapter::freeIdIsGiven()
+void TestSlowAdapter::freeIdIsAssigned()
 {
     QFETCH(base::Duration, latency);
-    SimBench bench(text("sts3215@1"), late(latency));
-    device::Servo servo = connect(bench, 1);
-    const auto report = jobs::changeId(bench.context(), servo, 9);
+    SimFixture fixture(text("sts3215@1"), late(latency));
+    device::Servo servo = connect(fixture, 1);
+    const auto report = jobs::changeId(fixture.context(), servo, 9);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
     QCOMPARE(report->lock, LockState::Closed);
     QCOMPARE(servo.id, 9);
-    QVERIFY(closed(bench, 9));
+    QVERIFY(closed(fixture, 9));
 }
 
 void TestSlowAdapter::takenIdIsRefused()
 {
     QFETCH(base::Duration, latency);
-    SimBench bench(text("sts3215@1,sts3215@9"), late(latency));
-    device::Servo servo = connect(bench, 1);
-    bench.forgetFrames();
-    const auto report = jobs::changeId(bench.context(), servo, 9);
+    SimFixture fixture(text("sts3215@1,sts3215@9"), late(latency));
+    device::Servo servo = connect(fixture, 1);
+    fixture.clearFrames();
+    const auto report = jobs::changeId(fixture.context(), servo, 9);
     QVERIFY2(!report, "two servos with one ID");
     QCOMPARE(report.error().code, ErrorCode::IdInUse);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestSlowAdapter::takenIdIsNotProposed()
+void TestSlowAdapter::takenIdIsNotSuggested()
 {
     QFETCH(base::Duration, latency);
-    SimBench bench(text("sts3215@1,sts3215@2,sts3215@4"), late(latency));
-    const device::Servo servo = connect(bench, 1);
-    const auto proposed = jobs::freeIds(bench.context(), servo.protocol, {2, 3, 4, 5, 6}, 2);
+    SimFixture fixture(text("sts3215@1,sts3215@2,sts3215@4"), late(latency));
+    const device::Servo servo = connect(fixture, 1);
+    const auto proposed = jobs::findFreeIds(fixture.context(), servo.protocol, {2, 3, 4, 5, 6}, 2);
     QVERIFY(proposed);
     QCOMPARE(*proposed, (std::vector{3, 5}));
 }
@@ -123,51 +123,51 @@ void TestSlowAdapter::takenIdIsNotProposed()
 void TestSlowAdapter::rateIsChanged()
 {
     QFETCH(base::Duration, latency);
-    SimBench bench(text("sts3215@1"), late(latency));
-    device::Servo servo = connect(bench, 1);
-    const auto report = jobs::changeBaud(bench.context(), servo, 500'000);
+    SimFixture fixture(text("sts3215@1"), late(latency));
+    device::Servo servo = connect(fixture, 1);
+    const auto report = jobs::changeBaud(fixture.context(), servo, 500'000);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
     QCOMPARE(report->lock, LockState::Closed);
-    QCOMPARE(bench.bus().baud(), 500'000);
-    QVERIFY(closed(bench, 1));
+    QCOMPARE(fixture.bus().baud(), 500'000);
+    QVERIFY(closed(fixture, 1));
 }
 
 void TestSlowAdapter::defaultsAreRestored()
 {
     QFETCH(base::Duration, latency);
-    SimBench bench(text("sts3215@7"), late(latency));
-    device::Servo servo = connect(bench, 7);
-    QVERIFY(jobs::changeBaud(bench.context(), servo, 115'200)->allGood());
-    const auto report = jobs::restoreDefaults(bench.context(), servo);
+    SimFixture fixture(text("sts3215@7"), late(latency));
+    device::Servo servo = connect(fixture, 7);
+    QVERIFY(jobs::changeBaud(fixture.context(), servo, 115'200)->isSuccessful());
+    const auto report = jobs::restoreDefaults(fixture.context(), servo);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
     QCOMPARE(report->newId, 7);
     QCOMPARE(report->newBaud, 1'000'000); // the factory's, which it is followed to
     QCOMPARE(report->lock, LockState::Closed);
-    QVERIFY(closed(bench, 7));
+    QVERIFY(closed(fixture, 7));
 }
 
-void TestSlowAdapter::middleIsSet()
+void TestSlowAdapter::centerIsSet()
 {
     QFETCH(base::Duration, latency);
-    SimBench bench(text("sts3215@1"), late(latency));
-    device::Servo servo = connect(bench, 1);
-    const auto report = jobs::center(bench.context(), servo);
+    SimFixture fixture(text("sts3215@1"), late(latency));
+    device::Servo servo = connect(fixture, 1);
+    const auto report = jobs::center(fixture.context(), servo);
     QVERIFY2(report, report ? "" : qPrintable(base::errorName(report.error().code)));
     QCOMPARE(report->lock, LockState::Closed);
     QVERIFY(std::abs(*report->positionAfter - 2048) <= 12);
-    QVERIFY(closed(bench, 1));
+    QVERIFY(closed(fixture, 1));
 }
 
 /// Factory servos one after the other, all of it: settings, ID, rate, middle.
-void TestSlowAdapter::lineIsCommissioned()
+void TestSlowAdapter::batchIsCommissioned()
 {
     QFETCH(base::Duration, latency);
     QFETCH(base::Duration, timeout);
-    support::CommissionBench line(text("sts3215@1,sts3215@1"));
-    line.bench.wireConfig().adapterLatency = latency;
+    support::CommissionFixture line(text("sts3215@1,sts3215@1"));
+    line.fixture.wireConfig().adapterLatency = latency;
     if (timeout > 0ms)
-        line.bench.bus().setPatience(timeout);
+        line.fixture.bus().setTimeout(timeout);
     line.spec.baud = 500'000;
     line.spec.center = true;
     line.spec.settings = support::templateOf("sts3215", {{"position_p", 24}});
@@ -185,31 +185,31 @@ void TestSlowAdapter::lineIsCommissioned()
         QCOMPARE(servo.raw(text("lock")), 1);
         QVERIFY2(line.spans[place] < 60s, qPrintable(QString::number(line.spans[place] / 1ms)));
     }
-    QVERIFY(!line.saw(jobs::CommissionStep::Blocked)); // it was alone all the time
-    QCOMPARE(line.bench.journal().open()->size(), std::size_t(0));
+    QVERIFY(!line.hasSeen(jobs::CommissionStep::Blocked)); // it was alone all the time
+    QCOMPARE(line.fixture.journal().open()->size(), std::size_t(0));
 }
 
 /// The second one is heard although it answers long after the search has asked on.
-void TestSlowAdapter::twoOnTheLineAreSeen()
+void TestSlowAdapter::twoConnectedServosAreDetected()
 {
     QFETCH(base::Duration, latency);
     QFETCH(base::Duration, timeout);
-    support::CommissionBench line(text("sts3215@1,sts3215@253"));
-    line.bench.wireConfig().adapterLatency = latency;
+    support::CommissionFixture line(text("sts3215@1,sts3215@253"));
+    line.fixture.wireConfig().adapterLatency = latency;
     if (timeout > 0ms)
-        line.bench.bus().setPatience(timeout);
-    line.hand = [&](const jobs::CommissionView& view) {
-        if (view.step == jobs::CommissionStep::Waiting && !line.somebodyPlugged()) {
+        line.fixture.bus().setTimeout(timeout);
+    line.onView = [&](const jobs::CommissionView& view) {
+        if (view.step == jobs::CommissionStep::Waiting && !line.isAnyPlugged()) {
             line.plug(0);
             line.plug(1);
         }
         if (view.step == jobs::CommissionStep::Blocked || view.step == jobs::CommissionStep::Unplug)
-            line.bench.stop().request();
+            line.fixture.stop().request();
         return true;
     };
     QVERIFY(line.run());
-    QVERIFY(line.saw(jobs::CommissionObstacle::SeveralServos));
-    QVERIFY(line.bench.onlyAsked());
+    QVERIFY(line.hasSeen(jobs::CommissionObstacle::DuplicateId));
+    QVERIFY(line.fixture.onlyReadsSent());
 }
 
 void TestSlowAdapter::lateEchoIsNoServo_data()
@@ -229,17 +229,17 @@ void TestSlowAdapter::lateEchoIsNoServo()
     QFETCH(base::Duration, latency);
     QFETCH(bool, taken);
     base::ManualClock clock;
-    support::ByteLine line;
-    line.servos = {support::byteSts(1)};
+    support::RawServoLine line;
+    line.servos = {support::rawSts3215(1)};
     if (taken)
-        line.servos.push_back(support::byteSts(9));
-    line.adapterLate = latency;
+        line.servos.push_back(support::rawSts3215(9));
+    line.adapterLatency = latency;
     line.echo = true;
-    bus::BusCore bus(support::openByteLine(line, clock), protocol::feetechCodec(), clock);
-    QVERIFY(bus.echoes());
+    bus::BusCore bus(support::openRawServoLine(line, clock), protocol::feetechCodec(), clock);
+    QVERIFY(bus.hasEcho());
     QVERIFY2(clock.now() < 600ms, qPrintable(QString::number(clock.now() / 1ms)));
     support::MemoryJournal journal;
-    base::Stop stop;
+    base::StopToken stop;
     device::Notices notices;
     const device::Context context{bus, support::builtInCatalog(), journal, stop, notices};
     auto servo = device::identify(context, 1);
@@ -251,21 +251,21 @@ void TestSlowAdapter::lateEchoIsNoServo()
     QCOMPARE(line.servos[0].id, taken ? 1 : 9);
     if (taken) {
         QCOMPARE(report.error().code, ErrorCode::IdInUse);
-        QCOMPARE(line.changingFrames(), 0);
+        QCOMPARE(line.writeFrameCount(), 0);
         return;
     }
-    QVERIFY(report->allGood());
+    QVERIFY(report->isSuccessful());
     QCOMPARE(line.servos[0].table[55], std::uint8_t(1)); // locked again
     QCOMPARE(int(bus.statistics().total.late), 0); // the echo has shown how late the adapter is
 }
 
-void TestSlowAdapter::quickLinkStaysQuick()
+void TestSlowAdapter::fastLinkStaysFast()
 {
-    SimBench bench(text("sts3215@1"), late(1ms));
-    device::Servo servo = bench.servo(1);
-    const base::Duration start = bench.clock().now();
-    QVERIFY(jobs::changeId(bench.context(), servo, 9));
-    const base::Duration took = bench.clock().now() - start;
+    SimFixture fixture(text("sts3215@1"), late(1ms));
+    device::Servo servo = fixture.servo(1);
+    const base::Duration start = fixture.clock().now();
+    QVERIFY(jobs::changeId(fixture.context(), servo, 9));
+    const base::Duration took = fixture.clock().now() - start;
     QVERIFY2(took < 500ms, qPrintable(QString::number(took / 1ms))); // simulated time
 }
 

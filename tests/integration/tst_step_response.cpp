@@ -18,7 +18,7 @@
 
 using base::ErrorCode;
 using record::SweepEnd;
-using support::SimBench;
+using support::SimFixture;
 using namespace std::chrono_literals;
 
 namespace {
@@ -27,48 +27,48 @@ QString text(const char* latin)
     return QString::fromLatin1(latin);
 }
 
-jobs::StepOrder order(const char* size = "400", std::vector<record::StepGain> trial = {})
+jobs::StepRequest order(const char* size = "400", std::vector<record::StepGain> trial = {})
 {
-    jobs::StepOrder order;
+    jobs::StepRequest order;
     order.spec.size = text(size);
     order.spec.repeats = 2;
     order.spec.trial = std::move(trial);
     return order;
 }
 
-base::Result<record::StepRun> run(SimBench& bench, const jobs::StepOrder& order,
-                                  const jobs::StepWatch& watch = {})
+base::Result<record::StepRun> run(SimFixture& fixture, const jobs::StepRequest& order,
+                                  const jobs::StepCallbacks& watch = {})
 {
-    device::Servo servo = bench.servo(1);
-    return jobs::stepResponse(bench.context(), servo, order, watch);
+    device::Servo servo = fixture.servo(1);
+    return jobs::stepResponse(fixture.context(), servo, order, watch);
 }
 
-base::Bytes eprom(SimBench& bench)
+base::Bytes eprom(SimFixture& fixture)
 {
-    return bench.withWire([](sim::VirtualBus& wire) { return wire.servo(1)->epromImage(); });
+    return fixture.withBus([](sim::VirtualBus& wire) { return wire.servo(1)->epromImage(); });
 }
 
 /// What the twin's shaft did on its way from here to there, by plain arithmetic on its encoder.
 struct Truth {
-    double rise = 0;   ///< ms
-    double beyond = 0; ///< steps past the place of rest
-    double rest = 0;
+    double rise = 0;           ///< ms
+    double peakBeyondGoal = 0; ///< steps past the place of rest
+    double restPosition = 0;
     int turns = 0; ///< by more than six steps, after it first was near
     double hertz = 0;
 };
 
-Truth truthOf(const std::vector<record::StepGain>& gains, std::int64_t from, std::int64_t to)
+Truth groundTruth(const std::vector<record::StepGain>& gains, std::int64_t from, std::int64_t to)
 {
-    SimBench bench(text("sts3215@1"));
+    SimFixture fixture(text("sts3215@1"));
     for (const record::StepGain& gain : gains)
-        bench.poke(1, gain.key, gain.raw);
-    return bench.withWire([&](sim::VirtualBus& wire) {
-        probe::Plant plant(*wire.servo(1));
+        fixture.poke(1, gain.key, gain.raw);
+    return fixture.withBus([&](sim::VirtualBus& wire) {
+        probe::ServoPlant plant(*wire.servo(1));
         wire.servo(1)->poke(text("acceleration"), 0);
         (void)plant.move(from, 2000ms);
         const probe::Move move = plant.move(to, 1500ms);
         Truth truth;
-        truth.rest = move.rest();
+        truth.restPosition = move.restPosition();
         int low = 0;
         int high = 0;
         int arrived = 0;
@@ -81,14 +81,15 @@ Truth truthOf(const std::vector<record::StepGain>& gains, std::int64_t from, std
             arrived = arrived == 0 && left <= 12 ? ms : arrived;
         }
         truth.rise = high - low;
-        truth.beyond = std::max(0.0, move.beyond() - move.sense() * (move.rest() - double(to)));
+        truth.peakBeyondGoal = std::max(
+            0.0, move.peakBeyondGoal() - move.direction() * (move.restPosition() - double(to)));
         double extreme = -HUGE_VAL;
-        double sense = move.sense();
+        double direction = move.direction();
         int at = 0;
         int first = 0;
         int last = 0;
         for (int i = arrived; i < int(move.samples.size()); ++i) {
-            const double place = sense * double(move.samples[std::size_t(i)].reported);
+            const double place = direction * double(move.samples[std::size_t(i)].reported);
             at = place > extreme ? i : at;
             extreme = std::max(extreme, place);
             if (extreme - place < 6)
@@ -96,7 +97,7 @@ Truth truthOf(const std::vector<record::StepGain>& gains, std::int64_t from, std
             ++truth.turns;
             first = first == 0 ? at : first;
             last = at;
-            sense = -sense;
+            direction = -direction;
             extreme = -place;
             at = i;
         }
@@ -111,14 +112,14 @@ struct Leg {
     std::int64_t low = 0;
     std::int64_t high = 0;
 
-    double beyond(bool upwards) const { return double(upwards ? high - goal : goal - low); }
+    double peakBeyondGoal(bool upwards) const { return double(upwards ? high - goal : goal - low); }
 };
 
 /// With every frame, so as often as anybody on the wire could.
-void lookAt(std::vector<Leg>& legs, SimBench& bench)
+void lookAt(std::vector<Leg>& legs, SimFixture& fixture)
 {
-    const std::int64_t goal = bench.raw(1, text("goal_position"));
-    const std::int64_t position = bench.raw(1, text("present_position"));
+    const std::int64_t goal = fixture.raw(1, text("goal_position"));
+    const std::int64_t position = fixture.raw(1, text("present_position"));
     if (legs.empty() || legs.back().goal != goal)
         legs.push_back({goal, position, position});
     legs.back().low = std::min(legs.back().low, position);
@@ -138,40 +139,40 @@ class TestStepResponse : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void figuresAreThoseOfTheTwin_data();
-    void figuresAreThoseOfTheTwin();
-    void whatAFamilyCannotMeasureIsNotMeasured();
-    void itStartsWhereThereIsRoom_data();
-    void itStartsWhereThereIsRoom();
-    void speedAndAccelerationAreAsBefore();
-    void gainsAreBackHoweverItEnds_data();
-    void gainsAreBackHoweverItEnds();
+    void metricsMatchTheReferenceServo_data();
+    void metricsMatchTheReferenceServo();
+    void unsupportedMeasurementsAreOmitted();
+    void startsWhereThereIsRoom_data();
+    void startsWhereThereIsRoom();
+    void speedAndAccelerationAreRestored();
+    void gainsAreAlwaysRestored_data();
+    void gainsAreAlwaysRestored();
     void aLostLinkIsFoundByRecovery();
     void aSilenceInTheLastResponseEndsIt_data();
     void aSilenceInTheLastResponseEndsIt();
-    void whatNobodySawIsNotMeasured_data();
-    void whatNobodySawIsNotMeasured();
-    void aPlugPulledAndPutBackCostsOneResponse();
-    void whoRestartedWithThePlugStaysOffAndHasItsOwnGains_data();
-    void whoRestartedWithThePlugStaysOffAndHasItsOwnGains();
-    void nothingIsPutBackIntoAnExchangedServo();
-    void aStopWhileThePlugIsOutPutsGainsBackAfterIt();
-    void aPlugPulledWhileGainsAreSetLeavesNothingBehind();
-    void gainsThatWereLostBeforeTheFirstStepAreNoTrial();
-    void whatAnInterruptedTrialLeftIsNotBefore();
-    void anotherModeIsSwitchedIfAsked();
-    void whatForbidsIt_data();
-    void whatForbidsIt();
-    void adviceIsTheSheets_data();
-    void adviceIsTheSheets();
-    void anOvershootThatIsGivenIsFound();
-    void aServoThatStandsGetsNoGains();
-    void aServoAtAStopGetsNoGains();
-    void aRunSurvivesItsFile();
+    void unobservedValuesAreNotMeasured_data();
+    void unobservedValuesAreNotMeasured();
+    void replugCostsOneResponse();
+    void servoRestartedByReplugStaysOffWithItsOwnGains_data();
+    void servoRestartedByReplugStaysOffWithItsOwnGains();
+    void nothingIsRestoredToAReplacedServo();
+    void stopWhileUnpluggedRestoresGainsLater();
+    void unplugWhileSettingGainsLeavesNothingBehind();
+    void gainsLostBeforeTheFirstStepAreNoTrial();
+    void interruptedTrialGainsAreNotTheBaseline();
+    void modeIsSwitchedOnRequest();
+    void preconditions_data();
+    void preconditions();
+    void adviceFollowsTheDataSheet_data();
+    void adviceFollowsTheDataSheet();
+    void aKnownOvershootIsMeasured();
+    void aStationaryServoGetsNoGains();
+    void aServoAtAHardStopGetsNoGains();
+    void aRunRoundTripsThroughItsFile();
     void scatterIsNoDifference();
 };
 
-void TestStepResponse::figuresAreThoseOfTheTwin_data()
+void TestStepResponse::metricsMatchTheReferenceServo_data()
 {
     QTest::addColumn<int>("p");
     QTest::addColumn<int>("d");
@@ -183,23 +184,23 @@ void TestStepResponse::figuresAreThoseOfTheTwin_data()
     QTest::newRow("too much I") << 32 << 32 << 20;
 }
 
-void TestStepResponse::figuresAreThoseOfTheTwin()
+void TestStepResponse::metricsMatchTheReferenceServo()
 {
     QFETCH(int, p);
     QFETCH(int, d);
     QFETCH(int, i);
     const std::vector<record::StepGain> gains{
         {text("position_p"), p}, {text("position_d"), d}, {text("position_i"), i}};
-    SimBench bench(text("sts3215@1"));
-    jobs::StepOrder asked = order("400", gains);
+    SimFixture fixture(text("sts3215@1"));
+    jobs::StepRequest asked = order("400", gains);
     asked.spec.from = text("1800");
     asked.spec.hold = 1500ms;
-    bench.letTimePass(1ms); // the rise is found to one reading, by where the readings fall
-    const auto before = eprom(bench);
+    fixture.runFor(1ms); // the rise is found to one reading, by where the readings fall
+    const auto before = eprom(fixture);
     std::vector<Leg> legs;
-    bench.tap().onWrite = [&](const base::Bytes&) { lookAt(legs, bench); };
-    const auto done = run(bench, asked);
-    bench.tap().onWrite = nullptr;
+    fixture.tap().onWrite = [&](const base::Bytes&) { lookAt(legs, fixture); };
+    const auto done = run(fixture, asked);
+    fixture.tap().onWrite = nullptr;
     QVERIFY2(done,
              done ? "" : qPrintable(base::errorName(done.error().code) + done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
@@ -207,11 +208,11 @@ void TestStepResponse::figuresAreThoseOfTheTwin()
     const auto first =
         std::find_if(legs.begin(), legs.end(), [](const Leg& leg) { return leg.goal == 2200; });
     QVERIFY(legs.end() - first >= 4);
-    QVERIFY(before == eprom(bench));
-    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    QVERIFY(before == eprom(fixture));
+    QCOMPARE(fixture.raw(1, text("position_p")), 32);
     for (const record::StepResponse& response : done->responses) {
         const bool there = response.number % 2 == 1;
-        const Truth truth = there ? truthOf(gains, 1800, 2200) : truthOf(gains, 2200, 1800);
+        const Truth truth = there ? groundTruth(gains, 1800, 2200) : groundTruth(gains, 2200, 1800);
         const record::StepFigures& found = response.figures;
         QCOMPARE(response.target, there ? 2200.0 : 1800.0);
         QVERIFY(found.riseTime && found.deadTime && found.peakSpeed && found.peakCurrent);
@@ -228,16 +229,17 @@ void TestStepResponse::figuresAreThoseOfTheTwin()
                 std::abs(*found.swingFrequency / truth.hertz - 1) < 0.15,
                 qPrintable(QStringLiteral("%1 %2").arg(*found.swingFrequency).arg(truth.hertz)));
         if (found.steadyError)
-            QVERIFY(std::abs(response.target + *found.steadyError - truth.rest) <= 2);
-        if (found.overshootSteps && truth.beyond > 6) {
+            QVERIFY(std::abs(response.target + *found.steadyError - truth.restPosition) <= 2);
+        if (found.overshootSteps && truth.peakBeyondGoal > 6) {
             // By its own way; and by that of any of its kind, unless it swings already when it is
             // sent off and goes as far as that happens to take it.
             const Leg& leg = first[response.number - 1];
             QCOMPARE(double(leg.goal), response.target);
-            const double own = leg.beyond(there) - (there ? 1 : -1) * found.steadyError.value_or(0);
+            const double own =
+                leg.peakBeyondGoal(there) - (there ? 1 : -1) * found.steadyError.value_or(0);
             QVERIFY2(std::abs(*found.overshootSteps - own) <= 2,
                      qPrintable(QStringLiteral("%1 %2").arg(*found.overshootSteps).arg(own)));
-            const double kind = truth.beyond;
+            const double kind = truth.peakBeyondGoal;
             QVERIFY2(p == 200 || std::abs(*found.overshootSteps - kind) <= 4,
                      qPrintable(QStringLiteral("%1 %2").arg(*found.overshootSteps).arg(kind)));
         }
@@ -246,11 +248,11 @@ void TestStepResponse::figuresAreThoseOfTheTwin()
     QVERIFY(done->sampleRate > 300);
 }
 
-void TestStepResponse::whatAFamilyCannotMeasureIsNotMeasured()
+void TestStepResponse::unsupportedMeasurementsAreOmitted()
 {
-    SimBench bench(text("lx16a@1"), {.baud = 115'200});
-    device::Servo servo = bench.servo(1, base::Protocol::Lx);
-    const auto done = jobs::stepResponse(bench.context(), servo, order("100"), {});
+    SimFixture fixture(text("lx16a@1"), {.baud = 115'200});
+    device::Servo servo = fixture.servo(1, base::Protocol::Lx);
+    const auto done = jobs::stepResponse(fixture.context(), servo, order("100"), {});
     QVERIFY(done);
     QVERIFY(done->gains.empty());
     QVERIFY(!done->mean.peakCurrent && !done->mean.peakLoad);
@@ -258,7 +260,7 @@ void TestStepResponse::whatAFamilyCannotMeasureIsNotMeasured()
     QVERIFY(!done->mean.swingFrequency);
 }
 
-void TestStepResponse::itStartsWhereThereIsRoom_data()
+void TestStepResponse::startsWhereThereIsRoom_data()
 {
     QTest::addColumn<int>("stands");
     QTest::addColumn<QString>("size");
@@ -270,45 +272,45 @@ void TestStepResponse::itStartsWhereThereIsRoom_data()
     QTest::newRow("no room below") << 1100 << text("-500") << 1500;
 }
 
-void TestStepResponse::itStartsWhereThereIsRoom()
+void TestStepResponse::startsWhereThereIsRoom()
 {
     QFETCH(int, stands);
     QFETCH(QString, size);
     QFETCH(int, from);
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("min_angle_limit"), 1000);
-    bench.poke(1, text("max_angle_limit"), 3000);
-    bench.poke(1, text("goal_position"), stands);
-    bench.letTimePass(2s);
-    device::Servo servo = bench.servo(1);
-    bench.forgetFrames();
-    jobs::StepOrder asked = order();
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("min_angle_limit"), 1000);
+    fixture.poke(1, text("max_angle_limit"), 3000);
+    fixture.poke(1, text("goal_position"), stands);
+    fixture.runFor(2s);
+    device::Servo servo = fixture.servo(1);
+    fixture.clearFrames();
+    jobs::StepRequest asked = order();
     asked.spec.size = size;
-    const auto plan = jobs::planStep(bench.context(), servo, asked.spec);
+    const auto plan = jobs::planStep(fixture.context(), servo, asked.spec);
     QVERIFY(plan);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
     QVERIFY2(std::abs(plan->from - from) <= 4, qPrintable(QString::number(plan->from)));
     QVERIFY(plan->to >= 1000 && plan->to <= 3000);
     QVERIFY(plan->hold >= 500ms);
     asked.spec.hold = 60ms;
     asked.spec.speed = text("100");
-    const auto hurried = jobs::planStep(bench.context(), servo, asked.spec);
-    QVERIFY(hurried && hurried->holdShort);
+    const auto hurried = jobs::planStep(fixture.context(), servo, asked.spec);
+    QVERIFY(hurried && hurried->isHoldTooShort);
 }
 
 /// They are its own, though they are lost at power-off: the next move must not be a surprise.
-void TestStepResponse::speedAndAccelerationAreAsBefore()
+void TestStepResponse::speedAndAccelerationAreRestored()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("goal_speed"), 321);
-    bench.poke(1, text("acceleration"), 7);
-    QVERIFY(run(bench, order()));
-    QCOMPARE(bench.raw(1, text("goal_speed")), 321);
-    QCOMPARE(bench.raw(1, text("acceleration")), 7);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 1);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("goal_speed"), 321);
+    fixture.poke(1, text("acceleration"), 7);
+    QVERIFY(run(fixture, order()));
+    QCOMPARE(fixture.raw(1, text("goal_speed")), 321);
+    QCOMPARE(fixture.raw(1, text("acceleration")), 7);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 1);
 }
 
-void TestStepResponse::gainsAreBackHoweverItEnds_data()
+void TestStepResponse::gainsAreAlwaysRestored_data()
 {
     QTest::addColumn<QString>("how");
     QTest::addColumn<int>("end");
@@ -317,55 +319,55 @@ void TestStepResponse::gainsAreBackHoweverItEnds_data()
     QTest::newRow("alarm") << text("alarm") << int(SweepEnd::Alarm);
 }
 
-void TestStepResponse::gainsAreBackHoweverItEnds()
+void TestStepResponse::gainsAreAlwaysRestored()
 {
     QFETCH(QString, how);
     QFETCH(int, end);
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
-    bench.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
-    const auto before = eprom(bench);
-    jobs::StepWatch watch;
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    fixture.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
+    const auto before = eprom(fixture);
+    jobs::StepCallbacks watch;
     watch.onResponse = [&](const record::StepResponse& response) {
         if (response.number != 1)
             return;
-        QCOMPARE(bench.raw(1, text("position_p")), 20);
+        QCOMPARE(fixture.raw(1, text("position_p")), 20);
         if (how == QLatin1StringView("stop"))
-            bench.stop().request();
+            fixture.stop().request();
         else if (how == QLatin1StringView("emergency"))
-            bench.bus().emergency();
+            fixture.bus().emergency();
         else
-            bench.withWire([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(4); });
+            fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(4); });
     };
-    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
     QVERIFY(done);
     QCOMPARE(int(done->end), end);
-    QVERIFY(done->putBack);
-    QCOMPARE(bench.raw(1, text("position_p")), 32);
-    QVERIFY(bench.journal().open()->empty());
-    QVERIFY(before == eprom(bench));
+    QVERIFY(done->isReverted);
+    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QVERIFY(fixture.journal().open()->empty());
+    QVERIFY(before == eprom(fixture));
     if (how != QLatin1StringView("stop"))
-        QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+        QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
 }
 
 void TestStepResponse::aLostLinkIsFoundByRecovery()
 {
-    SimBench bench(text("sts3215@1"));
-    jobs::StepWatch watch;
+    SimFixture fixture(text("sts3215@1"));
+    jobs::StepCallbacks watch;
     watch.onResponse = [&](const record::StepResponse& response) {
         if (response.number == 2)
-            bench.cutLink();
+            fixture.cutLink();
     };
-    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::LinkLost);
-    QVERIFY(!done->putBack);
+    QVERIFY(!done->isReverted);
     QVERIFY(done->responses.size() >= 2);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
-    bench.reconnect(1'000'000);
-    const auto settled = jobs::recover(bench.context(), jobs::RecoverAction::Undo);
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
+    fixture.reconnect(1'000'000);
+    const auto settled = jobs::recover(fixture.context(), jobs::RecoveryAction::Undo);
     QVERIFY(settled && settled->front().done);
-    QCOMPARE(bench.raw(1, text("position_p")), 32);
+    QCOMPARE(fixture.raw(1, text("position_p")), 32);
 }
 
 void TestStepResponse::aSilenceInTheLastResponseEndsIt_data()
@@ -378,59 +380,61 @@ void TestStepResponse::aSilenceInTheLastResponseEndsIt_data()
 void TestStepResponse::aSilenceInTheLastResponseEndsIt()
 {
     QFETCH(bool, unplugged);
-    SimBench bench(text("sts3215@1"));
+    SimFixture fixture(text("sts3215@1"));
     std::vector<int> left;
     bool silent = false;
-    jobs::StepWatch watch;
+    jobs::StepCallbacks watch;
     watch.onResponse = [&](const record::StepResponse& response) { silent = response.number == 3; };
     watch.onProgress = [&](const jobs::SweepProgress&) {
-        if (silent && unplugged && !bench.bus().away() && !bench.bus().lost())
-            bench.cutLink();
+        if (silent && unplugged && !fixture.bus().isReconnecting() && !fixture.bus().lost())
+            fixture.cutLink();
         else if (silent)
-            bench.wireConfig().faults.dropRequest = 1.0;
+            fixture.wireConfig().faults.dropRequest = 1.0;
     };
-    watch.onTorqueLeft = [&left](const jobs::TorqueLeft& one) { left.push_back(one.id); };
-    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    watch.onUnreleasedTorque = [&left](const jobs::UnreleasedTorque& one) {
+        left.push_back(one.id);
+    };
+    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::LinkLost);
-    QVERIFY(!done->putBack);
+    QVERIFY(!done->isReverted);
     QCOMPARE(done->responses.size(), std::size_t(4));
     QCOMPARE(left, std::vector<int>{1});
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
 }
 
 namespace {
 /// Pulls the plug a moment after response 1, for so long; `meanwhile` is what happens then.
-jobs::StepWatch pullingThePlug(SimBench& bench, base::Duration away,
-                               std::function<void()> meanwhile = {})
+jobs::StepCallbacks unplugDuringRun(SimFixture& fixture, base::Duration away,
+                                    std::function<void()> meanwhile = {})
 {
-    jobs::StepWatch watch;
+    jobs::StepCallbacks watch;
     const auto at = std::make_shared<std::optional<base::Duration>>();
-    watch.onResponse = [&bench, at, away](const record::StepResponse& response) {
+    watch.onResponse = [&fixture, at, away](const record::StepResponse& response) {
         if (response.number != 1)
             return;
-        bench.cutLink();
-        *at = bench.clock().now() + away;
+        fixture.cutLink();
+        *at = fixture.clock().now() + away;
     };
-    watch.onProgress = [&bench, at, meanwhile](const jobs::SweepProgress&) {
-        if (!*at || bench.clock().now() < **at)
+    watch.onProgress = [&fixture, at, meanwhile](const jobs::SweepProgress&) {
+        if (!*at || fixture.clock().now() < **at)
             return;
         *at = base::Duration::max();
         if (meanwhile)
             meanwhile();
-        bench.restoreLink();
+        fixture.restoreLink();
     };
     return watch;
 }
 
-bool said(SimBench& bench, device::NoticeCode code)
+bool hasNotice(SimFixture& fixture, device::NoticeCode code)
 {
-    return std::any_of(bench.notices().begin(), bench.notices().end(),
+    return std::any_of(fixture.notices().begin(), fixture.notices().end(),
                        [code](const device::Notice& notice) { return notice.code == code; });
 }
 } // namespace
 
-void TestStepResponse::whatNobodySawIsNotMeasured_data()
+void TestStepResponse::unobservedValuesAreNotMeasured_data()
 {
     QTest::addColumn<int>("afterMs"); ///< the goal
     QTest::addColumn<int>("spanMs");
@@ -442,27 +446,27 @@ void TestStepResponse::whatNobodySawIsNotMeasured_data()
 
 /// Readings are missing in the motion of response 2: an adapter that held them back, a program that
 /// stood still.
-void TestStepResponse::whatNobodySawIsNotMeasured()
+void TestStepResponse::unobservedValuesAreNotMeasured()
 {
     QFETCH(int, afterMs);
     QFETCH(int, spanMs);
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    const auto untouched = run(bench, order());
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    const auto untouched = run(fixture, order());
     QVERIFY(untouched);
     std::optional<base::Duration> stillAt;
-    bench.tap().onWait = [&] {
-        if (!stillAt || bench.clock().now() < *stillAt)
+    fixture.tap().onWait = [&] {
+        if (!stillAt || fixture.clock().now() < *stillAt)
             return;
         stillAt.reset();
-        bench.clock().advance(std::chrono::milliseconds(spanMs));
+        fixture.clock().advance(std::chrono::milliseconds(spanMs));
     };
-    jobs::StepWatch watch;
+    jobs::StepCallbacks watch;
     watch.onResponse = [&](const record::StepResponse& response) {
         if (response.number == 1)
-            stillAt = bench.clock().now() + std::chrono::milliseconds(afterMs);
+            stillAt = fixture.clock().now() + std::chrono::milliseconds(afterMs);
     };
-    const auto done = run(bench, order(), watch);
+    const auto done = run(fixture, order(), watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QVERIFY(!stillAt);
     for (const record::StepResponse& one : done->responses) {
@@ -481,12 +485,12 @@ void TestStepResponse::whatNobodySawIsNotMeasured()
 }
 
 /// Nobody saw what it did meanwhile; the others are as good as ever.
-void TestStepResponse::aPlugPulledAndPutBackCostsOneResponse()
+void TestStepResponse::replugCostsOneResponse()
 {
-    SimBench bench(text("sts3215@1"));
-    jobs::StepOrder asked = order("400", {{text("position_p"), 20}});
+    SimFixture fixture(text("sts3215@1"));
+    jobs::StepRequest asked = order("400", {{text("position_p"), 20}});
     asked.spec.hold = 1s;
-    const auto done = run(bench, asked, pullingThePlug(bench, 2s));
+    const auto done = run(fixture, asked, unplugDuringRun(fixture, 2s));
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(done->responses.size(), std::size_t(4));
@@ -504,35 +508,35 @@ void TestStepResponse::aPlugPulledAndPutBackCostsOneResponse()
         QVERIFY(!found.swingAmplitude && !found.peakSpeed);
     }
     QVERIFY(seen == 3 || seen == 2);
-    QVERIFY(done->putBack);
-    QCOMPARE(bench.raw(1, text("position_p")), 32);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 1);
-    QVERIFY(bench.journal().open()->empty());
+    QVERIFY(done->isReverted);
+    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 1);
+    QVERIFY(fixture.journal().open()->empty());
     // The patience was the run's.
-    bench.cutLink();
-    bench.bus().listen(10ms);
-    QVERIFY(bench.bus().lost());
+    fixture.cutLink();
+    fixture.bus().listen(10ms);
+    QVERIFY(fixture.bus().lost());
 }
 
-void TestStepResponse::whoRestartedWithThePlugStaysOffAndHasItsOwnGains_data()
+void TestStepResponse::servoRestartedByReplugStaysOffWithItsOwnGains_data()
 {
     QTest::addColumn<int>("mode");
     QTest::newRow("in its own mode") << 0;
     QTest::newRow("in another mode") << 1;
 }
 
-void TestStepResponse::whoRestartedWithThePlugStaysOffAndHasItsOwnGains()
+void TestStepResponse::servoRestartedByReplugStaysOffWithItsOwnGains()
 {
     QFETCH(int, mode);
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("operating_mode"), mode);
-    const auto before = eprom(bench);
-    jobs::StepOrder asked = order("400", {{text("position_p"), 20}});
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("operating_mode"), mode);
+    const auto before = eprom(fixture);
+    jobs::StepRequest asked = order("400", {{text("position_p"), 20}});
     asked.switchMode = mode != 0;
     bool afterwards = false;
-    const auto done = run(bench, asked, pullingThePlug(bench, 2s, [&] {
-                              QCOMPARE(bench.raw(1, text("position_p")), 20);
-                              bench.powerCycle();
+    const auto done = run(fixture, asked, unplugDuringRun(fixture, 2s, [&] {
+                              QCOMPARE(fixture.raw(1, text("position_p")), 20);
+                              fixture.powerCycle();
                               afterwards = true;
                           }));
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
@@ -542,166 +546,166 @@ void TestStepResponse::whoRestartedWithThePlugStaysOffAndHasItsOwnGains()
     // A servo without torque says nothing about its gains.
     for (const record::StepResponse& one : done->responses)
         QVERIFY(std::abs(one.samples.back().position - one.target) < 20);
-    QVERIFY(done->putBack);
-    QVERIFY(!said(bench, device::NoticeCode::SettingNotPutBack));
-    QVERIFY(bench.journal().open()->empty());
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QCOMPARE(bench.raw(1, text("position_p")), 32);
-    QCOMPARE(bench.raw(1, text("operating_mode")), mode);
-    QVERIFY(before == eprom(bench));
-    const auto stands = bench.raw(1, text("present_position"));
-    bench.letTimePass(2s);
-    QVERIFY(std::abs(bench.raw(1, text("present_position")) - stands) < 3);
+    QVERIFY(done->isReverted);
+    QVERIFY(!hasNotice(fixture, device::NoticeCode::SettingNotRestored));
+    QVERIFY(fixture.journal().open()->empty());
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QCOMPARE(fixture.raw(1, text("operating_mode")), mode);
+    QVERIFY(before == eprom(fixture));
+    const auto stands = fixture.raw(1, text("present_position"));
+    fixture.runFor(2s);
+    QVERIFY(std::abs(fixture.raw(1, text("present_position")) - stands) < 3);
 }
 
 /// Gains, speed and acceleration are noted for the servo that was there before.
-void TestStepResponse::nothingIsPutBackIntoAnExchangedServo()
+void TestStepResponse::nothingIsRestoredToAReplacedServo()
 {
-    SimBench bench(text("sts3215@1,sts3250@1"));
-    bench.withWire([](sim::VirtualBus& wire) { wire.unplug(1); });
+    SimFixture fixture(text("sts3215@1,sts3250@1"));
+    fixture.withBus([](sim::VirtualBus& wire) { wire.unplug(1); });
     std::optional<base::Duration> swapAt;
-    bench.tap().onWait = [&] {
-        if (!swapAt || bench.clock().now() < *swapAt)
+    fixture.tap().onWait = [&] {
+        if (!swapAt || fixture.clock().now() < *swapAt)
             return;
         swapAt.reset();
-        bench.withWire([](sim::VirtualBus& wire) {
+        fixture.withBus([](sim::VirtualBus& wire) {
             wire.unplug(0);
             wire.plug(1);
             wire.servos()[1]->poke(text("acceleration"), 17);
         });
     };
-    const auto newcomer = [&bench](const char* key) {
-        return bench.withWire([&](sim::VirtualBus& w) { return w.servos()[1]->raw(text(key)); });
+    const auto newcomer = [&fixture](const char* key) {
+        return fixture.withBus([&](sim::VirtualBus& w) { return w.servos()[1]->raw(text(key)); });
     };
     const std::int64_t gain = newcomer("position_p");
-    jobs::StepWatch watch;
+    jobs::StepCallbacks watch;
     watch.onResponse = [&](const record::StepResponse& one) {
         if (one.number == 2)
-            swapAt = bench.clock().now() + 300ms;
+            swapAt = fixture.clock().now() + 300ms;
     };
-    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(record::sweepEndName(done->end), text("exchanged"));
-    QVERIFY(!done->putBack);
+    QVERIFY(!done->isReverted);
     QCOMPARE(newcomer("torque_switch"), 0);
     QCOMPARE(newcomer("acceleration"), 17);
     QCOMPARE(newcomer("position_p"), gain);
-    QCOMPARE(bench.journal().open()->size(), std::size_t(1));
+    QCOMPARE(fixture.journal().open()->size(), std::size_t(1));
 }
 
 namespace {
-void pullFor(SimBench& bench, base::Duration span)
+void unplugFor(SimFixture& fixture, base::Duration span)
 {
-    bench.cutLink();
-    const base::Duration backAt = bench.clock().now() + span;
-    bench.tap().onOpen = [&bench, backAt] {
-        if (bench.clock().now() >= backAt)
-            bench.restoreLink();
+    fixture.cutLink();
+    const base::Duration replugAt = fixture.clock().now() + span;
+    fixture.tap().onOpen = [&fixture, replugAt] {
+        if (fixture.clock().now() >= replugAt)
+            fixture.restoreLink();
     };
 }
 } // namespace
 
-void TestStepResponse::aStopWhileThePlugIsOutPutsGainsBackAfterIt()
+void TestStepResponse::stopWhileUnpluggedRestoresGainsLater()
 {
-    SimBench bench(text("sts3215@1"));
-    jobs::StepWatch watch;
+    SimFixture fixture(text("sts3215@1"));
+    jobs::StepCallbacks watch;
     watch.onResponse = [&](const record::StepResponse& response) {
         if (response.number != 1)
             return;
-        pullFor(bench, 1s);
-        bench.stop().request();
+        unplugFor(fixture, 1s);
+        fixture.stop().request();
     };
-    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Stopped);
-    QVERIFY(done->putBack);
-    QVERIFY(!said(bench, device::NoticeCode::SettingNotPutBack));
-    QCOMPARE(bench.raw(1, text("position_p")), 32);
-    QVERIFY(bench.journal().open()->empty());
+    QVERIFY(done->isReverted);
+    QVERIFY(!hasNotice(fixture, device::NoticeCode::SettingNotRestored));
+    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QVERIFY(fixture.journal().open()->empty());
 }
 
-void TestStepResponse::aPlugPulledWhileGainsAreSetLeavesNothingBehind()
+void TestStepResponse::unplugWhileSettingGainsLeavesNothingBehind()
 {
-    SimBench bench(text("sts3215@1"));
+    SimFixture fixture(text("sts3215@1"));
     int gains = 0;
-    bench.tap().onWrite = [&](const base::Bytes& frame) {
+    fixture.tap().onWrite = [&](const base::Bytes& frame) {
         constexpr int addressOfP = 21;
         if (gains == 1) // the frame after it
-            pullFor(bench, 1s);
+            unplugFor(fixture, 1s);
         if (gains > 0 || (frame.size() > 5 && frame[4] == support::Write && frame[5] == addressOfP))
             ++gains;
     };
-    const auto done = run(bench, order("400", {{text("position_p"), 20}}));
+    const auto done = run(fixture, order("400", {{text("position_p"), 20}}));
     QVERIFY(!done);
-    QCOMPARE(done.error().code, ErrorCode::NoAnswer);
+    QCOMPARE(done.error().code, ErrorCode::NoReply);
     QVERIFY(gains > 1);
-    QCOMPARE(bench.raw(1, text("position_p")), 32);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QVERIFY(fixture.journal().open()->empty());
 }
 
 /// It restarts before it is driven: what is measured then is not what was asked for.
-void TestStepResponse::whatAnInterruptedTrialLeftIsNotBefore()
+void TestStepResponse::interruptedTrialGainsAreNotTheBaseline()
 {
-    SimBench bench(text("sts3215@1"));
-    const auto own = bench.raw(1, text("position_p"));
+    SimFixture fixture(text("sts3215@1"));
+    const auto own = fixture.raw(1, text("position_p"));
     base::Intent trial;
     trial.kind = base::IntentKind::Trial;
     trial.temporary = true;
-    trial.servo = bench.servo(1).identity();
+    trial.servo = fixture.servo(1).identity();
     trial.items = {{text("position_p"), 21, own, own + 28}};
-    QVERIFY(bench.journal().begin(trial));
-    bench.poke(1, text("position_p"), own + 28);
-    const auto done = run(bench, order());
+    QVERIFY(fixture.journal().begin(trial));
+    fixture.poke(1, text("position_p"), own + 28);
+    const auto done = run(fixture, order());
     QVERIFY2(done, done ? "" : qPrintable(base::errorName(done.error().code)));
     const auto gain = std::find_if(done->gains.begin(), done->gains.end(),
                                    [](const auto& one) { return one.key == text("position_p"); });
     QCOMPARE(gain->raw, own);
-    QCOMPARE(bench.raw(1, text("position_p")), own);
-    QVERIFY(bench.journal().open()->empty());
-    QCOMPARE(bench.journal().entries()->front().end->outcome, text("undone"));
+    QCOMPARE(fixture.raw(1, text("position_p")), own);
+    QVERIFY(fixture.journal().open()->empty());
+    QCOMPARE(fixture.journal().entries()->front().end->outcome, text("undone"));
 }
 
-void TestStepResponse::gainsThatWereLostBeforeTheFirstStepAreNoTrial()
+void TestStepResponse::gainsLostBeforeTheFirstStepAreNoTrial()
 {
-    SimBench bench(text("sts3215@1"));
-    jobs::StepWatch watch;
+    SimFixture fixture(text("sts3215@1"));
+    jobs::StepCallbacks watch;
     bool restarted = false;
     watch.onProgress = [&](const jobs::SweepProgress&) {
         if (!std::exchange(restarted, true))
-            bench.powerCycle();
+            fixture.powerCycle();
     };
-    const auto done = run(bench, order("400", {{text("position_p"), 20}}), watch);
+    const auto done = run(fixture, order("400", {{text("position_p"), 20}}), watch);
     QVERIFY(!done);
     QCOMPARE(done.error().code, ErrorCode::Refused);
     QCOMPARE(done.error().detail, text("trial-lost"));
     QCOMPARE(done.error().registerKey, text("position_p"));
-    QCOMPARE(bench.raw(1, text("position_p")), 32);
-    QVERIFY(bench.journal().open()->empty());
+    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QVERIFY(fixture.journal().open()->empty());
 }
 
-void TestStepResponse::anotherModeIsSwitchedIfAsked()
+void TestStepResponse::modeIsSwitchedOnRequest()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("operating_mode"), 1);
-    const auto before = eprom(bench);
-    const auto refused = run(bench, order());
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("operating_mode"), 1);
+    const auto before = eprom(fixture);
+    const auto refused = run(fixture, order());
     QVERIFY(!refused);
     QCOMPARE(refused.error().detail, text("not-position"));
-    jobs::StepOrder asked = order("400", {{text("position_p"), 20}});
+    jobs::StepRequest asked = order("400", {{text("position_p"), 20}});
     asked.switchMode = true;
-    const auto done = run(bench, asked);
+    const auto done = run(fixture, asked);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
-    QCOMPARE(bench.raw(1, text("operating_mode")), 1);
-    QCOMPARE(bench.raw(1, text("goal_speed")), 0);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QCOMPARE(bench.raw(1, text("position_p")), 32);
-    QVERIFY(bench.journal().open()->empty());
-    QVERIFY(before == eprom(bench));
+    QCOMPARE(fixture.raw(1, text("operating_mode")), 1);
+    QCOMPARE(fixture.raw(1, text("goal_speed")), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, text("position_p")), 32);
+    QVERIFY(fixture.journal().open()->empty());
+    QVERIFY(before == eprom(fixture));
 }
 
-void TestStepResponse::whatForbidsIt_data()
+void TestStepResponse::preconditions_data()
 {
     QTest::addColumn<QString>("detail");
     QTest::addColumn<int>("code");
@@ -714,12 +718,12 @@ void TestStepResponse::whatForbidsIt_data()
     QTest::newRow("multi-turn") << QString() << int(ErrorCode::TurnsUnknown);
 }
 
-void TestStepResponse::whatForbidsIt()
+void TestStepResponse::preconditions()
 {
     QFETCH(QString, detail);
     QFETCH(int, code);
-    SimBench bench(text("sts3215@1"));
-    jobs::StepOrder asked = order();
+    SimFixture fixture(text("sts3215@1"));
+    jobs::StepRequest asked = order();
     const QByteArray row = QTest::currentDataTag();
     if (row == "size 0")
         asked.spec.size = text("0");
@@ -734,20 +738,20 @@ void TestStepResponse::whatForbidsIt()
     else if (row == "no room")
         asked.spec.size = text("4096");
     else {
-        bench.poke(1, text("min_angle_limit"), 0);
-        bench.poke(1, text("max_angle_limit"), 0);
+        fixture.poke(1, text("min_angle_limit"), 0);
+        fixture.poke(1, text("max_angle_limit"), 0);
     }
-    bench.forgetFrames();
-    const auto done = run(bench, asked);
+    fixture.clearFrames();
+    const auto done = run(fixture, asked);
     QVERIFY(!done);
     QCOMPARE(int(done.error().code), code);
     if (!detail.isEmpty())
         QCOMPARE(done.error().detail, detail);
-    QVERIFY(bench.onlyAsked());
-    QVERIFY(bench.journal().open()->empty());
+    QVERIFY(fixture.onlyReadsSent());
+    QVERIFY(fixture.journal().open()->empty());
 }
 
-void TestStepResponse::adviceIsTheSheets_data()
+void TestStepResponse::adviceFollowsTheDataSheet_data()
 {
     using record::StepRemedy;
     QTest::addColumn<int>("p");
@@ -758,14 +762,15 @@ void TestStepResponse::adviceIsTheSheets_data()
     QTest::newRow("oscillation") << 200 << 0 << int(StepRemedy::LowerP);
 }
 
-void TestStepResponse::adviceIsTheSheets()
+void TestStepResponse::adviceFollowsTheDataSheet()
 {
     QFETCH(int, p);
     QFETCH(int, d);
     QFETCH(int, remedy);
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    const auto done = run(bench, order("400", {{text("position_p"), p}, {text("position_d"), d}}));
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    const auto done =
+        run(fixture, order("400", {{text("position_p"), p}, {text("position_d"), d}}));
     QVERIFY(done);
     const auto advice = jobs::adviseStep(*done, *servo.profile);
     QVERIFY(advises(advice, record::StepRemedy(remedy)));
@@ -778,16 +783,16 @@ void TestStepResponse::adviceIsTheSheets()
             QVERIFY(one.proposed > p && one.proposed <= p + std::max(1, p / 4));
     }
     // A good servo hears nothing.
-    const auto good = run(bench, order());
+    const auto good = run(fixture, order());
     QVERIFY(good);
     QVERIFY(jobs::adviseStep(*good, *servo.profile).empty());
 }
 
-void TestStepResponse::anOvershootThatIsGivenIsFound()
+void TestStepResponse::aKnownOvershootIsMeasured()
 {
-    SimBench bench(text("sts3215@1+overshoot=8"));
-    device::Servo servo = bench.servo(1);
-    const auto done = run(bench, order());
+    SimFixture fixture(text("sts3215@1+overshoot=8"));
+    device::Servo servo = fixture.servo(1);
+    const auto done = run(fixture, order());
     QVERIFY(done);
     QVERIFY(std::abs(done->mean.overshoot.value_or(0) - 8) <= 1);
     QCOMPARE(done->mean.swings.value_or(0), 1.0);
@@ -797,10 +802,10 @@ void TestStepResponse::anOvershootThatIsGivenIsFound()
 }
 
 /// Half of its responses begin where they should end.
-void TestStepResponse::aServoThatStandsGetsNoGains()
+void TestStepResponse::aStationaryServoGetsNoGains()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
     record::StepRun run;
     run.axis.tolerance = 3;
     run.gains = {{text("position_p"), 32}, {text("position_i"), 0}};
@@ -825,13 +830,13 @@ void TestStepResponse::aServoThatStandsGetsNoGains()
 }
 
 /// More P would only press harder.
-void TestStepResponse::aServoAtAStopGetsNoGains()
+void TestStepResponse::aServoAtAHardStopGetsNoGains()
 {
-    SimBench bench(text("sts3215@1+stop=200"));
-    device::Servo servo = bench.servo(1);
-    jobs::StepOrder asked = order("400");
+    SimFixture fixture(text("sts3215@1+stop=200"));
+    device::Servo servo = fixture.servo(1);
+    jobs::StepRequest asked = order("400");
     asked.spec.from = text("2200");
-    const auto done = run(bench, asked);
+    const auto done = run(fixture, asked);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     const auto advice = jobs::adviseStep(*done, *servo.profile);
     QCOMPARE(advice.size(), std::size_t(1));
@@ -839,11 +844,11 @@ void TestStepResponse::aServoAtAStopGetsNoGains()
     QVERIFY(advice[0].key.isEmpty());
 }
 
-void TestStepResponse::aRunSurvivesItsFile()
+void TestStepResponse::aRunRoundTripsThroughItsFile()
 {
-    SimBench bench(text("sts3215@1"));
-    const auto first = run(bench, order());
-    const auto second = run(bench, order("400", {{text("position_p"), 40}}));
+    SimFixture fixture(text("sts3215@1"));
+    const auto first = run(fixture, order());
+    const auto second = run(fixture, order("400", {{text("position_p"), 40}}));
     QVERIFY(first && second);
     const std::vector<record::StepRun> runs{*first, *second};
     const QByteArray file = record::encodeStepRuns(runs, {});
@@ -860,10 +865,11 @@ void TestStepResponse::aRunSurvivesItsFile()
 
 void TestStepResponse::scatterIsNoDifference()
 {
-    SimBench bench(text("sts3215@1"));
-    const auto first = run(bench, order());
-    const auto second = run(bench, order());
-    const auto weak = run(bench, order("400", {{text("position_p"), 10}, {text("position_d"), 0}}));
+    SimFixture fixture(text("sts3215@1"));
+    const auto first = run(fixture, order());
+    const auto second = run(fixture, order());
+    const auto weak =
+        run(fixture, order("400", {{text("position_p"), 10}, {text("position_d"), 0}}));
     QVERIFY(first && second && weak);
     const auto changeOf = [&](const record::StepRun& after, const char* key) {
         for (const record::StepDifference& row : record::compareSteps(*first, after)) {

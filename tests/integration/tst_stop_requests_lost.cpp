@@ -10,74 +10,74 @@
 namespace {
 constexpr int torqueSwitch = 40;
 
-class StopBench {
+class StopFixture {
 public:
-    StopBench()
+    StopFixture()
         : servos({1, 2, 3}, std::chrono::milliseconds(1))
-        , bench(servos.port())
+        , fixture(servos.port())
     {
-        QObject::connect(&bench.desk, &Desk::happened, &bench.desk,
+        QObject::connect(&fixture.desk, &Desk::eventOccurred, &fixture.desk,
                          [this](const session::Event& event) {
-                             if (event.kind == session::Event::Kind::StopChecked)
+                             if (event.kind == session::Event::Kind::StopVerified)
                                  check = event.stop;
                          });
     }
-    bool allOn()
+    bool isTorqueOnForAll()
     {
-        bool on = bench.search({.firstId = 0, .lastId = 5, .bauds = {1'000'000}});
+        bool on = fixture.search({.firstId = 0, .lastId = 5, .bauds = {1'000'000}});
         for (const int id : {1, 2, 3}) {
-            on = on && bench.write(bench.at(id), QStringLiteral("torque_switch"), 1);
+            on = on && fixture.write(fixture.at(id), QStringLiteral("torque_switch"), 1);
             on = on && servos.byteAt(id, torqueSwitch) == 1;
         }
         return on;
     }
     bool stop()
     {
-        bench.desk.emergencyStop();
+        fixture.desk.emergencyStop();
         return QTest::qWaitFor([this] { return check.has_value(); }, 30'000);
     }
 
     bytes::Bus servos;
-    Bench bench;
-    std::optional<session::StopCheck> check;
+    SessionFixture fixture;
+    std::optional<session::StopResult> check;
 };
 } // namespace
 
-class TestStopRequestsLost : public QObject {
+class TestLostStopRequests : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void whoMissedTheStopIsToldAgain_data()
+    void aMissedStopIsResent_data()
     {
         QTest::addColumn<QList<int>>("missed");
         QTest::newRow("one") << QList<int>{2};
         QTest::newRow("all") << QList<int>{1, 2, 3};
     }
-    void whoMissedTheStopIsToldAgain()
+    void aMissedStopIsResent()
     {
         QFETCH(QList<int>, missed);
-        StopBench stop;
-        QVERIFY(stop.allOn());
+        StopFixture stop;
+        QVERIFY(stop.isTorqueOnForAll());
         for (const int id : missed)
-            stop.servos.loseWrites(id, torqueSwitch,
+            stop.servos.dropWrites(id, torqueSwitch,
                                    2); // the stop's own, and the first one after it
         QVERIFY(stop.stop());
-        QVERIFY(stop.check->good());
+        QVERIFY(stop.check->isConfirmed());
         QCOMPARE(stop.check->off.size(), std::size_t(3));
         for (const int id : {1, 2, 3})
             QCOMPARE(stop.servos.byteAt(id, torqueSwitch), 0);
     }
 
-    void whoNeverHearsItIsNamed()
+    void anUnstoppedServoIsReported()
     {
-        StopBench stop;
-        QVERIFY(stop.allOn());
-        stop.servos.loseWrites(2, torqueSwitch, std::numeric_limits<int>::max());
+        StopFixture stop;
+        QVERIFY(stop.isTorqueOnForAll());
+        stop.servos.dropWrites(2, torqueSwitch, std::numeric_limits<int>::max());
         QVERIFY(stop.stop());
-        QVERIFY(!stop.check->good());
-        QCOMPARE(stop.check->stillOn, std::vector{stop.bench.at(2)});
+        QVERIFY(!stop.check->isConfirmed());
+        QCOMPARE(stop.check->stillOn, std::vector{stop.fixture.at(2)});
         QCOMPARE(stop.check->off.size(), std::size_t(2));
         QCOMPARE(stop.servos.byteAt(1, torqueSwitch), 0);
         QCOMPARE(stop.servos.byteAt(2, torqueSwitch), 1);
@@ -85,5 +85,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStopRequestsLost)
+QTEST_GUILESS_MAIN(TestLostStopRequests)
 #include "tst_stop_requests_lost.moc"

@@ -15,9 +15,9 @@ using base::ErrorCode;
 using record::Grade;
 using record::SweepEnd;
 using record::SweepShape;
-using support::SimBench;
-using sweep_help::metric;
-using sweep_help::run;
+using support::SimFixture;
+using sweep_support::metric;
+using sweep_support::run;
 using namespace std::chrono_literals;
 
 namespace {
@@ -37,11 +37,11 @@ record::SweepSpec sweepSpec(const char* from = "1000", const char* to = "3000")
     return spec;
 }
 
-/// Bytes of EPROM (below 40 on STS and SCS) written since the last forgetFrames().
-int epromWrites(SimBench& bench)
+/// Bytes of EPROM (below 40 on STS and SCS) written since the last clearFrames().
+int epromWrites(SimFixture& fixture)
 {
     int found = 0;
-    for (const base::Bytes& frame : bench.tap().written) {
+    for (const base::Bytes& frame : fixture.tap().written) {
         const bool one =
             frame.size() > 5 && (frame[4] == support::Write || frame[4] == support::RegWrite ||
                                  frame[4] == support::SyncWrite);
@@ -61,43 +61,43 @@ private Q_SLOTS:
     void aGoodServoPasses();
     void shapes_data();
     void shapes();
-    void severalTogether();
+    void severalServosTogether();
     void aDelayShorterThanTheMoveMissesTheTarget();
-    void whatForbidsATest_data();
-    void whatForbidsATest();
+    void testPreconditions_data();
+    void testPreconditions();
     void otherModesAreRefused();
     void aJammedServoEndsTheTestWithoutTorque();
-    void whoCannotComeToTheStartIsLeftWithoutTorque();
-    void anAlarmEndsIt();
+    void servoNotReachingTheStartIsReleased();
+    void anAlarmEndsTheTest();
     void aSilentSecondIsAGap();
-    void aSuspendedProgramBlamesNoServo_data();
-    void aSuspendedProgramBlamesNoServo();
-    void aLongSilenceEndsIt();
-    void aSilenceAfterTheLastLegEndsIt_data();
-    void aSilenceAfterTheLastLegEndsIt();
-    void whoLostTorqueInTheLastLegIsFound();
-    void everyServoThatCouldNotBeLeftSafeIsNamed_data();
-    void everyServoThatCouldNotBeLeftSafeIsNamed();
-    void aPlugPulledAndPutBackIsAGap();
-    void whoeverIsStoppedWhileThePlugIsOutIsReleasedAfterIt();
-    void aPlugThatStaysOutEndsIt();
-    void whoLostTorqueWithThePlugIsNotSwitchedOn();
-    void whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn_data();
-    void whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn();
-    void aPlugPutBackBeforeItIsMeasuredCostsNothing_data();
-    void aPlugPutBackBeforeItIsMeasuredCostsNothing();
-    void whoLosesTorqueOnItsWayIsNotJammed_data();
-    void whoLosesTorqueOnItsWayIsNotJammed();
-    void whoLosesTorqueAtTheStartOfASineIsLeftOff();
-    void whoIsExchangedEndsTheTest_data();
-    void whoIsExchangedEndsTheTest();
-    void aDisturbedReplyIsNoExchange();
-    void theAlarmOfAnExchangedServoIsNotTheTestedOnes();
-    void whatAnExchangedServoMissesIsNoFailure();
-    void whoHadNoTorqueAtTheBeginningIsSwitchedOn();
-    void aStopWhileThePlugIsOutIsTheFirstWord();
-    void theUserStops();
-    void theEmergencyStopEndsIt();
+    void aSuspendedProgramFailsNoServo_data();
+    void aSuspendedProgramFailsNoServo();
+    void aLongSilenceEndsTheTest();
+    void aSilenceAfterTheLastLegEndsTheTest_data();
+    void aSilenceAfterTheLastLegEndsTheTest();
+    void torqueLostInTheLastLegIsDetected();
+    void unsafeServosAreReported_data();
+    void unsafeServosAreReported();
+    void replugIsAGap();
+    void stopWhileUnpluggedReleasesLater();
+    void aPermanentUnplugEndsTheTest();
+    void torqueLostByUnplugStaysOff();
+    void torqueLostBeforeMeasuringStaysOff_data();
+    void torqueLostBeforeMeasuringStaysOff();
+    void replugBeforeMeasuringCostsNothing_data();
+    void replugBeforeMeasuringCostsNothing();
+    void torqueLostInMotionIsNoStall_data();
+    void torqueLostInMotionIsNoStall();
+    void torqueLostAtTheStartOfASineStaysOff();
+    void aReplacedServoEndsTheTest_data();
+    void aReplacedServoEndsTheTest();
+    void aGarbledReplyIsNoReplacement();
+    void alarmsOfAReplacementServoAreIgnored();
+    void missedTargetsOfAReplacementServoAreNoFailure();
+    void torqueIsSwitchedOnAtTheStart();
+    void stopWhileUnpluggedIsSentFirst();
+    void theUserCanStop();
+    void theEmergencyStopEndsTheTest();
     void anHourWritesNoEprom();
     void warmUpIsNotMeasured();
     void limitsMoveDuringTheRun();
@@ -131,8 +131,8 @@ void TestSweep::aGoodServoPasses()
     QFETCH(QString, speed);
     QFETCH(QString, acceleration);
     QFETCH(QString, time);
-    SimBench bench(servo);
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(servo);
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec;
     spec.range = {from, to};
     spec.speed = speed;
@@ -141,8 +141,8 @@ void TestSweep::aGoodServoPasses()
     spec.pace = record::SweepPace::Dwell;
     spec.pause = 400ms;
     spec.cycles = 2;
-    bench.forgetFrames();
-    const auto done = run(bench.context(), servos, spec);
+    fixture.clearFrames();
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY2(done,
              done ? "" : qPrintable(base::errorName(done.error().code) + done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
@@ -157,9 +157,9 @@ void TestSweep::aGoodServoPasses()
     QVERIFY2(done->verdict() != Grade::Fail, "a healthy servo");
     QCOMPARE(*metric(one, "missed_targets"), 0.0);
     QVERIFY(done->sampleRate > 50);
-    QCOMPARE(epromWrites(bench), 0);
+    QCOMPARE(epromWrites(fixture), 0);
     QVERIFY(!one.parameters.registers.empty());
-    QCOMPARE(bench.raw(1, text("torque_switch")), 1); // it holds at the end
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 1); // it holds at the end
 }
 
 void TestSweep::shapes_data()
@@ -178,15 +178,15 @@ void TestSweep::shapes()
 {
     QFETCH(int, shape);
     QFETCH(int, legs);
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec = sweepSpec();
     spec.shape = SweepShape(shape);
     spec.step = text("500");
     spec.period = 4s;
     spec.points = {{text("1000")}, {text("2000")}, {text("1500")}};
     spec.cycles = 2;
-    const auto done = run(bench.context(), servos, spec);
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY2(done,
              done ? "" : qPrintable(base::errorName(done.error().code) + done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
@@ -206,17 +206,17 @@ void TestSweep::shapes()
         QVERIFY(!metric(done->servos.at(0), "hysteresis").has_value());
 }
 
-void TestSweep::severalTogether()
+void TestSweep::severalServosTogether()
 {
-    SimBench bench(text("sts3215@1,sts3215@2,sts3215@3"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2), bench.servo(3)};
+    SimFixture fixture(text("sts3215@1,sts3215@2,sts3215@3"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2), fixture.servo(3)};
     record::SweepSpec spec = sweepSpec();
     spec.ranges[2] = {text("2000"), text("2500")};
-    bench.forgetFrames();
-    const auto done = run(bench.context(), servos, spec);
+    fixture.clearFrames();
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
-    QVERIFY(bench.frames(support::SyncWrite) >= 7);
+    QVERIFY(fixture.frames(support::SyncWrite) >= 7);
     QCOMPARE(done->servos.size(), std::size_t(3));
     for (const record::SweepServo& servo : done->servos) {
         QCOMPARE(servo.legs.size(), std::size_t(6));
@@ -228,18 +228,18 @@ void TestSweep::severalTogether()
 /// The classic mistake: it turns round before it has arrived.
 void TestSweep::aDelayShorterThanTheMoveMissesTheTarget()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec = sweepSpec();
     spec.pause = 600ms; // 2000 steps at 2000 steps/s
-    const auto done = run(bench.context(), servos, spec);
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QVERIFY(*metric(done->servos.at(0), "missed_targets") >= 5);
     QCOMPARE(done->verdict(), Grade::Fail);
 }
 
-void TestSweep::whatForbidsATest_data()
+void TestSweep::testPreconditions_data()
 {
     QTest::addColumn<QString>("what");
     QTest::addColumn<int>("code");
@@ -254,14 +254,14 @@ void TestSweep::whatForbidsATest_data()
     QTest::newRow("no number") << QString() << int(ErrorCode::BadArgument);
 }
 
-void TestSweep::whatForbidsATest()
+void TestSweep::testPreconditions()
 {
     QFETCH(QString, what);
     QFETCH(int, code);
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("min_angle_limit"), 500);
-    bench.poke(1, text("max_angle_limit"), 3500);
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("min_angle_limit"), 500);
+    fixture.poke(1, text("max_angle_limit"), 3500);
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec = sweepSpec();
     const QByteArray row = QTest::currentDataTag();
     if (row == "same ends")
@@ -280,102 +280,102 @@ void TestSweep::whatForbidsATest()
         spec.range.to = text("3600");
     else
         spec.range.to = text("three");
-    bench.forgetFrames();
-    const auto done = run(bench.context(), servos, spec);
+    fixture.clearFrames();
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY(!done);
     QCOMPARE(int(done.error().code), code);
     if (!what.isEmpty())
         QCOMPARE(done.error().detail, what);
     QCOMPARE(done.error().id, 1);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 void TestSweep::otherModesAreRefused()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("operating_mode"), 1);
-    std::vector<device::Servo> servos{bench.servo(1)};
-    bench.forgetFrames();
-    const auto done = run(bench.context(), servos, sweepSpec());
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("operating_mode"), 1);
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    fixture.clearFrames();
+    const auto done = run(fixture.context(), servos, sweepSpec());
     QVERIFY(!done);
     QCOMPARE(done.error().code, ErrorCode::NotSupported);
     QCOMPARE(done.error().detail, text("not-position"));
     QCOMPARE(done.error().registerKey, text("speed"));
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
 void TestSweep::aJammedServoEndsTheTestWithoutTorque()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec = sweepSpec();
     spec.stopOnAlarm = false; // what is asked here is whether it sees the stall itself
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
         if (leg.number == 2)
-            bench.withWire([](sim::VirtualBus& wire) {
+            fixture.withBus([](sim::VirtualBus& wire) {
                 // 2000 of 4096 steps
                 wire.servo(1)->load().stopHigh = 2000.0 / 4096 * 2 * M_PI;
             });
     };
-    const auto done = run(bench.context(), servos, spec, watch);
+    const auto done = run(fixture.context(), servos, spec, watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Stall);
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::Fail);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
 }
 
 /// Nobody may go on pushing after the test has been called off.
-void TestSweep::whoCannotComeToTheStartIsLeftWithoutTorque()
+void TestSweep::servoNotReachingTheStartIsReleased()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    bench.withWire(
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    fixture.withBus(
         [](sim::VirtualBus& wire) { wire.servo(1)->load().stopHigh = 2300.0 / 4096 * 2 * M_PI; });
     record::SweepSpec spec = sweepSpec("3000", "2500");
     spec.stopOnAlarm = false;
     spec.stopOnStall = false;
-    const auto done = run(bench.context(), servos, spec);
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY(!done);
     QCOMPARE(done.error().detail, text("no-start"));
     QCOMPARE(done.error().id, 1);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
 }
 
-void TestSweep::anAlarmEndsIt()
+void TestSweep::anAlarmEndsTheTest()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    jobs::SweepWatch watch;
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
         if (leg.number == 1)
-            bench.withWire([](sim::VirtualBus& wire) { wire.servo(2)->injectStatus(4); });
+            fixture.withBus([](sim::VirtualBus& wire) { wire.servo(2)->injectStatus(4); });
     };
-    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    const auto done = run(fixture.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Alarm);
     QCOMPARE(done->endedBy, 2);
     QCOMPARE(done->verdict(), Grade::Fail);
-    QCOMPARE(bench.raw(2, text("torque_switch")), 0);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 1); // stopped where it was, and holds
+    QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 1); // stopped where it was, and holds
     QVERIFY(done->servos.at(1).legs.back().alarms != 0);
 }
 
 void TestSweep::aSilentSecondIsAGap()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     base::Duration silentUntil{};
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        bench.wireConfig().faults.dropRequest = bench.clock().now() < silentUntil ? 1.0 : 0.0;
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        fixture.wireConfig().faults.dropRequest = fixture.clock().now() < silentUntil ? 1.0 : 0.0;
     };
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
         if (leg.number == 2)
-            silentUntil = bench.clock().now() + 1500ms;
+            silentUntil = fixture.clock().now() + 1500ms;
     };
-    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    const auto done = run(fixture.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(done->gaps.size(), std::size_t(1));
@@ -386,7 +386,7 @@ void TestSweep::aSilentSecondIsAGap()
     QVERIFY(*metric(done->servos.at(0), "communication_errors") > 0);
 }
 
-void TestSweep::aSuspendedProgramBlamesNoServo_data()
+void TestSweep::aSuspendedProgramFailsNoServo_data()
 {
     QTest::addColumn<int>("afterMs"); ///< a goal
     for (const int after : {20, 100, 300, 600, 900})
@@ -394,24 +394,24 @@ void TestSweep::aSuspendedProgramBlamesNoServo_data()
 }
 
 /// Ctrl-Z, a laptop's lid: what the servo answered before is taken up 2 s later.
-void TestSweep::aSuspendedProgramBlamesNoServo()
+void TestSweep::aSuspendedProgramFailsNoServo()
 {
     QFETCH(int, afterMs);
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     std::optional<base::Duration> suspendAt;
-    bench.tap().onWait = [&] {
-        if (!suspendAt || bench.clock().now() < *suspendAt)
+    fixture.tap().onWait = [&] {
+        if (!suspendAt || fixture.clock().now() < *suspendAt)
             return;
         suspendAt.reset();
-        bench.clock().advance(2s);
+        fixture.clock().advance(2s);
     };
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
         if (leg == 3)
             suspendAt = at + std::chrono::milliseconds(afterMs);
     };
-    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    const auto done = run(fixture.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QVERIFY(!suspendAt);
     QCOMPARE(done->end, SweepEnd::Finished);
@@ -420,16 +420,16 @@ void TestSweep::aSuspendedProgramBlamesNoServo()
     QVERIFY(done->gaps[0].span >= 1900ms);
 }
 
-void TestSweep::aLongSilenceEndsIt()
+void TestSweep::aLongSilenceEndsTheTest()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
-    jobs::SweepWatch watch;
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
         if (leg.number == 2)
-            bench.wireConfig().faults.dropRequest = 1.0;
+            fixture.wireConfig().faults.dropRequest = 1.0;
     };
-    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    const auto done = run(fixture.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::LinkLost);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
@@ -437,7 +437,7 @@ void TestSweep::aLongSilenceEndsIt()
     QCOMPARE(done->servos.at(0).legs[0].number, 1);
 }
 
-void TestSweep::aSilenceAfterTheLastLegEndsIt_data()
+void TestSweep::aSilenceAfterTheLastLegEndsTheTest_data()
 {
     QTest::addColumn<int>("silentId"); ///< -1: the whole line
     QTest::addColumn<int>("afterMs");  ///< the last goal
@@ -448,27 +448,27 @@ void TestSweep::aSilenceAfterTheLastLegEndsIt_data()
 }
 
 /// What falls silent in the last leg for good has not finished the test.
-void TestSweep::aSilenceAfterTheLastLegEndsIt()
+void TestSweep::aSilenceAfterTheLastLegEndsTheTest()
 {
     QFETCH(int, silentId);
     QFETCH(int, afterMs);
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     base::Duration silentFrom = base::Duration::max();
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
         if (leg == 6)
             silentFrom = at + std::chrono::milliseconds(afterMs);
     };
     watch.onProgress = [&](const jobs::SweepProgress&) {
-        if (bench.clock().now() < silentFrom)
+        if (fixture.clock().now() < silentFrom)
             return;
         if (silentId < 0)
-            bench.wireConfig().faults.dropRequest = 1.0;
+            fixture.wireConfig().faults.dropRequest = 1.0;
         else
-            bench.withWire([&](sim::VirtualBus& wire) { wire.unplug(std::size_t(silentId - 1)); });
+            fixture.withBus([&](sim::VirtualBus& wire) { wire.unplug(std::size_t(silentId - 1)); });
     };
-    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    const auto done = run(fixture.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::LinkLost);
     QCOMPARE(done->endedBy, silentId < 0 ? 1 : silentId);
@@ -478,32 +478,32 @@ void TestSweep::aSilenceAfterTheLastLegEndsIt()
     }
 }
 
-void TestSweep::whoLostTorqueInTheLastLegIsFound()
+void TestSweep::torqueLostInTheLastLegIsDetected()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    base::Duration backAt = base::Duration::max();
-    jobs::SweepWatch watch;
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    base::Duration replugAt = base::Duration::max();
+    jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
         if (leg != 6)
             return;
-        bench.wireConfig().faults.dropRequest = 1.0;
-        backAt = at + 3s; // after the last leg
+        fixture.wireConfig().faults.dropRequest = 1.0;
+        replugAt = at + 3s; // after the last leg
     };
     watch.onProgress = [&](const jobs::SweepProgress&) {
-        if (bench.clock().now() < backAt)
+        if (fixture.clock().now() < replugAt)
             return;
-        backAt = base::Duration::max();
-        bench.powerCycle();
-        bench.wireConfig().faults.dropRequest = 0;
+        replugAt = base::Duration::max();
+        fixture.powerCycle();
+        fixture.wireConfig().faults.dropRequest = 0;
     };
-    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    const auto done = run(fixture.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
 }
 
-void TestSweep::everyServoThatCouldNotBeLeftSafeIsNamed_data()
+void TestSweep::unsafeServosAreReported_data()
 {
     QTest::addColumn<bool>("release");
     QTest::addColumn<bool>("unplugged"); ///< else the line is dumb
@@ -514,26 +514,26 @@ void TestSweep::everyServoThatCouldNotBeLeftSafeIsNamed_data()
     }
 }
 
-void TestSweep::everyServoThatCouldNotBeLeftSafeIsNamed()
+void TestSweep::unsafeServosAreReported()
 {
     QFETCH(bool, release);
     QFETCH(bool, unplugged);
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
     record::SweepSpec spec = sweepSpec();
     spec.releaseAtEnd = release;
     std::vector<std::pair<int, bool>> left;
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int leg, base::Duration) {
         if (leg == 3 && unplugged)
-            bench.cutLink();
+            fixture.cutLink();
         else if (leg == 3)
-            bench.wireConfig().faults.dropRequest = 1.0;
+            fixture.wireConfig().faults.dropRequest = 1.0;
     };
-    watch.onTorqueLeft = [&](const jobs::TorqueLeft& one) {
+    watch.onUnreleasedTorque = [&](const jobs::UnreleasedTorque& one) {
         left.emplace_back(one.id, one.holding);
     };
-    const auto done = run(bench.context(), servos, spec, watch);
+    const auto done = run(fixture.context(), servos, spec, watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::LinkLost);
     // The one that ended it was to be without torque, the other one as the order says.
@@ -543,35 +543,35 @@ void TestSweep::everyServoThatCouldNotBeLeftSafeIsNamed()
 
 namespace {
 /// Pulls the plug in leg 2 and puts it back after a while; `meanwhile` is what happens then.
-jobs::SweepWatch pullingThePlug(SimBench& bench, base::Duration after,
-                                std::function<void()> meanwhile = {})
+jobs::SweepCallbacks unplugDuringRun(SimFixture& fixture, base::Duration after,
+                                     std::function<void()> meanwhile = {})
 {
-    jobs::SweepWatch watch;
-    const auto backAt = std::make_shared<std::optional<base::Duration>>();
-    watch.onGoal = [&bench, backAt, after](std::size_t, int leg, base::Duration) {
-        if (leg != 2 || *backAt)
+    jobs::SweepCallbacks watch;
+    const auto replugAt = std::make_shared<std::optional<base::Duration>>();
+    watch.onGoal = [&fixture, replugAt, after](std::size_t, int leg, base::Duration) {
+        if (leg != 2 || *replugAt)
             return;
-        bench.cutLink();
-        *backAt = bench.clock().now() + after;
+        fixture.cutLink();
+        *replugAt = fixture.clock().now() + after;
     };
-    watch.onProgress = [&bench, backAt, meanwhile](const jobs::SweepProgress&) {
-        if (!*backAt || bench.clock().now() < **backAt)
+    watch.onProgress = [&fixture, replugAt, meanwhile](const jobs::SweepProgress&) {
+        if (!*replugAt || fixture.clock().now() < **replugAt)
             return;
-        *backAt = base::Duration::max();
+        *replugAt = base::Duration::max();
         if (meanwhile)
             meanwhile();
-        bench.forgetFrames();
-        bench.restoreLink();
+        fixture.clearFrames();
+        fixture.restoreLink();
     };
     return watch;
 }
 } // namespace
 
-void TestSweep::aPlugPulledAndPutBackIsAGap()
+void TestSweep::replugIsAGap()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    const auto done = run(bench.context(), servos, sweepSpec(), pullingThePlug(bench, 3s));
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    const auto done = run(fixture.context(), servos, sweepSpec(), unplugDuringRun(fixture, 3s));
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(done->gaps.size(), std::size_t(1));
@@ -590,93 +590,94 @@ void TestSweep::aPlugPulledAndPutBackIsAGap()
         QVERIFY(!servo.legs[4].missed && servo.legs[4].lost == 0);
         QVERIFY(*metric(servo, "communication_errors") > 0);
     }
-    QVERIFY(!bench.bus().away() && !bench.bus().lost());
+    QVERIFY(!fixture.bus().isReconnecting() && !fixture.bus().lost());
     // The patience was the test's: afterwards a pulled plug is a lost link again.
-    bench.cutLink();
-    bench.bus().listen(10ms);
-    QVERIFY(bench.bus().lost());
+    fixture.cutLink();
+    fixture.bus().listen(10ms);
+    QVERIFY(fixture.bus().lost());
 }
 
 /// What the user stops is to be left safe, also when that can be said only later.
-void TestSweep::whoeverIsStoppedWhileThePlugIsOutIsReleasedAfterIt()
+void TestSweep::stopWhileUnpluggedReleasesLater()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec = sweepSpec();
     spec.releaseAtEnd = true;
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int leg, base::Duration) {
         if (leg != 2)
             return;
-        bench.cutLink();
-        const base::Duration backAt = bench.clock().now() + 1s;
-        bench.tap().onOpen = [&bench, backAt] {
-            if (bench.clock().now() >= backAt)
-                bench.restoreLink();
+        fixture.cutLink();
+        const base::Duration replugAt = fixture.clock().now() + 1s;
+        fixture.tap().onOpen = [&fixture, replugAt] {
+            if (fixture.clock().now() >= replugAt)
+                fixture.restoreLink();
         };
-        bench.stop().request();
+        fixture.stop().request();
     };
-    const auto done = run(bench.context(), servos, spec, watch);
+    const auto done = run(fixture.context(), servos, spec, watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Stopped);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
 }
 
-void TestSweep::aPlugThatStaysOutEndsIt()
+void TestSweep::aPermanentUnplugEndsTheTest()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
-    const auto done = run(bench.context(), servos, sweepSpec(), pullingThePlug(bench, 60s));
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    const auto done = run(fixture.context(), servos, sweepSpec(), unplugDuringRun(fixture, 60s));
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::LinkLost);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
     QVERIFY(done->length < 20s);
 }
 
-void TestSweep::whoLostTorqueWithThePlugIsNotSwitchedOn()
+void TestSweep::torqueLostByUnplugStaysOff()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    const auto done = run(bench.context(), servos, sweepSpec(),
-                          pullingThePlug(bench, 2s, [&] { bench.powerCycle(); }));
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    const auto done = run(fixture.context(), servos, sweepSpec(),
+                          unplugDuringRun(fixture, 2s, [&] { fixture.powerCycle(); }));
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QCOMPARE(bench.raw(2, text("torque_switch")), 0);
-    QCOMPARE(bench.frames(support::SyncWrite), 0); // no goal went out
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
+    QCOMPARE(fixture.frames(support::SyncWrite), 0); // no goal went out
 }
 
 namespace {
 /// Pulls the plug so long after the first goal, for 2 s; `meanwhile` is what happens then.
-jobs::SweepWatch pullingThePlugEarly(SimBench& bench, base::Duration after,
-                                     std::function<void()> meanwhile = {})
+jobs::SweepCallbacks unplugEarly(SimFixture& fixture, base::Duration after,
+                                 std::function<void()> meanwhile = {})
 {
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     const auto at = std::make_shared<std::optional<base::Duration>>();
     const auto phase = std::make_shared<int>(0);
-    watch.onProgress = [&bench, at, phase, after, meanwhile](const jobs::SweepProgress& progress) {
-        const base::Duration now = bench.clock().now();
-        if (*phase == 0 && progress.warmingUp && bench.frames(support::SyncWrite) > 0) {
+    watch.onProgress = [&fixture, at, phase, after,
+                        meanwhile](const jobs::SweepProgress& progress) {
+        const base::Duration now = fixture.clock().now();
+        if (*phase == 0 && progress.warmingUp && fixture.frames(support::SyncWrite) > 0) {
             *at = now + after;
             *phase = 1;
         } else if (*phase == 1 && now >= **at) {
-            bench.cutLink();
+            fixture.cutLink();
             *at = now + 2s;
             *phase = 2;
         } else if (*phase == 2 && now >= **at) {
             if (meanwhile)
                 meanwhile();
-            bench.forgetFrames();
-            bench.restoreLink();
+            fixture.clearFrames();
+            fixture.restoreLink();
             *phase = 3;
         }
     };
     return watch;
 }
 
-void earlyPhases()
+void addEarlyPhases()
 {
     QTest::addColumn<int>("after");
     QTest::addColumn<QString>("from");
@@ -686,7 +687,7 @@ void earlyPhases()
     QTest::newRow("on the way back from it") << 11'900 << text("1000");
 }
 
-record::SweepSpec warmedUp(const QString& from)
+record::SweepSpec specWithWarmUp(const QString& from)
 {
     record::SweepSpec spec = sweepSpec();
     spec.range.from = from;
@@ -695,45 +696,45 @@ record::SweepSpec warmedUp(const QString& from)
 }
 } // namespace
 
-void TestSweep::whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn_data()
+void TestSweep::torqueLostBeforeMeasuringStaysOff_data()
 {
-    earlyPhases();
+    addEarlyPhases();
 }
 
-void TestSweep::whoLostTorqueBeforeItIsMeasuredIsNotSwitchedOn()
+void TestSweep::torqueLostBeforeMeasuringStaysOff()
 {
     QFETCH(int, after);
     QFETCH(QString, from);
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    bench.forgetFrames();
-    const auto done = run(
-        bench.context(), servos, warmedUp(from),
-        pullingThePlugEarly(bench, std::chrono::milliseconds(after), [&] { bench.powerCycle(); }));
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    fixture.clearFrames();
+    const auto done =
+        run(fixture.context(), servos, specWithWarmUp(from),
+            unplugEarly(fixture, std::chrono::milliseconds(after), [&] { fixture.powerCycle(); }));
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
     QVERIFY(done->servos.at(0).legs.empty());
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QCOMPARE(bench.raw(2, text("torque_switch")), 0);
-    QCOMPARE(bench.frames(support::SyncWrite), 0); // no goal went out
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
+    QCOMPARE(fixture.frames(support::SyncWrite), 0); // no goal went out
 }
 
-void TestSweep::aPlugPutBackBeforeItIsMeasuredCostsNothing_data()
+void TestSweep::replugBeforeMeasuringCostsNothing_data()
 {
-    earlyPhases();
+    addEarlyPhases();
 }
 
-void TestSweep::aPlugPutBackBeforeItIsMeasuredCostsNothing()
+void TestSweep::replugBeforeMeasuringCostsNothing()
 {
     QFETCH(int, after);
     QFETCH(QString, from);
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    bench.forgetFrames();
-    const auto done = run(bench.context(), servos, warmedUp(from),
-                          pullingThePlugEarly(bench, std::chrono::milliseconds(after)));
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    fixture.clearFrames();
+    const auto done = run(fixture.context(), servos, specWithWarmUp(from),
+                          unplugEarly(fixture, std::chrono::milliseconds(after)));
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
     QVERIFY(done->gaps.empty());
@@ -745,7 +746,7 @@ void TestSweep::aPlugPutBackBeforeItIsMeasuredCostsNothing()
 }
 
 /// A silence before its first goal says nothing of the torque: the test is to switch it on.
-void TestSweep::whoLosesTorqueOnItsWayIsNotJammed_data()
+void TestSweep::torqueLostInMotionIsNoStall_data()
 {
     QTest::addColumn<bool>("restarts"); ///< else another program switches it off
     QTest::addColumn<int>("inLeg");
@@ -769,25 +770,25 @@ void TestSweep::whoLosesTorqueOnItsWayIsNotJammed_data()
     QTest::newRow("switched off at the end") << false << 6 << 1900 << false;
 }
 
-void TestSweep::whoLosesTorqueOnItsWayIsNotJammed()
+void TestSweep::torqueLostInMotionIsNoStall()
 {
     QFETCH(bool, restarts);
     QFETCH(int, inLeg);
     QFETCH(int, afterMs);
     QFETCH(bool, dwells);
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     std::optional<base::Duration> offAt;
-    bench.tap().onWait = [&] {
-        if (!offAt || bench.clock().now() < *offAt)
+    fixture.tap().onWait = [&] {
+        if (!offAt || fixture.clock().now() < *offAt)
             return;
         offAt.reset();
         if (restarts)
-            bench.powerCycle();
+            fixture.powerCycle();
         else
-            bench.poke(1, text("torque_switch"), 0);
+            fixture.poke(1, text("torque_switch"), 0);
     };
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
         if (leg == inLeg)
             offAt = at + std::chrono::milliseconds(afterMs);
@@ -797,47 +798,47 @@ void TestSweep::whoLosesTorqueOnItsWayIsNotJammed()
         spec.pace = record::SweepPace::Dwell;
         spec.pause = 300ms;
     }
-    const auto done = run(bench.context(), servos, spec, watch);
+    const auto done = run(fixture.context(), servos, spec, watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QVERIFY(!offAt);
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);       // no goal has switched it on again
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);     // no goal has switched it on again
     QVERIFY(int(done->servos.front().legs.size()) < inLeg); // torque may have been off in that leg
 }
 
-void TestSweep::whoLosesTorqueAtTheStartOfASineIsLeftOff()
+void TestSweep::torqueLostAtTheStartOfASineStaysOff()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec = sweepSpec();
     spec.shape = SweepShape::Sine;
     spec.period = 4s;
     bool off = false;
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onProgress = [&](const jobs::SweepProgress& progress) {
-        const auto away = std::abs(bench.raw(1, text("present_position")) - 1000);
+        const auto away = std::abs(fixture.raw(1, text("present_position")) - 1000);
         if (off || !progress.warmingUp || away > 3)
             return;
         off = true;
-        bench.poke(1, text("torque_switch"), 0);
+        fixture.poke(1, text("torque_switch"), 0);
     };
-    const auto done = run(bench.context(), servos, spec, watch);
+    const auto done = run(fixture.context(), servos, spec, watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QVERIFY(off);
     QCOMPARE(done->end, SweepEnd::TorqueLost);
     QVERIFY(done->servos.front().legs.empty());
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
 }
 
 namespace {
 /// An STS3215 that is exchanged for an STS3250 with its ID.
-struct ExchangeBench : SimBench {
-    ExchangeBench()
-        : SimBench(text("sts3215@1,sts3250@1"))
+struct ReplacementFixture : SimFixture {
+    ReplacementFixture()
+        : SimFixture(text("sts3215@1,sts3250@1"))
     {
-        withWire([](sim::VirtualBus& wire) { wire.unplug(1); });
+        withBus([](sim::VirtualBus& wire) { wire.unplug(1); });
         servos = {servo(1)};
         tap().onWait = [this] { step(); };
     }
@@ -851,21 +852,21 @@ struct ExchangeBench : SimBench {
     {
         if (clock().now() >= outAt) {
             outAt = base::Duration::max();
-            withWire([](sim::VirtualBus& wire) { wire.unplug(0); });
+            withBus([](sim::VirtualBus& wire) { wire.unplug(0); });
         }
         if (outAt == base::Duration::max() && clock().now() >= inAt) {
             inAt = base::Duration::max();
-            forgetFrames();
-            withWire([this](sim::VirtualBus& wire) {
+            clearFrames();
+            withBus([this](sim::VirtualBus& wire) {
                 wire.plug(1);
                 if (onPlug)
                     onPlug(*wire.servos()[1]);
             });
         }
     }
-    std::int64_t torqueOfNewcomer()
+    std::int64_t replacementTorque()
     {
-        return withWire(
+        return withBus(
             [](sim::VirtualBus& wire) { return wire.servos()[1]->raw(text("torque_switch")); });
     }
 
@@ -876,7 +877,7 @@ struct ExchangeBench : SimBench {
 };
 } // namespace
 
-void TestSweep::whoIsExchangedEndsTheTest_data()
+void TestSweep::aReplacedServoEndsTheTest_data()
 {
     QTest::addColumn<int>("inLeg"); ///< 0: before the first goal
     QTest::addColumn<int>("afterMs");
@@ -893,22 +894,22 @@ void TestSweep::whoIsExchangedEndsTheTest_data()
     QTest::newRow("in the last leg of a sine") << 6 << 400 << 0 << true;
 }
 
-void TestSweep::whoIsExchangedEndsTheTest()
+void TestSweep::aReplacedServoEndsTheTest()
 {
     QFETCH(int, inLeg);
     QFETCH(int, afterMs);
     QFETCH(int, silenceMs);
     QFETCH(bool, sine);
-    ExchangeBench bench;
+    ReplacementFixture fixture;
     const auto exchangeAt = [&](base::Duration at) {
-        bench.exchange(at + std::chrono::milliseconds(afterMs),
-                       std::chrono::milliseconds(silenceMs));
+        fixture.exchange(at + std::chrono::milliseconds(afterMs),
+                         std::chrono::milliseconds(silenceMs));
     };
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onBegin = [&](const record::SweepRun&) -> std::optional<base::Error> {
         if (inLeg == 0)
-            exchangeAt(bench.clock().now());
-        bench.step();
+            exchangeAt(fixture.clock().now());
+        fixture.step();
         return {};
     };
     watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
@@ -916,32 +917,32 @@ void TestSweep::whoIsExchangedEndsTheTest()
             exchangeAt(at);
     };
     std::vector<int> left;
-    watch.onTorqueLeft = [&](const jobs::TorqueLeft& one) { left.push_back(one.id); };
+    watch.onUnreleasedTorque = [&](const jobs::UnreleasedTorque& one) { left.push_back(one.id); };
     record::SweepSpec spec = sweepSpec();
     spec.shape = sine ? SweepShape::Sine : SweepShape::Sweep;
     spec.period = 4s;
-    const auto done = run(bench.context(), bench.servos, spec, watch);
+    const auto done = run(fixture.context(), fixture.servos, spec, watch);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
-    QCOMPARE(bench.inAt, base::Duration::max()); // it has happened
+    QCOMPARE(fixture.inAt, base::Duration::max()); // it has happened
     QCOMPARE(record::sweepEndName(done->end), text("exchanged"));
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
-    QCOMPARE(bench.torqueOfNewcomer(), 0);
-    QVERIFY(sine || bench.onlyAsked());
+    QCOMPARE(fixture.replacementTorque(), 0);
+    QVERIFY(sine || fixture.onlyReadsSent());
     QCOMPARE(left, std::vector<int>{});
     QVERIFY(inLeg == 0 || int(done->servos.front().legs.size()) < inLeg);
 }
 
 /// One that names another model, and has a check sum that fits.
-void TestSweep::aDisturbedReplyIsNoExchange()
+void TestSweep::aGarbledReplyIsNoReplacement()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     int disturbed = 0;
     bool due = false;
-    bench.tap().answerInstead = [&](const base::Bytes& frame) -> std::optional<base::Bytes> {
-        const bool asksWho = frame[4] == support::Read && frame[5] == 0 && frame[6] == 9;
-        if (!asksWho || !std::exchange(due, false))
+    fixture.tap().replyOverride = [&](const base::Bytes& frame) -> std::optional<base::Bytes> {
+        const bool isIdentityRead = frame[4] == support::Read && frame[5] == 0 && frame[6] == 9;
+        if (!isIdentityRead || !std::exchange(due, false))
             return std::nullopt;
         ++disturbed;
         base::Bytes reply{0xFF, 0xFF, 1, 11, 0, 3, 10, 0, 9, 99, 1, 0, 0, 1};
@@ -949,150 +950,150 @@ void TestSweep::aDisturbedReplyIsNoExchange()
         reply.push_back(std::uint8_t(~sum));
         return reply;
     };
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int, base::Duration) { due = true; };
-    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    const auto done = run(fixture.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(disturbed, 6);
     QCOMPARE(done->servos.front().legs.size(), std::size_t(6));
 }
 
-void TestSweep::theAlarmOfAnExchangedServoIsNotTheTestedOnes()
+void TestSweep::alarmsOfAReplacementServoAreIgnored()
 {
-    ExchangeBench bench;
-    bench.onPlug = [](sim::VirtualServo& servo) {
+    ReplacementFixture fixture;
+    fixture.onPlug = [](sim::VirtualServo& servo) {
         servo.poke(text("max_voltage"), 50); // less than its supply
     };
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
         if (leg == 3)
-            bench.exchange(at + 100ms, 100ms);
+            fixture.exchange(at + 100ms, 100ms);
     };
-    const auto done = run(bench.context(), bench.servos, sweepSpec(), watch);
+    const auto done = run(fixture.context(), fixture.servos, sweepSpec(), watch);
     QVERIFY(done);
-    QCOMPARE(done->end, SweepEnd::Exchanged);
+    QCOMPARE(done->end, SweepEnd::ServoReplaced);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
 }
 
 /// In a test that is to end at the first failure.
-void TestSweep::whatAnExchangedServoMissesIsNoFailure()
+void TestSweep::missedTargetsOfAReplacementServoAreNoFailure()
 {
-    ExchangeBench bench;
-    jobs::SweepWatch watch;
+    ReplacementFixture fixture;
+    jobs::SweepCallbacks watch;
     watch.onGoal = [&](std::size_t, int leg, base::Duration at) {
         if (leg == 4)
-            bench.exchange(at + 20ms, 20ms);
+            fixture.exchange(at + 20ms, 20ms);
     };
     record::SweepSpec spec = sweepSpec();
     spec.stopOnFailure = true;
     spec.stopOnStall = false;
-    const auto done = run(bench.context(), bench.servos, spec, watch);
+    const auto done = run(fixture.context(), fixture.servos, spec, watch);
     QVERIFY(done);
-    QCOMPARE(done->end, SweepEnd::Exchanged);
+    QCOMPARE(done->end, SweepEnd::ServoReplaced);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
     QCOMPARE(done->servos.front().legs.size(), std::size_t(3));
 }
 
-void TestSweep::whoHadNoTorqueAtTheBeginningIsSwitchedOn()
+void TestSweep::torqueIsSwitchedOnAtTheStart()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    jobs::SweepWatch watch;
-    base::Duration backAt{};
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    jobs::SweepCallbacks watch;
+    base::Duration replugAt{};
     watch.onBegin = [&](const record::SweepRun&) -> std::optional<base::Error> {
-        bench.wireConfig().faults.dropRequest = 1.0;
-        backAt = bench.clock().now() + 1500ms;
+        fixture.wireConfig().faults.dropRequest = 1.0;
+        replugAt = fixture.clock().now() + 1500ms;
         return {};
     };
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        if (backAt > 0s && bench.clock().now() >= backAt)
-            bench.wireConfig().faults.dropRequest = 0;
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        if (replugAt > 0s && fixture.clock().now() >= replugAt)
+            fixture.wireConfig().faults.dropRequest = 0;
     };
-    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    const auto done = run(fixture.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
-    QVERIFY(bench.clock().now() > backAt);
+    QVERIFY(fixture.clock().now() > replugAt);
 }
 
-void TestSweep::aStopWhileThePlugIsOutIsTheFirstWord()
+void TestSweep::stopWhileUnpluggedIsSentFirst()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    bench.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
-    const auto done = run(bench.context(), servos, sweepSpec(),
-                          pullingThePlug(bench, 1s, [&] { bench.bus().emergency(); }));
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    fixture.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
+    const auto done = run(fixture.context(), servos, sweepSpec(),
+                          unplugDuringRun(fixture, 1s, [&] { fixture.bus().emergency(); }));
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Emergency);
-    bench.bus().pauseUntil(bench.clock().now() + 1s, nullptr);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QCOMPARE(bench.raw(2, text("torque_switch")), 0);
+    fixture.bus().pauseUntil(fixture.clock().now() + 1s, nullptr);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
     const auto frames = device::stopFrames({base::Protocol::Feetech}, servos);
-    QVERIFY(!bench.tap().written.empty());
-    QCOMPARE(bench.tap().written.front(), frames.front().bytes);
+    QVERIFY(!fixture.tap().written.empty());
+    QCOMPARE(fixture.tap().written.front(), frames.front().bytes);
 }
 
-void TestSweep::theUserStops()
+void TestSweep::theUserCanStop()
 {
     for (const bool release : {false, true}) {
-        SimBench bench(text("sts3215@1"));
-        std::vector<device::Servo> servos{bench.servo(1)};
+        SimFixture fixture(text("sts3215@1"));
+        std::vector<device::Servo> servos{fixture.servo(1)};
         record::SweepSpec spec = sweepSpec();
         spec.releaseAtEnd = release;
-        jobs::SweepWatch watch;
+        jobs::SweepCallbacks watch;
         int samples = 0;
         watch.onSample = [&](std::size_t, const jobs::SweepSample&, double, int leg) {
             if (leg == 2 && ++samples == 50)
-                bench.stop().request();
+                fixture.stop().request();
         };
-        const auto done = run(bench.context(), servos, spec, watch);
+        const auto done = run(fixture.context(), servos, spec, watch);
         QVERIFY(done);
         QCOMPARE(done->end, SweepEnd::Stopped);
         QCOMPARE(done->verdict(), Grade::NotMeasured);
-        QCOMPARE(bench.raw(1, text("torque_switch")), release ? 0 : 1);
-        const auto before = bench.raw(1, text("present_position"));
-        bench.letTimePass(2s);
-        QVERIFY(std::abs(bench.raw(1, text("present_position")) - before) < 60); // it has stopped
+        QCOMPARE(fixture.raw(1, text("torque_switch")), release ? 0 : 1);
+        const auto before = fixture.raw(1, text("present_position"));
+        fixture.runFor(2s);
+        QVERIFY(std::abs(fixture.raw(1, text("present_position")) - before) < 60); // it has stopped
     }
 }
 
-void TestSweep::theEmergencyStopEndsIt()
+void TestSweep::theEmergencyStopEndsTheTest()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    bench.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
-    jobs::SweepWatch watch;
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    fixture.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
+    jobs::SweepCallbacks watch;
     int samples = 0;
     watch.onSample = [&](std::size_t, const jobs::SweepSample&, double, int leg) {
         if (leg == 2 && ++samples == 50)
-            bench.bus().emergency();
+            fixture.bus().emergency();
     };
-    const auto done = run(bench.context(), servos, sweepSpec(), watch);
+    const auto done = run(fixture.context(), servos, sweepSpec(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Emergency);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QCOMPARE(bench.raw(2, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(2, text("torque_switch")), 0);
 }
 
 void TestSweep::anHourWritesNoEprom()
 {
     // A slow line has fewer readings to work out.
-    SimBench bench(text("sts3215@1"), {.baud = 57'600, .servoBaud = 57'600});
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"), {.baud = 57'600, .servoBaud = 57'600});
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec = sweepSpec();
     spec.cycles = 0;
     spec.length = 1h;
-    bench.forgetFrames();
+    fixture.clearFrames();
     const auto eprom =
-        bench.withWire([](sim::VirtualBus& wire) { return wire.servo(1)->epromImage(); });
-    const auto done = run(bench.context(), servos, spec);
+        fixture.withBus([](sim::VirtualBus& wire) { return wire.servo(1)->epromImage(); });
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
     QVERIFY(done->servos.at(0).legs.size() >= 1795);
-    QCOMPARE(epromWrites(bench), 0);
+    QCOMPARE(epromWrites(fixture), 0);
     const auto after =
-        bench.withWire([](sim::VirtualBus& wire) { return wire.servo(1)->epromImage(); });
+        fixture.withBus([](sim::VirtualBus& wire) { return wire.servo(1)->epromImage(); });
     QVERIFY(eprom == after);
     // Delays do not add up with the time that sending takes.
     const auto& legs = done->servos.at(0).legs;
@@ -1101,31 +1102,31 @@ void TestSweep::anHourWritesNoEprom()
 
 void TestSweep::warmUpIsNotMeasured()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec = sweepSpec();
     spec.warmUp = 10s;
-    const base::Duration before = bench.clock().now();
-    const auto done = run(bench.context(), servos, spec);
+    const base::Duration before = fixture.clock().now();
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY(done);
     QCOMPARE(done->servos.at(0).legs.size(), std::size_t(6));
     QVERIFY(done->length < 12500ms);
-    QVERIFY(bench.clock().now() - before > 22s);
+    QVERIFY(fixture.clock().now() - before > 22s);
 }
 
 /// Another program narrows the limits: goals are refused, and the test says so.
 void TestSweep::limitsMoveDuringTheRun()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
-    jobs::SweepWatch watch;
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
         if (leg.number == 2)
-            bench.poke(1, text("max_angle_limit"), 2000);
+            fixture.poke(1, text("max_angle_limit"), 2000);
     };
     record::SweepSpec spec = sweepSpec();
     spec.stopOnStall = false;
-    const auto done = run(bench.context(), servos, spec, watch);
+    const auto done = run(fixture.context(), servos, spec, watch);
     QVERIFY(done);
     // The servo itself keeps to its new limit, so the targets beyond are missed.
     QCOMPARE(done->verdict(), Grade::Fail);

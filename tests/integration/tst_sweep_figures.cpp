@@ -17,7 +17,7 @@
 #include <numeric>
 
 using support::CliProgram;
-using support::Ran;
+using support::ProgramResult;
 
 namespace {
 constexpr double clockMs = 0.002; ///< to which times are written
@@ -149,7 +149,7 @@ public:
     }
 
     /// The readings of the last fifth of those from `first` on.
-    std::vector<double> lastFifth(std::size_t first) const
+    std::vector<double> lastFifthOf(std::size_t first) const
     {
         const double end = m_readings.back().ms;
         const double from = end - (end - m_readings[first].ms) / 5;
@@ -168,7 +168,7 @@ public:
         const double arrival = m_at + timeToTarget();
         while (m_readings[first].ms < arrival)
             ++first;
-        const auto tail = lastFifth(first);
+        const auto tail = lastFifthOf(first);
         double noise = 0;
         for (const double place : tail)
             noise = std::max(noise, std::abs(place - mean(tail)));
@@ -180,7 +180,7 @@ public:
         return since;
     }
 
-    double reached() const { return mean(lastFifth(stayedSince())); }
+    double reached() const { return mean(lastFifthOf(stayedSince())); }
     double steadyError() const { return reached() - m_target; }
 
     double settling() const
@@ -201,13 +201,13 @@ public:
         const double rest = reached();
         for (const Reading& one : m_readings)
             beyond.push_back(sense() * (one.position - rest));
-        const double most = largest(smoothed(beyond));
-        const auto tail = lastFifth(stayedSince());
+        const double maximum = largest(smoothed(beyond));
+        const auto tail = lastFifthOf(stayedSince());
         double spread = 0;
         for (const double place : tail)
             spread = std::max(spread, std::abs(place - mean(tail)));
         const double noise = tail.size() < 10 ? 3.5 : std::max(2.0, std::min(3.5, 2 * spread));
-        return most > noise ? most : 0;
+        return maximum > noise ? maximum : 0;
     }
     double overshoot() const { return 100 * overshootSteps() / m_way; }
 
@@ -260,7 +260,7 @@ public:
         return bits;
     }
     /// It never said that it moves while it stood for half a second.
-    bool flagFits() const
+    bool isFlagPlausible() const
     {
         const double latest = m_at + timeToTarget() + settling() + 500;
         return std::none_of(m_readings.begin(), m_readings.end(),
@@ -375,16 +375,17 @@ std::map<int, double> goalsOf(const QString& path, int servo)
     return goals;
 }
 
-QByteArray say(const QString& what, double found, double told)
+QByteArray mismatchText(const QString& what, double found, double reported)
 {
-    return (what + text(": %1 from the readings, %2 in the report").arg(found).arg(told)).toUtf8();
+    return (what + text(": %1 from the readings, %2 in the report").arg(found).arg(reported))
+        .toUtf8();
 }
 
-#define NEAR(what, found, told, by)                                                                \
+#define NEAR(what, found, reported, by)                                                            \
     do {                                                                                           \
         const double one = found;                                                                  \
-        const double other = told;                                                                 \
-        QVERIFY2(std::abs(one - other) <= (by), say(what, one, other).constData());                \
+        const double other = reported;                                                             \
+        QVERIFY2(std::abs(one - other) <= (by), mismatchText(what, one, other).constData());       \
     } while (false)
 
 struct Summary {
@@ -428,7 +429,7 @@ void addTargets(Summary& summary, const std::vector<QJsonObject>& legs,
 }
 } // namespace
 
-class TestSweepFigures : public QObject {
+class TestSweepMetrics : public QObject {
     Q_OBJECT
 
 private:
@@ -437,7 +438,7 @@ private:
     void checkMetrics(const QJsonArray& metrics, int servo);
     void checkServo(int servo);
     void checkLegsFile();
-    void checkPaper();
+    void checkPdf();
 
     CliProgram m_cli;
     QJsonObject m_report;
@@ -447,39 +448,41 @@ private:
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void everyFigure_data();
-    void everyFigure();
+    void everyMetric_data();
+    void everyMetric();
 };
 
-void TestSweepFigures::checkLeg(const QJsonObject& json, const Leg& leg)
+void TestSweepMetrics::checkLeg(const QJsonObject& json, const Leg& leg)
 {
     const QString name = text("leg %1 ").arg(json[text("leg")].toInt());
-    const auto told = [&](const char* key) { return json[text(key)].toDouble(NAN); };
-    NEAR(name + text("samples"), leg.samples(), told("samples"), 0);
-    NEAR(name + text("time"), leg.timeToTarget(), told("time_ms"), clockMs);
-    NEAR(name + text("settling"), leg.settling(), told("settling_ms"), 0.01);
-    NEAR(name + text("reached"), leg.reached(), told("reached"), 0.01);
-    NEAR(name + text("steady error"), leg.steadyError(), told("steady_error"), 0.01);
-    NEAR(name + text("overshoot steps"), leg.overshootSteps(), told("overshoot_steps"), 0.01);
-    NEAR(name + text("overshoot"), leg.overshoot(), told("overshoot"), 0.01);
-    NEAR(name + text("mean speed"), leg.meanSpeed(), told("mean_speed"), 0.1);
-    NEAR(name + text("top speed"), leg.topSpeed(), told("top_speed"), told("top_speed") / 1000);
-    NEAR(name + text("following"), leg.followingError(), told("following_error"), 0.05);
+    const auto reported = [&](const char* key) { return json[text(key)].toDouble(NAN); };
+    NEAR(name + text("samples"), leg.samples(), reported("samples"), 0);
+    NEAR(name + text("time"), leg.timeToTarget(), reported("time_ms"), clockMs);
+    NEAR(name + text("settling"), leg.settling(), reported("settling_ms"), 0.01);
+    NEAR(name + text("reached"), leg.reached(), reported("reached"), 0.01);
+    NEAR(name + text("steady error"), leg.steadyError(), reported("steady_error"), 0.01);
+    NEAR(name + text("overshoot steps"), leg.overshootSteps(), reported("overshoot_steps"), 0.01);
+    NEAR(name + text("overshoot"), leg.overshoot(), reported("overshoot"), 0.01);
+    NEAR(name + text("mean speed"), leg.meanSpeed(), reported("mean_speed"), 0.1);
+    NEAR(name + text("top speed"), leg.topSpeed(), reported("top_speed"),
+         reported("top_speed") / 1000);
+    NEAR(name + text("following"), leg.followingError(), reported("following_error"), 0.05);
     const auto current = leg.of(&Reading::current);
-    NEAR(name + text("peak current"), largest(current), told("current_peak"), 1e-6);
-    NEAR(name + text("mean current"), mean(current), told("current_mean"), 1e-6);
+    NEAR(name + text("peak current"), largest(current), reported("current_peak"), 1e-6);
+    NEAR(name + text("mean current"), mean(current), reported("current_mean"), 1e-6);
     const auto load = leg.of(&Reading::load);
-    NEAR(name + text("peak load"), largest(load), told("load_peak"), 1e-6);
-    NEAR(name + text("mean load"), mean(load), told("load_mean"), 1e-6);
-    NEAR(name + text("voltage"), smallest(leg.of(&Reading::voltage)), told("voltage_min"), 1e-6);
+    NEAR(name + text("peak load"), largest(load), reported("load_peak"), 1e-6);
+    NEAR(name + text("mean load"), mean(load), reported("load_mean"), 1e-6);
+    NEAR(name + text("voltage"), smallest(leg.of(&Reading::voltage)), reported("voltage_min"),
+         1e-6);
     NEAR(name + text("temperature"), largest(leg.of(&Reading::temperature)),
-         told("temperature_max"), 1e-6);
-    NEAR(name + text("alarms"), leg.alarms(), told("alarms"), 0);
+         reported("temperature_max"), 1e-6);
+    NEAR(name + text("alarms"), leg.alarms(), reported("alarms"), 0);
     QVERIFY(!json[text("missed")].toBool() && leg.timeToTarget() < never);
-    QCOMPARE(leg.flagFits(), !json[text("flag_wrong")].toBool());
+    QCOMPARE(leg.isFlagPlausible(), !json[text("flag_wrong")].toBool());
 }
 
-void TestSweepFigures::collect(const Leg& leg)
+void TestSweepMetrics::collect(const Leg& leg)
 {
     const auto add = [&](const char* key, double value) {
         m_summary.values[text(key)].push_back(value);
@@ -499,7 +502,7 @@ void TestSweepFigures::collect(const Leg& leg)
     add("temperature_max", largest(leg.of(&Reading::temperature)));
 }
 
-void TestSweepFigures::checkMetrics(const QJsonArray& metrics, int servo)
+void TestSweepMetrics::checkMetrics(const QJsonArray& metrics, int servo)
 {
     const QStringList means{text("time_to_target"), text("mean_speed"), text("top_speed")};
     const QStringList ofTargets{text("hysteresis"),          text("repeatability_sigma"),
@@ -542,7 +545,7 @@ void TestSweepFigures::checkMetrics(const QJsonArray& metrics, int servo)
     QCOMPARE(checked, 24);
 }
 
-void TestSweepFigures::checkServo(int servo)
+void TestSweepMetrics::checkServo(int servo)
 {
     const QString readings = m_legsPath.chopped(4) + text(".readings.csv");
     const auto all = readingsOf(readings, servo);
@@ -587,7 +590,7 @@ void TestSweepFigures::checkServo(int servo)
 }
 
 /// The table of the legs has the JSON's figures, digit by digit.
-void TestSweepFigures::checkLegsFile()
+void TestSweepMetrics::checkLegsFile()
 {
     auto rows = csvRows(m_legsPath);
     const QJsonArray legs = m_report[text("legs")].toArray();
@@ -606,10 +609,10 @@ void TestSweepFigures::checkLegsFile()
         }
         for (auto& [column, cell] : row) {
             const auto renamed = names.find(column);
-            const QJsonValue told = json[renamed == names.end() ? column : renamed->second];
-            QVERIFY2(!told.isUndefined(), qPrintable(column));
-            if (told.isDouble()) {
-                QCOMPARE(cell.toDouble(), told.toDouble());
+            const QJsonValue reported = json[renamed == names.end() ? column : renamed->second];
+            QVERIFY2(!reported.isUndefined(), qPrintable(column));
+            if (reported.isDouble()) {
+                QCOMPARE(cell.toDouble(), reported.toDouble());
                 ++compared;
             }
         }
@@ -618,10 +621,10 @@ void TestSweepFigures::checkLegsFile()
 }
 
 /// As another program reads it.
-void TestSweepFigures::checkPaper()
+void TestSweepMetrics::checkPdf()
 {
     const QString path = m_cli.dataFolder() + text("/paper.pdf");
-    const Ran made = m_cli.run({text("sweep-report"), text("1"), path});
+    const ProgramResult made = m_cli.run({text("sweep-report"), text("1"), path});
     QVERIFY2(made.exit == 0, qPrintable(made.err));
     QProcess reader;
     reader.start(text("pdftotext"), {text("-layout"), path, text("-")});
@@ -654,7 +657,7 @@ void TestSweepFigures::checkPaper()
     QVERIFY(compared > 100);
 }
 
-void TestSweepFigures::everyFigure_data()
+void TestSweepMetrics::everyMetric_data()
 {
     QTest::addColumn<QString>("servos");
     QTest::addColumn<QString>("options");
@@ -667,17 +670,18 @@ void TestSweepFigures::everyFigure_data()
                 "--acceleration 100");
 }
 
-void TestSweepFigures::everyFigure()
+void TestSweepMetrics::everyMetric()
 {
     QFETCH(QString, servos);
     QFETCH(QString, options);
     m_legsPath = m_cli.dataFolder() + text("/legs.csv");
     QFile::remove(m_cli.dataFolder() + text("/history.sqlite"));
     m_cli.setPort(servos);
-    const Ran ran = m_cli.run(QStringList{text("sweep")} + options.split(QLatin1Char(' '))
-                              << text("--report") << m_legsPath << text("--json"));
-    m_report = ran.json();
-    QVERIFY2(!m_report.isEmpty(), qPrintable(ran.err));
+    const ProgramResult result =
+        m_cli.run(QStringList{text("sweep")} + options.split(QLatin1Char(' '))
+                  << text("--report") << m_legsPath << text("--json"));
+    m_report = result.json();
+    QVERIFY2(!m_report.isEmpty(), qPrintable(result.err));
     QCOMPARE(m_report[text("end")].toString(), text("finished"));
     for (const QJsonValue& servo : m_report[text("servos")].toArray()) {
         checkServo(servo[text("id")].toInt());
@@ -685,8 +689,8 @@ void TestSweepFigures::everyFigure()
             return;
     }
     checkLegsFile();
-    checkPaper();
+    checkPdf();
 }
 
-QTEST_GUILESS_MAIN(TestSweepFigures)
+QTEST_GUILESS_MAIN(TestSweepMetrics)
 #include "tst_sweep_figures.moc"

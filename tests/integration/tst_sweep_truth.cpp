@@ -16,7 +16,7 @@
 using record::Grade;
 using record::SweepEnd;
 using record::SweepShape;
-using support::SimBench;
+using support::SimFixture;
 using namespace std::chrono_literals;
 
 namespace {
@@ -25,7 +25,7 @@ constexpr int rate = 115'200;
 
 /// One servo, and what it is asked to do.
 struct Case {
-    sim::ServoRecipe recipe{};
+    sim::ServoSpec servoSpec{};
     std::uint64_t seed = 1;
     record::SweepSpec spec{};
 };
@@ -38,8 +38,8 @@ QString text(int number)
 Case sts(SweepShape shape = SweepShape::BothSides)
 {
     Case test;
-    test.recipe.model = QStringLiteral("STS3215");
-    test.recipe.initialDegrees = 100;
+    test.servoSpec.model = QStringLiteral("STS3215");
+    test.servoSpec.initialDegrees = 100;
     test.spec.shape = shape;
     test.spec.range = {text(1000), text(2600)};
     test.spec.step = text(400);
@@ -54,7 +54,7 @@ Case sts(SweepShape shape = SweepShape::BothSides)
 Case scs(SweepShape shape = SweepShape::BothSides)
 {
     Case test = sts(shape);
-    test.recipe.model = QStringLiteral("SCS15");
+    test.servoSpec.model = QStringLiteral("SCS15");
     test.spec.range = {text(300), text(700)};
     test.spec.step = text(100);
     test.spec.speed = text(500);
@@ -62,35 +62,35 @@ Case scs(SweepShape shape = SweepShape::BothSides)
     return test;
 }
 
-std::unique_ptr<SimBench> benchOf(const Case& test)
+std::unique_ptr<SimFixture> fixtureFor(const Case& test)
 {
-    sim::ServoRecipe recipe = test.recipe;
-    recipe.baud = rate;
-    support::BenchOptions options;
+    sim::ServoSpec servoSpec = test.servoSpec;
+    servoSpec.baud = rate;
+    support::SimFixtureOptions options;
     options.baud = rate;
     options.wire.seed = test.seed;
-    return std::make_unique<SimBench>(std::vector{recipe}, options);
+    return std::make_unique<SimFixture>(std::vector{servoSpec}, options);
 }
 
-sim::VirtualServo& servoOf(SimBench& bench)
+sim::VirtualServo& servoOf(SimFixture& fixture)
 {
-    return *bench.withWire([](sim::VirtualBus& wire) { return wire.servo(1); });
+    return *fixture.withBus([](sim::VirtualBus& wire) { return wire.servo(1); });
 }
 
-base::Result<record::SweepRun> run(SimBench& bench, const Case& test,
-                                   const jobs::SweepWatch& watch = {})
+base::Result<record::SweepRun> run(SimFixture& fixture, const Case& test,
+                                   const jobs::SweepCallbacks& watch = {})
 {
-    std::vector<device::Servo> servos{bench.servo(1)};
-    jobs::SweepOrder order;
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    jobs::SweepRequest order;
     order.spec = test.spec;
     order.limits = {
         record::builtInSweepLimits(servos[0].profile->modelName, servos[0].profile->series)};
-    return jobs::sweep(bench.context(), servos, order, watch);
+    return jobs::sweep(fixture.context(), servos, order, watch);
 }
 
 base::Result<record::SweepRun> run(const Case& test)
 {
-    return run(*benchOf(test), test);
+    return run(*fixtureFor(test), test);
 }
 
 QByteArray failure(const base::Result<record::SweepRun>& done)
@@ -114,7 +114,7 @@ double found(const record::SweepRun& run, const char* key)
     return metric(run, key).value.value_or(std::nan(""));
 }
 
-QByteArray say(double value, double truth)
+QByteArray mismatchText(double value, double truth)
 {
     return QByteArray::number(value) + " instead of " + QByteArray::number(truth);
 }
@@ -126,7 +126,7 @@ QByteArray say(double value, double truth)
     do {                                                                                           \
         const double one = value;                                                                  \
         const double other = truth;                                                                \
-        QVERIFY2(std::abs(one - other) <= (by), say(one, other).constData());                      \
+        QVERIFY2(std::abs(one - other) <= (by), mismatchText(one, other).constData());             \
     } while (false)
 
 /// Steps of a register as an angle of the shaft.
@@ -136,10 +136,10 @@ double radians(double steps, double stepsPerTurn)
 }
 
 /// The same servo, moved between the ends of its test without a bus.
-struct Twin {
-    explicit Twin(const Case& test)
-        : bench(benchOf(test))
-        , servo(servoOf(*bench))
+struct ReferenceServo {
+    explicit ReferenceServo(const Case& test)
+        : fixture(fixtureFor(test))
+        , servo(servoOf(*fixture))
         , from(test.spec.range.from.toInt())
         , to(test.spec.range.to.toInt())
     {
@@ -147,12 +147,12 @@ struct Twin {
             servo.poke(QStringLiteral("goal_speed"), test.spec.speed.toInt());
         if (!test.spec.acceleration.isEmpty())
             servo.poke(QStringLiteral("acceleration"), test.spec.acceleration.toInt());
-        probe::Plant(servo).move(from, 4s);
+        probe::ServoPlant(servo).move(from, 4s);
     }
 
     double topSpeed()
     {
-        probe::Plant plant(servo);
+        probe::ServoPlant plant(servo);
         const double there = plant.move(to, 4s).topSpeed();
         return (there + plant.move(from, 4s).topSpeed()) / 2;
     }
@@ -170,7 +170,7 @@ struct Twin {
         return double(least) / 10;
     }
 
-    std::unique_ptr<SimBench> bench;
+    std::unique_ptr<SimFixture> fixture;
     sim::VirtualServo& servo;
     int from;
     int to;
@@ -178,14 +178,14 @@ struct Twin {
 
 void addCase(const char* name, Case test, double noise = 0)
 {
-    test.recipe.defects.positionNoise = noise;
+    test.servoSpec.defects.positionNoise = noise;
     QTest::newRow(name) << test;
 }
 } // namespace
 
 Q_DECLARE_METATYPE(Case)
 
-class TestSweepTruth : public QObject {
+class TestSweepGroundTruth : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -201,15 +201,15 @@ private Q_SLOTS:
     void topSpeed();
     void saggingSupply_data();
     void saggingSupply();
-    void itGetsWarm();
-    void tooHot_data();
-    void tooHot();
-    void againstAStop_data();
-    void againstAStop();
+    void temperatureRise();
+    void overtemperature_data();
+    void overtemperature();
+    void againstAHardStop_data();
+    void againstAHardStop();
     void goodFromBad();
 };
 
-void TestSweepTruth::hysteresis_data()
+void TestSweepGroundTruth::hysteresis_data()
 {
     QTest::addColumn<Case>("test");
     addCase("STS, both sides", sts());
@@ -221,19 +221,19 @@ void TestSweepTruth::hysteresis_data()
     addCase("SCS, stairs", scs(SweepShape::Stairs));
 }
 
-void TestSweepTruth::hysteresis()
+void TestSweepGroundTruth::hysteresis()
 {
     QFETCH(Case, test);
     // Half of 12 steps is beside the target of an SCS, which has a tolerance of 3.
     for (const double truth : {12.0, 7.0}) {
-        test.recipe.defects.restHysteresis = truth;
+        test.servoSpec.defects.restHysteresis = truth;
         const auto done = run(test);
         FINISH(done);
         VERIFY_NEAR(found(*done, "hysteresis"), truth, 2);
     }
 }
 
-void TestSweepTruth::overshoot_data()
+void TestSweepGroundTruth::overshoot_data()
 {
     QTest::addColumn<Case>("test");
     for (const SweepShape shape : {SweepShape::Sweep, SweepShape::BothSides}) {
@@ -244,17 +244,17 @@ void TestSweepTruth::overshoot_data()
         addCase(sides ? "SCS, both sides, noise" : "SCS, sweep, noise", scs(shape), 1);
     }
     // It swings beyond 0 and beyond the last step of its encoder.
-    Case seam = sts(SweepShape::Sweep);
-    seam.spec.range = {QStringLiteral("60"), QStringLiteral("4030")};
-    addCase("STS, over the seam", seam);
-    addCase("STS, over the seam, noise", seam, 1.5);
+    Case wrapCase = sts(SweepShape::Sweep);
+    wrapCase.spec.range = {QStringLiteral("60"), QStringLiteral("4030")};
+    addCase("STS, over the seam", wrapCase);
+    addCase("STS, over the seam, noise", wrapCase, 1.5);
 }
 
-void TestSweepTruth::overshoot()
+void TestSweepGroundTruth::overshoot()
 {
     QFETCH(Case, test);
     for (const double truth : {5.0, 8.0}) {
-        test.recipe.defects.overshootPercent = truth;
+        test.servoSpec.defects.overshootPercent = truth;
         const auto done = run(test);
         FINISH(done);
         VERIFY_NEAR(found(*done, "overshoot"), truth, 1);
@@ -262,7 +262,7 @@ void TestSweepTruth::overshoot()
     }
 }
 
-void TestSweepTruth::staticError_data()
+void TestSweepGroundTruth::staticError_data()
 {
     QTest::addColumn<Case>("test");
     addCase("STS", sts());
@@ -278,11 +278,11 @@ void TestSweepTruth::staticError_data()
 }
 
 /// 20 steps are outside of the tolerance of either family.
-void TestSweepTruth::staticError()
+void TestSweepGroundTruth::staticError()
 {
     QFETCH(Case, test);
     for (const double truth : {20.0, -20.0, 6.0}) {
-        test.recipe.defects.staticError = truth;
+        test.servoSpec.defects.staticError = truth;
         const auto done = run(test);
         FINISH(done);
         VERIFY_NEAR(found(*done, "steady_error"), std::abs(truth), 2);
@@ -291,20 +291,20 @@ void TestSweepTruth::staticError()
     }
 }
 
-void TestSweepTruth::topSpeed_data()
+void TestSweepGroundTruth::topSpeed_data()
 {
     QTest::addColumn<Case>("test");
     Case worn = sts(SweepShape::Sweep);
     worn.spec.range = {text(600), text(3400)};
     worn.spec.speed.clear();
     worn.spec.acceleration = text(0);
-    worn.recipe.defects.speedFactor = 0.7;
+    worn.servoSpec.defects.speedFactor = 0.7;
     addCase("STS, worn", worn);
     addCase("STS, worn, noise", worn, 1.5);
     Case loaded = worn;
-    loaded.recipe.defects.speedFactor = 1;
-    loaded.recipe.defects.speedPerLoad = 1.5;
-    loaded.recipe.load.coulombFriction = 0.3;
+    loaded.servoSpec.defects.speedFactor = 1;
+    loaded.servoSpec.defects.speedPerLoad = 1.5;
+    loaded.servoSpec.load.coulombFriction = 0.3;
     addCase("STS, under load", loaded);
     addCase("STS, under load, noise", loaded, 1.5);
     Case capped = worn;
@@ -313,92 +313,93 @@ void TestSweepTruth::topSpeed_data()
     Case scsWorn = scs(SweepShape::Sweep);
     scsWorn.spec.range = {text(150), text(850)};
     scsWorn.spec.speed.clear();
-    scsWorn.recipe.defects.speedFactor = 0.7;
+    scsWorn.servoSpec.defects.speedFactor = 0.7;
     addCase("SCS, worn", scsWorn);
     addCase("SCS, worn, noise", scsWorn, 1);
 }
 
-void TestSweepTruth::topSpeed()
+void TestSweepGroundTruth::topSpeed()
 {
     QFETCH(Case, test);
     const auto done = run(test);
     FINISH(done);
-    const double truth = Twin(test).topSpeed();
+    const double truth = ReferenceServo(test).topSpeed();
     VERIFY_NEAR(found(*done, "top_speed"), truth, 0.02 * truth);
     const bool capped = !test.spec.speed.isEmpty();
     if (capped) {
         VERIFY_NEAR(found(*done, "top_speed"), 800, 0.02 * 800);
     } else {
-        test.recipe.defects.speedFactor = 1;
-        test.recipe.defects.speedPerLoad = 0;
-        QVERIFY(truth < 0.9 * Twin(test).topSpeed());
+        test.servoSpec.defects.speedFactor = 1;
+        test.servoSpec.defects.speedPerLoad = 0;
+        QVERIFY(truth < 0.9 * ReferenceServo(test).topSpeed());
     }
 }
 
-void TestSweepTruth::saggingSupply_data()
+void TestSweepGroundTruth::saggingSupply_data()
 {
     QTest::addColumn<Case>("test");
     QTest::addColumn<double>("ohms");
     for (Case test : {sts(SweepShape::Sweep), scs(SweepShape::Sweep)}) {
-        test.recipe.load.coulombFriction = test.recipe.model == QLatin1String("SCS15") ? 0.1 : 0.3;
-        const QByteArray name = test.recipe.model.toLatin1();
+        test.servoSpec.load.coulombFriction =
+            test.servoSpec.model == QLatin1String("SCS15") ? 0.1 : 0.3;
+        const QByteArray name = test.servoSpec.model.toLatin1();
         QTest::newRow(name + ", good supply") << test << 0.05;
         QTest::newRow(name + ", long cable") << test << 1.0;
         QTest::newRow(name + ", weak supply") << test << 2.0;
     }
 }
 
-void TestSweepTruth::saggingSupply()
+void TestSweepGroundTruth::saggingSupply()
 {
     QFETCH(Case, test);
     QFETCH(double, ohms);
-    test.recipe.supplyOhms = ohms;
+    test.servoSpec.supplyOhms = ohms;
     const auto done = run(test);
     FINISH(done);
-    const double truth = Twin(test).lowestVoltage();
+    const double truth = ReferenceServo(test).lowestVoltage();
     VERIFY_NEAR(found(*done, "voltage_min"), truth, 0.1 + 0.02 * truth);
 }
 
 /// Five minutes of work against much friction.
-void TestSweepTruth::itGetsWarm()
+void TestSweepGroundTruth::temperatureRise()
 {
     Case test = sts(SweepShape::Sweep);
-    test.recipe.load.coulombFriction = 0.6;
+    test.servoSpec.load.coulombFriction = 0.6;
     test.spec.cycles = 0;
     test.spec.length = 5min;
-    const auto bench = benchOf(test);
-    const sim::VirtualServo& servo = servoOf(*bench);
+    const auto fixture = fixtureFor(test);
+    const sim::VirtualServo& servo = servoOf(*fixture);
     std::int64_t before = 0;
-    std::int64_t most = 0;
-    jobs::SweepWatch watch;
+    std::int64_t maximum = 0;
+    jobs::SweepCallbacks watch;
     watch.onSample = [&](std::size_t, const jobs::SweepSample&, double, int leg) {
         const std::int64_t now = servo.raw(QStringLiteral("present_temperature"));
-        (leg == 0 ? before : most) = leg == 0 ? now : std::max(most, now);
+        (leg == 0 ? before : maximum) = leg == 0 ? now : std::max(maximum, now);
     };
-    const auto done = run(*bench, test, watch);
+    const auto done = run(*fixture, test, watch);
     FINISH(done);
-    QVERIFY2(most - before >= 5, say(double(most), double(before)));
-    VERIFY_NEAR(found(*done, "temperature_rise"), double(most - before), 1);
-    VERIFY_NEAR(found(*done, "temperature_max"), double(most), 1);
+    QVERIFY2(maximum - before >= 5, mismatchText(double(maximum), double(before)));
+    VERIFY_NEAR(found(*done, "temperature_rise"), double(maximum - before), 1);
+    VERIFY_NEAR(found(*done, "temperature_max"), double(maximum), 1);
 }
 
-void TestSweepTruth::tooHot_data()
+void TestSweepGroundTruth::overtemperature_data()
 {
     QTest::addColumn<Case>("test");
     addCase("STS", sts());
     addCase("SCS", scs());
 }
 
-void TestSweepTruth::tooHot()
+void TestSweepGroundTruth::overtemperature()
 {
     QFETCH(Case, test);
-    const auto bench = benchOf(test);
-    jobs::SweepWatch watch;
+    const auto fixture = fixtureFor(test);
+    jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
         if (leg.number == 3)
-            servoOf(*bench).setTemperature(95);
+            servoOf(*fixture).setTemperature(95);
     };
-    const auto done = run(*bench, test, watch);
+    const auto done = run(*fixture, test, watch);
     QVERIFY2(done, failure(done));
     QVERIFY2(done->end == SweepEnd::Alarm, failure(done));
     QCOMPARE(done->endedBy, 1);
@@ -406,10 +407,10 @@ void TestSweepTruth::tooHot()
     QCOMPARE(done->servos[0].legs.size(), std::size_t(4));
     VERIFY_NEAR(found(*done, "temperature_max"), 95, 1);
     QCOMPARE(found(*done, "alarms"), 1.0);
-    QCOMPARE(bench->raw(1, QStringLiteral("torque_switch")), 0);
+    QCOMPARE(fixture->raw(1, QStringLiteral("torque_switch")), 0);
 }
 
-void TestSweepTruth::againstAStop_data()
+void TestSweepGroundTruth::againstAHardStop_data()
 {
     QTest::addColumn<Case>("test");
     QTest::addColumn<double>("stop");
@@ -422,28 +423,28 @@ void TestSweepTruth::againstAStop_data()
     QTest::newRow("SCS, the servo says so") << scs() << scsStop << false;
 }
 
-void TestSweepTruth::againstAStop()
+void TestSweepGroundTruth::againstAHardStop()
 {
     QFETCH(Case, test);
     QFETCH(double, stop);
     QFETCH(bool, looksForStall);
-    test.recipe.load.stopHigh = stop;
+    test.servoSpec.load.stopHigh = stop;
     test.spec.stopOnStall = looksForStall;
-    const auto bench = benchOf(test);
-    const auto done = run(*bench, test);
+    const auto fixture = fixtureFor(test);
+    const auto done = run(*fixture, test);
     QVERIFY2(done, failure(done));
     const bool alarm = done->end == SweepEnd::Alarm;
     QVERIFY2(alarm || (looksForStall && done->end == SweepEnd::Stall), failure(done));
     QCOMPARE(done->endedBy, 1);
     QCOMPARE(done->verdict(), Grade::Fail);
-    QCOMPARE(bench->raw(1, QStringLiteral("torque_switch")), 0);
+    QCOMPARE(fixture->raw(1, QStringLiteral("torque_switch")), 0);
 }
 
 namespace {
 /// A servo as the seed has it: every second one bad, in one way.
-class Draw {
+class RandomServo {
 public:
-    explicit Draw(unsigned seed)
+    explicit RandomServo(unsigned seed)
         : m_seed(seed)
         , m_random(seed)
     {}
@@ -459,26 +460,26 @@ public:
         test.spec.range = {text(from), text(to)};
         test.spec.speed = text(int(between(900, 2600)));
         test.spec.acceleration = text(int(between(20, 120)));
-        test.recipe.initialDegrees = between(60, 250);
-        test.recipe.supplyVolts = between(6.8, 7.8);
-        test.recipe.load.inertia = between(1e-4, 4e-4);
-        test.recipe.load.gravityTorque = between(0, 0.05);
-        test.recipe.load.coulombFriction = between(0, 0.01);
-        test.recipe.defects.positionNoise = between(0.5, 1.5);
+        test.servoSpec.initialDegrees = between(60, 250);
+        test.servoSpec.supplyVolts = between(6.8, 7.8);
+        test.servoSpec.load.inertia = between(1e-4, 4e-4);
+        test.servoSpec.load.gravityTorque = between(0, 0.05);
+        test.servoSpec.load.coulombFriction = between(0, 0.01);
+        test.servoSpec.defects.positionNoise = between(0.5, 1.5);
         if (bad())
             spoil(test, to);
         else
-            leaveGood(test.recipe.defects);
+            makeGood(test.servoSpec.defects);
         return test;
     }
-    const QString& ailment() const { return m_ailment; }
+    const QString& defectName() const { return m_defectName; }
 
 private:
     double between(double low, double high)
     {
         return low + (high - low) * double(m_random()) / 4294967296.0;
     }
-    double eitherSide(double low, double high)
+    double randomSign(double low, double high)
     {
         const double size = between(low, high);
         return m_random() % 2 == 0 ? size : -size;
@@ -487,28 +488,28 @@ private:
     /// The limits are 11 steps, 5 %, 16 steps, and no target missed.
     void spoil(Case& test, int to)
     {
-        sim::Defects& defects = test.recipe.defects;
+        sim::Defects& defects = test.servoSpec.defects;
         switch (m_seed / 2 % 4) {
         case 0:
             defects.restHysteresis = std::round(between(15, 40));
-            m_ailment = QStringLiteral("hysteresis %1").arg(defects.restHysteresis);
+            m_defectName = QStringLiteral("hysteresis %1").arg(defects.restHysteresis);
             break;
         case 1:
             defects.overshootPercent = between(7, 15);
-            m_ailment = QStringLiteral("overshoot %1").arg(defects.overshootPercent);
+            m_defectName = QStringLiteral("overshoot %1").arg(defects.overshootPercent);
             break;
         case 2:
-            defects.staticError = std::round(eitherSide(20, 50));
-            m_ailment = QStringLiteral("static error %1").arg(defects.staticError);
+            defects.staticError = std::round(randomSign(20, 50));
+            m_defectName = QStringLiteral("static error %1").arg(defects.staticError);
             break;
         default:
             const double away = between(25, 400);
-            test.recipe.load.stopHigh = radians(to - away, 4096);
-            m_ailment = QStringLiteral("stop %1 before the end").arg(away);
+            test.servoSpec.load.stopHigh = radians(to - away, 4096);
+            m_defectName = QStringLiteral("stop %1 before the end").arg(away);
         }
     }
 
-    void leaveGood(sim::Defects& defects)
+    void makeGood(sim::Defects& defects)
     {
         switch (m_seed / 2 % 5) {
         case 0:
@@ -518,7 +519,7 @@ private:
             defects.overshootPercent = between(0.5, 3.5);
             break;
         case 2:
-            defects.staticError = std::round(eitherSide(1, 10));
+            defects.staticError = std::round(randomSign(1, 10));
             break;
         case 3:
             defects.speedFactor = between(0.8, 1);
@@ -526,16 +527,16 @@ private:
         default:
             break; // as it came from the factory
         }
-        m_ailment = QStringLiteral("nothing (hysteresis %1, overshoot %2, error %3, speed %4)")
-                        .arg(defects.restHysteresis)
-                        .arg(defects.overshootPercent)
-                        .arg(defects.staticError)
-                        .arg(defects.speedFactor);
+        m_defectName = QStringLiteral("nothing (hysteresis %1, overshoot %2, error %3, speed %4)")
+                           .arg(defects.restHysteresis)
+                           .arg(defects.overshootPercent)
+                           .arg(defects.staticError)
+                           .arg(defects.speedFactor);
     }
 
     unsigned m_seed;
     std::mt19937 m_random;
-    QString m_ailment;
+    QString m_defectName;
 };
 
 /// What was measured, for whoever has to find out why it was graded so.
@@ -552,7 +553,7 @@ QString figures(const base::Result<record::SweepRun>& done)
 } // namespace
 
 /// These seeds were not looked at while anything was tuned; for others set SWEEP_TRUTH_SEED.
-void TestSweepTruth::goodFromBad()
+void TestSweepGroundTruth::goodFromBad()
 {
     bool given = false;
     const int asked = qEnvironmentVariableIntValue("SWEEP_TRUTH_SEED", &given);
@@ -561,7 +562,7 @@ void TestSweepTruth::goodFromBad()
     QStringList wrong;
     QStringList passed; // although bad
     for (unsigned seed = first; seed < first + 100; ++seed) {
-        Draw draw(seed);
+        RandomServo draw(seed);
         const Case test = draw.test();
         const auto done = run(test);
         // A bad one is failed, a warning does not do; a good one may be warned of.
@@ -571,7 +572,7 @@ void TestSweepTruth::goodFromBad()
         const bool good = draw.bad() ? failed : accepted;
         right += good ? 1 : 0;
         const QString line =
-            QStringLiteral("%1: %2: %3").arg(seed).arg(draw.ailment(), figures(done));
+            QStringLiteral("%1: %2: %3").arg(seed).arg(draw.defectName(), figures(done));
         if (given)
             qInfo("%s", qPrintable(line));
         if (!good)
@@ -584,5 +585,5 @@ void TestSweepTruth::goodFromBad()
     QVERIFY2(right >= 99, qPrintable(wrong.join(u'\n')));
 }
 
-QTEST_GUILESS_MAIN(TestSweepTruth)
+QTEST_GUILESS_MAIN(TestSweepGroundTruth)
 #include "tst_sweep_truth.moc"

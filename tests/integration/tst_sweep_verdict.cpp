@@ -16,12 +16,12 @@
 
 using base::Duration;
 using record::Grade;
-using record::NoVerdict;
+using record::NoVerdictReason;
 using record::SweepEnd;
 using record::SweepShape;
-using support::SimBench;
-using sweep_help::metric;
-using sweep_help::run;
+using support::SimFixture;
+using sweep_support::metric;
+using sweep_support::run;
 using namespace std::chrono_literals;
 
 namespace {
@@ -36,7 +36,7 @@ public:
     using Script = std::function<double(Duration now, double goal)>;
 
     /// `like`: whose table it has.
-    ScriptedServo(base::ManualClock& clock, SimBench& like, Script script, Duration latency)
+    ScriptedServo(base::ManualClock& clock, SimFixture& like, Script script, Duration latency)
         : m_clock(clock)
         , m_script(std::move(script))
         , m_latency(latency)
@@ -51,7 +51,7 @@ public:
         m_memory[66] = 1; // it moves
     }
 
-    void keepTorque() { m_keepsTorque = true; }
+    void ignoreTorqueOff() { m_ignoresTorqueOff = true; }
     void unplug(Duration from, Duration until)
     {
         m_awayFrom = from;
@@ -76,7 +76,7 @@ public:
         m_reply.clear();
         return count;
     }
-    base::Result<bool> waitReadable(Duration span) override
+    base::Result<bool> waitForReadyRead(Duration span) override
     {
         const bool comes = !m_reply.empty() && m_readyAt - m_clock.now() <= span;
         m_clock.advance(comes ? std::max(m_readyAt - m_clock.now(), Duration(1)) : span);
@@ -111,7 +111,7 @@ private:
             data.assign(m_memory.begin() + address, m_memory.begin() + address + frame[6]);
         } else if (frame[4] == support::Write) {
             std::copy(frame.begin() + 6, frame.end() - 1, m_memory.begin() + address);
-            m_memory[40] = m_keepsTorque ? 1 : m_memory[40];
+            m_memory[40] = m_ignoresTorqueOff ? 1 : m_memory[40];
         }
         base::Bytes reply{0xFF, 0xFF, frame[2], std::uint8_t(data.size() + 2), 0};
         reply.insert(reply.end(), data.begin(), data.end());
@@ -131,7 +131,7 @@ private:
     base::Bytes m_reply;
     Duration m_readyAt{};
     int m_baud = 1'000'000;
-    bool m_keepsTorque = false;
+    bool m_ignoresTorqueOff = false;
     Duration m_awayFrom{};
     Duration m_awayUntil{};
 };
@@ -149,7 +149,7 @@ record::SweepSpec sine(Duration period)
     return spec;
 }
 
-record::SweepSpec thereAndBack()
+record::SweepSpec sweepThereAndBack()
 {
     record::SweepSpec spec;
     spec.range = {text("1000"), text("2000")};
@@ -160,7 +160,7 @@ record::SweepSpec thereAndBack()
     return spec;
 }
 
-NoVerdict reason(const record::SweepRun& run, std::size_t servo = 0)
+NoVerdictReason reason(const record::SweepRun& run, std::size_t servo = 0)
 {
     return record::sweepVerdict(run, run.servos.at(servo)).reason;
 }
@@ -173,51 +173,51 @@ private:
     base::Result<record::SweepRun> scripted(const record::SweepSpec& spec,
                                             const ScriptedServo::Script& script,
                                             Duration latency = 200us,
-                                            const jobs::SweepWatch& watch = {});
-    bool m_holdsTorque = false;      ///< whatever it is told
+                                            const jobs::SweepCallbacks& watch = {});
+    bool m_isTorqueOn = false;       ///< whatever it is told
     ScriptedServo* m_wire = nullptr; ///< while a scripted run lasts
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void aStopAfterAGoodLegIsNoVerdict();
+    void aStopAfterAGoodLegGivesNoVerdict();
     void onlyTheServoWithTheAlarmFails();
     void aSlowSinePasses_data();
     void aSlowSinePasses();
-    void whoDoesNotFollowTheSineFails_data();
-    void whoDoesNotFollowTheSineFails();
-    void whoFollowsByTheBytePasses();
+    void notFollowingTheSineFails_data();
+    void notFollowingTheSineFails();
+    void aFollowingServoPasses();
     void aSineFasterThanItTurnsNeverPasses();
-    void tooFewReadingsAreNoVerdict();
-    void aSlowAdapterCondemnsNoServo_data();
-    void aSlowAdapterCondemnsNoServo();
-    void aLegThatWasNotSeenAbsolvesNoServo();
-    void aLagThatTheLinkMayCauseIsNoVerdict();
-    void halfAPeriodIsNoVerdict();
-    void limitsWithoutALineForSinesAreNoVerdict();
+    void tooFewSamplesGiveNoVerdict();
+    void aSlowAdapterFailsNoServo_data();
+    void aSlowAdapterFailsNoServo();
+    void anUnobservedLegPassesNoServo();
+    void aLagWithinLinkDelayGivesNoVerdict();
+    void halfAPeriodGivesNoVerdict();
+    void limitsWithoutSineMetricsGiveNoVerdict();
     void randomTargetsAreJudged();
-    void aSingleRandomTargetIsNoVerdict();
-    void arrivalsThatNobodySawAreNoVerdict();
-    void shortMovesAreNoVerdict_data();
-    void shortMovesAreNoVerdict();
-    void aWideToleranceIsNoVerdict();
-    void torqueThatStaysIsTold();
+    void aSingleRandomTargetGivesNoVerdict();
+    void unobservedArrivalsGiveNoVerdict();
+    void shortMovesGiveNoVerdict_data();
+    void shortMovesGiveNoVerdict();
+    void aWideToleranceGivesNoVerdict();
+    void torqueLeftOnIsReported();
 };
 
 base::Result<record::SweepRun> TestSweepVerdict::scripted(const record::SweepSpec& spec,
                                                           const ScriptedServo::Script& script,
                                                           Duration latency,
-                                                          const jobs::SweepWatch& watch)
+                                                          const jobs::SweepCallbacks& watch)
 {
-    SimBench like(text("sts3215@1"));
+    SimFixture like(text("sts3215@1"));
     base::ManualClock clock;
     auto wire = std::make_unique<ScriptedServo>(clock, like, script, latency);
-    if (m_holdsTorque)
-        wire->keepTorque();
+    if (m_isTorqueOn)
+        wire->ignoreTorqueOff();
     m_wire = wire.get();
     bus::BusCore bus(std::move(wire), protocol::feetechCodec(), clock, bus::CoreOptions{});
     support::MemoryJournal journal;
-    base::Stop stop;
+    base::StopToken stop;
     device::Notices notices;
     const device::Context context{bus, support::builtInCatalog(), journal, stop, notices};
     auto servo = device::identify(context, 1, base::Protocol::Feetech);
@@ -227,41 +227,41 @@ base::Result<record::SweepRun> TestSweepVerdict::scripted(const record::SweepSpe
     return run(context, servos, spec, watch);
 }
 
-void TestSweepVerdict::aStopAfterAGoodLegIsNoVerdict()
+void TestSweepVerdict::aStopAfterAGoodLegGivesNoVerdict()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    jobs::SweepWatch watch;
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
         if (leg.number == 2)
-            bench.stop().request();
+            fixture.stop().request();
     };
-    const auto done = run(bench.context(), servos, thereAndBack(), watch);
+    const auto done = run(fixture.context(), servos, sweepThereAndBack(), watch);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Stopped);
     for (const record::SweepServo& servo : done->servos) {
         QVERIFY(servo.legs.size() >= 2);
         QVERIFY(!servo.legs[0].missed && servo.legs[0].steadyError);
-        QCOMPARE(record::worst(servo.lines), Grade::Pass); // as far as it went
+        QCOMPARE(record::worstGrade(servo.lines), Grade::Pass); // as far as it went
         QCOMPARE(servo.verdict, Grade::NotMeasured);
     }
-    QCOMPARE(reason(*done), NoVerdict::Ended);
+    QCOMPARE(reason(*done), NoVerdictReason::Ended);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
     QVERIFY(!record::encodeSweepRun(*done).contains("\"verdict\": \"pass\""));
 }
 
 void TestSweepVerdict::onlyTheServoWithTheAlarmFails()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    jobs::SweepWatch watch;
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
         if (leg.number == 2)
-            bench.withWire([](sim::VirtualBus& wire) {
+            fixture.withBus([](sim::VirtualBus& wire) {
                 wire.servo(2)->load().stopHigh = 1500.0 / 4096 * 2 * M_PI;
             });
     };
-    const auto done = run(bench.context(), servos, thereAndBack(), watch);
+    const auto done = run(fixture.context(), servos, sweepThereAndBack(), watch);
     QVERIFY(done);
     QVERIFY(done->end == SweepEnd::Stall || done->end == SweepEnd::Alarm);
     QCOMPARE(done->endedBy, 2);
@@ -287,13 +287,13 @@ void TestSweepVerdict::aSlowSinePasses()
     QFETCH(QString, from);
     QFETCH(QString, to);
     QFETCH(QString, speed);
-    SimBench bench(servos);
-    std::vector<device::Servo> all{bench.servo(1)};
+    SimFixture fixture(servos);
+    std::vector<device::Servo> all{fixture.servo(1)};
     record::SweepSpec spec = sine(8s);
     spec.range = {from, to};
     spec.speed = speed;
     spec.acceleration.clear();
-    const auto done = run(bench.context(), all, spec);
+    const auto done = run(fixture.context(), all, spec);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     const record::SweepServo& one = done->servos.front();
     const QString figures = text("%1 %, %2 degrees, %3 readings")
@@ -309,7 +309,7 @@ void TestSweepVerdict::aSlowSinePasses()
     QCOMPARE(again->servos.front().legs[1].phaseLag, one.legs[1].phaseLag);
 }
 
-void TestSweepVerdict::whoDoesNotFollowTheSineFails_data()
+void TestSweepVerdict::notFollowingTheSineFails_data()
 {
     QTest::addColumn<double>("share"); ///< of the amplitude that it goes
     QTest::addColumn<int>("lateMs");
@@ -320,7 +320,7 @@ void TestSweepVerdict::whoDoesNotFollowTheSineFails_data()
 }
 
 /// The wave begins with the first goal that is not the start.
-void TestSweepVerdict::whoDoesNotFollowTheSineFails()
+void TestSweepVerdict::notFollowingTheSineFails()
 {
     QFETCH(double, share);
     QFETCH(int, lateMs);
@@ -328,8 +328,8 @@ void TestSweepVerdict::whoDoesNotFollowTheSineFails()
     const auto done = scripted(sine(4s), [&](Duration now, double goal) {
         goals[now] = goal;
         const auto then = goals.upper_bound(now - std::chrono::milliseconds(lateMs));
-        const double told = then == goals.begin() ? 1000 : std::prev(then)->second;
-        return 1000 + share * (told - 1000);
+        const double commanded = then == goals.begin() ? 1000 : std::prev(then)->second;
+        return 1000 + share * (commanded - 1000);
     });
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
@@ -344,7 +344,7 @@ void TestSweepVerdict::whoDoesNotFollowTheSineFails()
         QVERIFY(!metric(servo, "phase_lag")); // there is no phase of what stands
 }
 
-void TestSweepVerdict::whoFollowsByTheBytePasses()
+void TestSweepVerdict::aFollowingServoPasses()
 {
     const auto done = scripted(sine(4s), [](Duration, double goal) { return goal; });
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
@@ -358,23 +358,23 @@ void TestSweepVerdict::whoFollowsByTheBytePasses()
 
 void TestSweepVerdict::aSineFasterThanItTurnsNeverPasses()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec = sine(4s); // π · 2000 / 4 steps/s
     spec.speed = text("500");
-    const auto look = jobs::lookAtSweep(bench.context(), servos[0], spec, {});
+    const auto look = jobs::estimateSweep(fixture.context(), servos[0], spec, {});
     QVERIFY(look && look->tooShort);
-    const auto done = run(bench.context(), servos, spec);
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY(done);
     QVERIFY(done->verdict() != Grade::Pass && done->verdict() != Grade::Warn);
     // Nor does one that is quicker than it was told to be.
     const auto quick = scripted(spec, [](Duration, double goal) { return goal; });
     QVERIFY(quick);
     QCOMPARE(quick->servos.front().verdict, Grade::NotMeasured);
-    QCOMPARE(reason(*quick), NoVerdict::TooFast);
+    QCOMPARE(reason(*quick), NoVerdictReason::TooFast);
 }
 
-void TestSweepVerdict::tooFewReadingsAreNoVerdict()
+void TestSweepVerdict::tooFewSamplesGiveNoVerdict()
 {
     record::SweepSpec spec = sine(500ms);
     spec.range.to = text("1100");
@@ -384,14 +384,14 @@ void TestSweepVerdict::tooFewReadingsAreNoVerdict()
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
-    QCOMPARE(reason(*done), NoVerdict::TooFewReadings);
+    QCOMPARE(reason(*done), NoVerdictReason::TooFewReadings);
     QVERIFY(!metric(done->servos.front(), "phase_lag"));
     const auto enough = scripted(spec, follow);
     QVERIFY(enough);
     QCOMPARE(enough->verdict(), Grade::Pass);
 }
 
-void TestSweepVerdict::aSlowAdapterCondemnsNoServo_data()
+void TestSweepVerdict::aSlowAdapterFailsNoServo_data()
 {
     QTest::addColumn<int>("latencyMs");
     QTest::addColumn<int>("periodMs");
@@ -402,21 +402,21 @@ void TestSweepVerdict::aSlowAdapterCondemnsNoServo_data()
 }
 
 /// What an adapter is late by is none of the servo's: it passes, or nothing is said of it.
-void TestSweepVerdict::aSlowAdapterCondemnsNoServo()
+void TestSweepVerdict::aSlowAdapterFailsNoServo()
 {
     QFETCH(int, latencyMs);
     QFETCH(int, periodMs);
-    support::BenchOptions options;
+    support::SimFixtureOptions options;
     options.wire.adapterLatency = std::chrono::milliseconds(latencyMs);
-    SimBench bench(text("sts3215@1"), options);
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("sts3215@1"), options);
+    std::vector<device::Servo> servos{fixture.servo(1)};
     record::SweepSpec spec = sine(std::chrono::milliseconds(periodMs));
     spec.range = {text("1500"), text("2500")};
     spec.cycles = 1;
     spec.speed.clear();
     spec.acceleration.clear();
     spec.stopOnStall = true;
-    const auto done = run(bench.context(), servos, spec);
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(done->end, SweepEnd::Finished);
     QVERIFY2(done->verdict() != Grade::Fail,
@@ -443,9 +443,9 @@ Grade gradeOf(const record::SweepServo& servo, const char* metric)
 } // namespace
 
 /// The other legs show the lag, read often enough.
-void TestSweepVerdict::aLegThatWasNotSeenAbsolvesNoServo()
+void TestSweepVerdict::anUnobservedLegPassesNoServo()
 {
-    jobs::SweepWatch watch;
+    jobs::SweepCallbacks watch;
     watch.onGoal = [this](std::size_t, int leg, Duration at) {
         if (leg == 1)
             m_wire->unplug(at, at + 2s);
@@ -459,13 +459,13 @@ void TestSweepVerdict::aLegThatWasNotSeenAbsolvesNoServo()
         const record::SweepServo& servo = done->servos.front();
         QCOMPARE(gradeOf(servo, "following_error_relative"), Grade::Fail);
         QCOMPARE(servo.verdict, Grade::Fail);
-        QCOMPARE(reason(*done), NoVerdict::None);
+        QCOMPARE(reason(*done), NoVerdictReason::None);
         QCOMPARE(done->end, stops ? SweepEnd::Failure : SweepEnd::Finished);
-        QVERIFY(*metric(servo, "readings_per_period") < record::readingsToFailSine);
+        QVERIFY(*metric(servo, "readings_per_period") < record::minReadingsToFailSine);
     }
 }
 
-void TestSweepVerdict::aLagThatTheLinkMayCauseIsNoVerdict()
+void TestSweepVerdict::aLagWithinLinkDelayGivesNoVerdict()
 {
     const auto done = scripted(sine(4s), lagging, 60ms);
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
@@ -473,15 +473,15 @@ void TestSweepVerdict::aLagThatTheLinkMayCauseIsNoVerdict()
     const record::SweepServo& servo = done->servos.front();
     for (const record::SweepLeg& leg : servo.legs)
         QVERIFY2(2 * leg.samples >= record::minReadingsPerPeriod &&
-                     2 * leg.samples < record::readingsToFailSine,
+                     2 * leg.samples < record::minReadingsToFailSine,
                  qPrintable(QString::number(leg.samples)));
     QVERIFY(*metric(servo, "following_error_relative") > 50);
     QCOMPARE(gradeOf(servo, "following_error_relative"), Grade::NotMeasured);
     QCOMPARE(servo.verdict, Grade::NotMeasured);
-    QCOMPARE(reason(*done), NoVerdict::SlowLink);
+    QCOMPARE(reason(*done), NoVerdictReason::SlowLink);
 }
 
-void TestSweepVerdict::halfAPeriodIsNoVerdict()
+void TestSweepVerdict::halfAPeriodGivesNoVerdict()
 {
     record::SweepSpec spec = sine(4s);
     spec.cycles = 0;
@@ -491,35 +491,35 @@ void TestSweepVerdict::halfAPeriodIsNoVerdict()
     QCOMPARE(done->end, SweepEnd::Finished);
     QCOMPARE(done->servos.front().legs.size(), std::size_t(1));
     QCOMPARE(done->verdict(), Grade::NotMeasured);
-    QCOMPARE(reason(*done), NoVerdict::TooShort);
+    QCOMPARE(reason(*done), NoVerdictReason::TooShort);
 }
 
 /// A file of one's own from before there were such limits.
-void TestSweepVerdict::limitsWithoutALineForSinesAreNoVerdict()
+void TestSweepVerdict::limitsWithoutSineMetricsGiveNoVerdict()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
-    jobs::SweepOrder order;
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    jobs::SweepRequest order;
     order.spec = sine(8s);
     record::SweepLimits limits;
     limits.name = text("own");
     limits.lines = {{text("alarms"), QString(), {}, 0.0}, {text("overshoot"), text("%"), 3, 5}};
     order.limits = {limits};
-    const auto done = jobs::sweep(bench.context(), servos, order, {});
+    const auto done = jobs::sweep(fixture.context(), servos, order, {});
     QVERIFY(done);
     QCOMPARE(done->verdict(), Grade::NotMeasured);
-    QCOMPARE(reason(*done), NoVerdict::NoLimit);
+    QCOMPARE(reason(*done), NoVerdictReason::NoLimit);
 }
 
 void TestSweepVerdict::randomTargetsAreJudged()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
-    record::SweepSpec spec = thereAndBack();
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    record::SweepSpec spec = sweepThereAndBack();
     spec.shape = SweepShape::Random;
     spec.pace = record::SweepPace::Dwell;
     spec.pause = 400ms;
-    const auto done = run(bench.context(), servos, spec);
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY(done);
     const record::SweepServo& one = done->servos.front();
     QVERIFY2(one.verdict == Grade::Pass,
@@ -534,37 +534,37 @@ void TestSweepVerdict::randomTargetsAreJudged()
     QVERIFY(ignored->verdict() == Grade::Fail);
 }
 
-void TestSweepVerdict::aSingleRandomTargetIsNoVerdict()
+void TestSweepVerdict::aSingleRandomTargetGivesNoVerdict()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
-    record::SweepSpec spec = thereAndBack();
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    record::SweepSpec spec = sweepThereAndBack();
     spec.shape = SweepShape::Random;
     spec.cycles = 0;
     spec.length = 1s;
-    const auto done = run(bench.context(), servos, spec);
+    const auto done = run(fixture.context(), servos, spec);
     QVERIFY(done);
     QCOMPARE(done->servos.front().legs.size(), std::size_t(1));
-    QCOMPARE(reason(*done), NoVerdict::TooShort);
+    QCOMPARE(reason(*done), NoVerdictReason::TooShort);
 }
 
 /// The adapter is so slow that no leg is seen from beginning to end.
-void TestSweepVerdict::arrivalsThatNobodySawAreNoVerdict()
+void TestSweepVerdict::unobservedArrivalsGiveNoVerdict()
 {
-    record::SweepSpec spec = thereAndBack();
+    record::SweepSpec spec = sweepThereAndBack();
     spec.pause = 900ms;
     const auto follow = [](Duration, double goal) { return goal; };
     const auto slow = scripted(spec, follow, 160ms);
     QVERIFY2(slow, slow ? "" : qPrintable(slow.error().detail));
     QCOMPARE(slow->end, SweepEnd::Finished);
-    QCOMPARE(reason(*slow), NoVerdict::NotMeasured);
+    QCOMPARE(reason(*slow), NoVerdictReason::NotMeasured);
     QCOMPARE(slow->verdict(), Grade::NotMeasured);
     const auto quick = scripted(spec, follow);
     QVERIFY(quick);
-    QCOMPARE(reason(*quick), NoVerdict::None);
+    QCOMPARE(reason(*quick), NoVerdictReason::None);
 }
 
-void TestSweepVerdict::shortMovesAreNoVerdict_data()
+void TestSweepVerdict::shortMovesGiveNoVerdict_data()
 {
     QTest::addColumn<QString>("from");
     QTest::addColumn<QString>("to");
@@ -573,11 +573,11 @@ void TestSweepVerdict::shortMovesAreNoVerdict_data()
 }
 
 /// The servo never moves, and the test says beforehand that it cannot tell.
-void TestSweepVerdict::shortMovesAreNoVerdict()
+void TestSweepVerdict::shortMovesGiveNoVerdict()
 {
     QFETCH(QString, from);
     QFETCH(QString, to);
-    record::SweepSpec spec = thereAndBack();
+    record::SweepSpec spec = sweepThereAndBack();
     spec.range = {from, to};
     for (const auto shape : {SweepShape::Sweep, SweepShape::BothSides, SweepShape::Random}) {
         spec.shape = shape;
@@ -586,55 +586,57 @@ void TestSweepVerdict::shortMovesAreNoVerdict()
         QCOMPARE(done->end, SweepEnd::Finished);
         QVERIFY(done->verdict() == Grade::NotMeasured || done->verdict() == Grade::Fail);
         if (done->verdict() == Grade::NotMeasured)
-            QCOMPARE(reason(*done), NoVerdict::ShortMoves);
+            QCOMPARE(reason(*done), NoVerdictReason::ShortMoves);
         QVERIFY(!metric(done->servos.front(), "missed_targets"));
     }
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
     spec.shape = SweepShape::Sweep;
     const auto limits = record::builtInSweepLimits(text("STS3215"), text("STS"));
-    const auto look = jobs::lookAtSweep(bench.context(), servo, spec, limits);
+    const auto look = jobs::estimateSweep(fixture.context(), servo, spec, limits);
     QVERIFY(look);
     QCOMPARE(look->minMove, 3 * look->axis.tolerance);
     spec.range = {text("2000"), text("2040")};
-    const auto enough = jobs::lookAtSweep(bench.context(), servo, spec, limits);
+    const auto enough = jobs::estimateSweep(fixture.context(), servo, spec, limits);
     QVERIFY(enough);
     QCOMPARE(enough->minMove, 0.0);
 }
 
-void TestSweepVerdict::aWideToleranceIsNoVerdict()
+void TestSweepVerdict::aWideToleranceGivesNoVerdict()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.withWire(
+    SimFixture fixture(text("sts3215@1"));
+    fixture.withBus(
         [](sim::VirtualBus& wire) { wire.servo(1)->load().stopHigh = 1500.0 / 4096 * 2 * M_PI; });
-    std::vector<device::Servo> servos{bench.servo(1)};
-    jobs::SweepOrder order;
-    order.spec = thereAndBack();
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    jobs::SweepRequest order;
+    order.spec = sweepThereAndBack();
     order.spec.stopOnAlarm = false;
     record::SweepLimits limits = record::builtInSweepLimits(text("STS3215"), text("STS"));
     limits.tolerance = 5000;
     std::erase_if(limits.lines,
                   [](const record::SweepLimit& line) { return line.metric == text("alarms"); });
     order.limits = {limits};
-    const auto done = jobs::sweep(bench.context(), servos, order, {});
+    const auto done = jobs::sweep(fixture.context(), servos, order, {});
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QVERIFY(done->verdict() != Grade::Pass && done->verdict() != Grade::Warn);
 }
 
-void TestSweepVerdict::torqueThatStaysIsTold()
+void TestSweepVerdict::torqueLeftOnIsReported()
 {
-    record::SweepSpec spec = thereAndBack();
+    record::SweepSpec spec = sweepThereAndBack();
     spec.cycles = 1;
     spec.releaseAtEnd = true;
     std::vector<int> left;
-    jobs::SweepWatch watch;
-    watch.onTorqueLeft = [&left](const jobs::TorqueLeft& one) { left.push_back(one.id); };
+    jobs::SweepCallbacks watch;
+    watch.onUnreleasedTorque = [&left](const jobs::UnreleasedTorque& one) {
+        left.push_back(one.id);
+    };
     const auto follow = [](Duration, double goal) { return goal; };
     QVERIFY(scripted(spec, follow, 200us, watch));
     QVERIFY(left.empty());
-    m_holdsTorque = true;
+    m_isTorqueOn = true;
     const auto done = scripted(spec, follow, 200us, watch);
-    m_holdsTorque = false;
+    m_isTorqueOn = false;
     QVERIFY2(done, done ? "" : qPrintable(done.error().detail));
     QCOMPARE(left, std::vector<int>{1});
 }

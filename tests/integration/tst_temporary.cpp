@@ -15,10 +15,10 @@
 
 using base::ErrorCode;
 using jobs::Finding;
-using jobs::RecoverAction;
+using jobs::RecoveryAction;
 using jobs::TemporarySettings;
 using record::SweepEnd;
-using support::SimBench;
+using support::SimFixture;
 using namespace std::chrono_literals;
 
 namespace {
@@ -34,266 +34,266 @@ const std::vector<device::WriteItem>& gains()
     return items;
 }
 
-base::Bytes eprom(SimBench& bench, int id = 1)
+base::Bytes eprom(SimFixture& fixture, int id = 1)
 {
-    return bench.withWire([id](sim::VirtualBus& wire) { return wire.servo(id)->epromImage(); });
+    return fixture.withBus([id](sim::VirtualBus& wire) { return wire.servo(id)->epromImage(); });
 }
 
-base::Result<record::SweepRun> sweep(SimBench& bench, std::vector<device::Servo>& servos,
-                                     const jobs::SweepWatch& watch = {}, const char* to = "1500",
-                                     const char* from = "1000")
+base::Result<record::SweepRun> sweep(SimFixture& fixture, std::vector<device::Servo>& servos,
+                                     const jobs::SweepCallbacks& watch = {},
+                                     const char* to = "1500", const char* from = "1000")
 {
-    jobs::SweepOrder order;
+    jobs::SweepRequest order;
     order.spec.range = {text(from), text(to)};
     order.spec.pace = record::SweepPace::Dwell;
     order.spec.pause = 200ms;
     order.spec.cycles = 2;
     order.switchMode = true;
     order.limits.resize(servos.size());
-    return jobs::sweep(bench.context(), servos, order, watch);
+    return jobs::sweep(fixture.context(), servos, order, watch);
 }
 
-int openIntents(SimBench& bench)
+int openIntents(SimFixture& fixture)
 {
-    return int(bench.journal().open()->size());
+    return int(fixture.journal().open()->size());
 }
 
-bool noted(SimBench& bench, device::NoticeCode code)
+bool hasNotice(SimFixture& fixture, device::NoticeCode code)
 {
-    return std::any_of(bench.notices().begin(), bench.notices().end(),
+    return std::any_of(fixture.notices().begin(), fixture.notices().end(),
                        [code](const device::Notice& notice) { return notice.code == code; });
 }
 
 /// A servo that stands in this mode, with torque off, as switching there leaves it.
-void bringInto(SimBench& bench, const char* mode, base::Protocol protocol)
+void enterModeDirectly(SimFixture& fixture, const char* mode, base::Protocol protocol)
 {
-    device::Servo servo = bench.servo(1, protocol);
-    const auto report = device::switchMode(bench.context(), servo, text(mode));
-    QVERIFY(report && report->allGood());
-    bench.notices().clear();
+    device::Servo servo = fixture.servo(1, protocol);
+    const auto report = device::switchMode(fixture.context(), servo, text(mode));
+    QVERIFY(report && report->isSuccessful());
+    fixture.notices().clear();
 }
 } // namespace
 
-class TestTemporary : public QObject {
+class TestTemporaryWrites : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void gainsActAndGoBack();
+    void gainsTakeEffectAndAreRestored();
     void anOpenLockIsClosedFirst();
-    void whatIsSoAlreadyIsNotWritten();
-    void whatIsAlwaysKeptIsRefused();
-    void whatIsRefusedLeavesNothingBehind();
-    void aFullDiskForbidsIt();
-    void stopDoesNotKeepThemFromGoingBack();
-    void gainsGoBackAfterAnEmergencyStop();
+    void matchingValuesAreNotWritten();
+    void permanentRegistersAreRefused();
+    void aRefusalLeavesNothingBehind();
+    void aFullDiskPreventsIt();
+    void aStopStillRestoresThem();
+    void gainsAreRestoredAfterAnEmergencyStop();
     void aLostLinkLeavesTheIntentOpen_data();
     void aLostLinkLeavesTheIntentOpen();
-    void aPowerCycleForgetsThem();
+    void aPowerCycleResetsThem();
     void theSweepSwitchesTheMode_data();
     void theSweepSwitchesTheMode();
-    void theSweepPutsTheModeBackHoweverItEnds_data();
-    void theSweepPutsTheModeBackHoweverItEnds();
-    void rememberedLimitsStayWhatTheyWere();
-    void aModeThatIsLeftBehindIsFound_data();
-    void aModeThatIsLeftBehindIsFound();
+    void theSweepAlwaysRestoresTheMode_data();
+    void theSweepAlwaysRestoresTheMode();
+    void rememberedLimitsAreUnchanged();
+    void anUnrestoredModeIsFound_data();
+    void anUnrestoredModeIsFound();
     void twoServosInTwoModes();
 };
 
-void TestTemporary::gainsActAndGoBack()
+void TestTemporaryWrites::gainsTakeEffectAndAreRestored()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    const auto before = eprom(bench);
-    const auto p = bench.raw(1, text("position_p"));
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    const auto before = eprom(fixture);
+    const auto p = fixture.raw(1, text("position_p"));
     {
-        const auto trial = TemporarySettings::set(bench.context(), servo, gains());
+        const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
         QVERIFY(trial);
         QCOMPARE((*trial)->items().size(), std::size_t(2));
-        QCOMPARE(bench.raw(1, text("position_p")), 20);
-        QCOMPARE(bench.raw(1, text("position_i")), 1);
-        QCOMPARE(openIntents(bench), 1);
-        QCOMPARE(bench.journal().open()->front().kind, base::IntentKind::Trial);
-        QVERIFY(bench.journal().open()->front().temporary);
-        QVERIFY((*trial)->putBack());
-        QCOMPARE(bench.raw(1, text("position_p")), p);
-        QCOMPARE(openIntents(bench), 0);
-        bench.forgetFrames();
+        QCOMPARE(fixture.raw(1, text("position_p")), 20);
+        QCOMPARE(fixture.raw(1, text("position_i")), 1);
+        QCOMPARE(openIntents(fixture), 1);
+        QCOMPARE(fixture.journal().open()->front().kind, base::IntentKind::Trial);
+        QVERIFY(fixture.journal().open()->front().temporary);
+        QVERIFY((*trial)->revert());
+        QCOMPARE(fixture.raw(1, text("position_p")), p);
+        QCOMPARE(openIntents(fixture), 0);
+        fixture.clearFrames();
     }
-    QCOMPARE(bench.frameCount(), std::size_t(0)); // once is enough
-    QVERIFY(before == eprom(bench));
-    QCOMPARE(bench.journal().entries()->size(), std::size_t(1));
-    QCOMPARE(bench.journal().entries()->front().end->outcome, text("undone"));
+    QCOMPARE(fixture.frameCount(), std::size_t(0)); // once is enough
+    QVERIFY(before == eprom(fixture));
+    QCOMPARE(fixture.journal().entries()->size(), std::size_t(1));
+    QCOMPARE(fixture.journal().entries()->front().end->outcome, text("undone"));
 }
 
-void TestTemporary::anOpenLockIsClosedFirst()
+void TestTemporaryWrites::anOpenLockIsClosedFirst()
 {
-    SimBench bench(text("sts3215@1"));
-    bench.poke(1, text("lock"), 0);
-    device::Servo servo = bench.servo(1);
-    const auto before = eprom(bench);
+    SimFixture fixture(text("sts3215@1"));
+    fixture.poke(1, text("lock"), 0);
+    device::Servo servo = fixture.servo(1);
+    const auto before = eprom(fixture);
     {
-        const auto trial = TemporarySettings::set(bench.context(), servo, gains());
+        const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
         QVERIFY(trial);
-        QCOMPARE(bench.raw(1, text("lock")), 1);
-        QCOMPARE(bench.raw(1, text("position_p")), 20);
+        QCOMPARE(fixture.raw(1, text("lock")), 1);
+        QCOMPARE(fixture.raw(1, text("position_p")), 20);
     }
-    QVERIFY(noted(bench, device::NoticeCode::LockFoundOpen));
-    QVERIFY(before == eprom(bench));
-    QCOMPARE(openIntents(bench), 0);
+    QVERIFY(hasNotice(fixture, device::NoticeCode::LockFoundOpen));
+    QVERIFY(before == eprom(fixture));
+    QCOMPARE(openIntents(fixture), 0);
 }
 
-void TestTemporary::whatIsSoAlreadyIsNotWritten()
+void TestTemporaryWrites::matchingValuesAreNotWritten()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    bench.forgetFrames();
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    fixture.clearFrames();
     const auto trial = TemporarySettings::set(
-        bench.context(), servo, {{text("position_p"), bench.raw(1, text("position_p"))}});
+        fixture.context(), servo, {{text("position_p"), fixture.raw(1, text("position_p"))}});
     QVERIFY(trial);
     QVERIFY((*trial)->items().empty());
-    QVERIFY(bench.onlyAsked());
-    QVERIFY(bench.journal().entries()->empty());
+    QVERIFY(fixture.onlyReadsSent());
+    QVERIFY(fixture.journal().entries()->empty());
 }
 
-void TestTemporary::whatIsAlwaysKeptIsRefused()
+void TestTemporaryWrites::permanentRegistersAreRefused()
 {
-    SimBench bench(text("lx16a@1"), {.baud = 115'200});
-    device::Servo servo = bench.servo(1, base::Protocol::Lx);
-    const auto was = bench.raw(1, text("temp_limit"));
-    bench.forgetFrames();
+    SimFixture fixture(text("lx16a@1"), {.baud = 115'200});
+    device::Servo servo = fixture.servo(1, base::Protocol::Lx);
+    const auto was = fixture.raw(1, text("temp_limit"));
+    fixture.clearFrames();
     const auto trial =
-        TemporarySettings::set(bench.context(), servo, {{text("temp_limit"), was - 5}});
+        TemporarySettings::set(fixture.context(), servo, {{text("temp_limit"), was - 5}});
     QVERIFY(!trial);
     QCOMPARE(trial.error().code, ErrorCode::NotSupported);
     QCOMPARE(trial.error().detail, text("always-kept"));
-    QVERIFY(bench.onlyAsked());
-    QCOMPARE(openIntents(bench), 0);
+    QVERIFY(fixture.onlyReadsSent());
+    QCOMPARE(openIntents(fixture), 0);
 }
 
 /// Neither in the servo nor in what is said of its values.
-void TestTemporary::whatIsRefusedLeavesNothingBehind()
+void TestTemporaryWrites::aRefusalLeavesNothingBehind()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    const auto p = bench.raw(1, text("position_p"));
-    bench.forgetFrames();
-    QVERIFY(!TemporarySettings::set(bench.context(), servo, {{text("position_p"), 9999}}));
-    QCOMPARE(bench.frames(support::Write), 0);
-    QCOMPARE(bench.raw(1, text("position_p")), p);
-    QCOMPARE(openIntents(bench), 0);
-    const auto entries = bench.journal().entries();
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    const auto p = fixture.raw(1, text("position_p"));
+    fixture.clearFrames();
+    QVERIFY(!TemporarySettings::set(fixture.context(), servo, {{text("position_p"), 9999}}));
+    QCOMPARE(fixture.frames(support::Write), 0);
+    QCOMPARE(fixture.raw(1, text("position_p")), p);
+    QCOMPARE(openIntents(fixture), 0);
+    const auto entries = fixture.journal().entries();
     QCOMPARE(entries->size(), std::size_t(1));
-    const base::IntentEnd& end = *entries->front().end;
+    const base::IntentResult& end = *entries->front().end;
     QCOMPARE(end.outcome, text("failed"));
     QCOMPARE(end.items.size(), std::size_t(1));
     QCOMPARE(end.items.front().key, text("position_p"));
     QCOMPARE(end.items.front().outcome, text("not-sent"));
-    QVERIFY(device::temporaryValues(bench.journal(), servo)->empty());
+    QVERIFY(device::temporaryValues(fixture.journal(), servo)->empty());
 }
 
-void TestTemporary::aFullDiskForbidsIt()
+void TestTemporaryWrites::aFullDiskPreventsIt()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    bench.journal().failWith(ErrorCode::DiskFull);
-    bench.forgetFrames();
-    const auto trial = TemporarySettings::set(bench.context(), servo, gains());
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    fixture.journal().setError(ErrorCode::DiskFull);
+    fixture.clearFrames();
+    const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
     QVERIFY(!trial);
     QCOMPARE(trial.error().code, ErrorCode::DiskFull);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestTemporary::stopDoesNotKeepThemFromGoingBack()
+void TestTemporaryWrites::aStopStillRestoresThem()
 {
-    SimBench bench(text("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    const auto p = bench.raw(1, text("position_p"));
-    const auto trial = TemporarySettings::set(bench.context(), servo, gains());
+    SimFixture fixture(text("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    const auto p = fixture.raw(1, text("position_p"));
+    const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
     QVERIFY(trial);
-    bench.stop().request();
-    QVERIFY((*trial)->putBack());
-    QCOMPARE(bench.raw(1, text("position_p")), p);
-    QCOMPARE(openIntents(bench), 0);
+    fixture.stop().request();
+    QVERIFY((*trial)->revert());
+    QCOMPARE(fixture.raw(1, text("position_p")), p);
+    QCOMPARE(openIntents(fixture), 0);
 }
 
-void TestTemporary::gainsGoBackAfterAnEmergencyStop()
+void TestTemporaryWrites::gainsAreRestoredAfterAnEmergencyStop()
 {
-    SimBench bench(text("sts3215@1"));
-    std::vector<device::Servo> servos{bench.servo(1)};
-    bench.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
-    const auto p = bench.raw(1, text("position_p"));
-    const auto trial = TemporarySettings::set(bench.context(), servos[0], gains());
+    SimFixture fixture(text("sts3215@1"));
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    fixture.bus().setStopFrames(device::stopFrames({base::Protocol::Feetech}, servos));
+    const auto p = fixture.raw(1, text("position_p"));
+    const auto trial = TemporarySettings::set(fixture.context(), servos[0], gains());
     QVERIFY(trial);
-    QVERIFY(device::setTorque(bench.context(), servos[0], device::Torque::On));
-    bench.bus().emergency();
-    QVERIFY((*trial)->putBack());
-    QCOMPARE(bench.raw(1, text("position_p")), p);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0); // nothing energised it
-    QCOMPARE(openIntents(bench), 0);
+    QVERIFY(device::setTorque(fixture.context(), servos[0], device::Torque::On));
+    fixture.bus().emergency();
+    QVERIFY((*trial)->revert());
+    QCOMPARE(fixture.raw(1, text("position_p")), p);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0); // nothing energised it
+    QCOMPARE(openIntents(fixture), 0);
 }
 
-void TestTemporary::aLostLinkLeavesTheIntentOpen_data()
+void TestTemporaryWrites::aLostLinkLeavesTheIntentOpen_data()
 {
     QTest::addColumn<int>("action");
-    QTest::newRow("undo") << int(RecoverAction::Undo);
-    QTest::newRow("finish means the same") << int(RecoverAction::Finish);
+    QTest::newRow("undo") << int(RecoveryAction::Undo);
+    QTest::newRow("finish means the same") << int(RecoveryAction::Finish);
 }
 
-void TestTemporary::aLostLinkLeavesTheIntentOpen()
+void TestTemporaryWrites::aLostLinkLeavesTheIntentOpen()
 {
     QFETCH(int, action);
-    SimBench bench(text("sts3215@1"));
-    const auto before = eprom(bench);
-    const auto p = bench.raw(1, text("position_p"));
+    SimFixture fixture(text("sts3215@1"));
+    const auto before = eprom(fixture);
+    const auto p = fixture.raw(1, text("position_p"));
     {
-        device::Servo servo = bench.servo(1);
-        const auto trial = TemporarySettings::set(bench.context(), servo, gains());
+        device::Servo servo = fixture.servo(1);
+        const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
         QVERIFY(trial);
-        bench.cutLink();
-        const auto back = (*trial)->putBack();
+        fixture.cutLink();
+        const auto back = (*trial)->revert();
         QVERIFY(!back);
         QCOMPARE(back.error().code, ErrorCode::LinkLost);
-        QVERIFY(noted(bench, device::NoticeCode::SettingNotPutBack));
+        QVERIFY(hasNotice(fixture, device::NoticeCode::SettingNotRestored));
     }
-    QCOMPARE(openIntents(bench), 1);
-    bench.reconnect(1'000'000);
-    const auto looked = jobs::recover(bench.context(), RecoverAction::Look);
-    QVERIFY(looked);
-    QCOMPARE(looked->size(), std::size_t(1));
-    QCOMPARE(looked->front().before.finding, Finding::AllNew);
-    QCOMPARE(bench.raw(1, text("position_p")), 20);
-    const auto settled = jobs::recover(bench.context(), RecoverAction(action));
+    QCOMPARE(openIntents(fixture), 1);
+    fixture.reconnect(1'000'000);
+    const auto preview = jobs::recover(fixture.context(), RecoveryAction::Preview);
+    QVERIFY(preview);
+    QCOMPARE(preview->size(), std::size_t(1));
+    QCOMPARE(preview->front().before.finding, Finding::AllNew);
+    QCOMPARE(fixture.raw(1, text("position_p")), 20);
+    const auto settled = jobs::recover(fixture.context(), RecoveryAction(action));
     QVERIFY(settled && settled->front().done);
-    QCOMPARE(bench.raw(1, text("position_p")), p);
-    QCOMPARE(bench.raw(1, text("position_i")), 0);
-    QCOMPARE(openIntents(bench), 0);
-    QVERIFY(before == eprom(bench));
+    QCOMPARE(fixture.raw(1, text("position_p")), p);
+    QCOMPARE(fixture.raw(1, text("position_i")), 0);
+    QCOMPARE(openIntents(fixture), 0);
+    QVERIFY(before == eprom(fixture));
 }
 
-void TestTemporary::aPowerCycleForgetsThem()
+void TestTemporaryWrites::aPowerCycleResetsThem()
 {
-    SimBench bench(text("sts3215@1"));
-    const auto p = bench.raw(1, text("position_p"));
+    SimFixture fixture(text("sts3215@1"));
+    const auto p = fixture.raw(1, text("position_p"));
     {
-        device::Servo servo = bench.servo(1);
-        const auto trial = TemporarySettings::set(bench.context(), servo, gains());
+        device::Servo servo = fixture.servo(1);
+        const auto trial = TemporarySettings::set(fixture.context(), servo, gains());
         QVERIFY(trial);
-        bench.cutLink();
+        fixture.cutLink();
     }
-    bench.powerCycle();
-    bench.reconnect(1'000'000);
-    QCOMPARE(bench.raw(1, text("position_p")), p);
-    const auto looked = jobs::recover(bench.context(), RecoverAction::Look);
-    QVERIFY(looked);
-    QCOMPARE(looked->front().before.finding, Finding::AllOld);
-    const auto settled = jobs::recover(bench.context(), RecoverAction::Undo);
+    fixture.powerCycle();
+    fixture.reconnect(1'000'000);
+    QCOMPARE(fixture.raw(1, text("position_p")), p);
+    const auto preview = jobs::recover(fixture.context(), RecoveryAction::Preview);
+    QVERIFY(preview);
+    QCOMPARE(preview->front().before.finding, Finding::AllOld);
+    const auto settled = jobs::recover(fixture.context(), RecoveryAction::Undo);
     QVERIFY(settled && settled->front().done);
-    QCOMPARE(bench.raw(1, text("position_p")), p);
+    QCOMPARE(fixture.raw(1, text("position_p")), p);
 }
 
-void TestTemporary::theSweepSwitchesTheMode_data()
+void TestTemporaryWrites::theSweepSwitchesTheMode_data()
 {
     QTest::addColumn<QString>("servo");
     QTest::addColumn<QString>("mode");
@@ -314,7 +314,7 @@ void TestTemporary::theSweepSwitchesTheMode_data()
     row("LX motor", "lx16a@1:1000000", "motor", int(base::Protocol::Lx), "300", "500");
 }
 
-void TestTemporary::theSweepSwitchesTheMode()
+void TestTemporaryWrites::theSweepSwitchesTheMode()
 {
     QFETCH(QString, servo);
     QFETCH(QString, mode);
@@ -323,15 +323,15 @@ void TestTemporary::theSweepSwitchesTheMode()
     QFETCH(QString, to);
     const auto language = base::Protocol(protocol);
     const bool lx = language == base::Protocol::Lx;
-    SimBench bench(servo.section(QLatin1Char(':'), 0, 0),
-                   lx ? support::BenchOptions{.baud = 115'200}
-                      : support::BenchOptions{.baud = 1'000'000, .servoBaud = 1'000'000});
-    bringInto(bench, mode.toLatin1().constData(), language);
-    const auto before = eprom(bench);
-    std::vector<device::Servo> servos{bench.servo(1, language)};
-    const std::size_t intents = bench.journal().entries()->size();
+    SimFixture fixture(servo.section(QLatin1Char(':'), 0, 0),
+                       lx ? support::SimFixtureOptions{.baud = 115'200}
+                          : support::SimFixtureOptions{.baud = 1'000'000, .servoBaud = 1'000'000});
+    enterModeDirectly(fixture, mode.toLatin1().constData(), language);
+    const auto before = eprom(fixture);
+    std::vector<device::Servo> servos{fixture.servo(1, language)};
+    const std::size_t intents = fixture.journal().entries()->size();
     const auto done =
-        sweep(bench, servos, {}, to.toLatin1().constData(), from.toLatin1().constData());
+        sweep(fixture, servos, {}, to.toLatin1().constData(), from.toLatin1().constData());
     QVERIFY2(done, done ? ""
                         : qPrintable(base::errorName(done.error().code) + QLatin1Char(' ') +
                                      done.error().detail + done.error().registerKey));
@@ -339,12 +339,12 @@ void TestTemporary::theSweepSwitchesTheMode()
     QCOMPARE(done->servos.at(0).legs.size(), std::size_t(4));
     for (const record::SweepLeg& leg : done->servos.at(0).legs)
         QVERIFY(!leg.missed);
-    device::Servo after = bench.servo(1, language);
+    device::Servo after = fixture.servo(1, language);
     QCOMPARE(after.mode()->key, mode);
-    QVERIFY(before == eprom(bench));
-    QCOMPARE(bench.raw(1, lx ? text("load") : text("torque_switch")), 0);
-    QCOMPARE(openIntents(bench), 0);
-    QCOMPARE(bench.journal().entries()->size(), intents + 1);
+    QVERIFY(before == eprom(fixture));
+    QCOMPARE(fixture.raw(1, lx ? text("load") : text("torque_switch")), 0);
+    QCOMPARE(openIntents(fixture), 0);
+    QCOMPARE(fixture.journal().entries()->size(), intents + 1);
     // The report shows the servo's own settings.
     for (const record::SnapshotRegister& reg : done->servos.at(0).parameters.registers) {
         const catalog::Register* own = after.profile->find(reg.key);
@@ -353,69 +353,69 @@ void TestTemporary::theSweepSwitchesTheMode()
     }
     // Switched on, it stands: the command of its mode is zero.
     const auto place = [&] {
-        return bench.withWire([](sim::VirtualBus& wire) { return wire.servo(1)->shaftDegrees(); });
+        return fixture.withBus([](sim::VirtualBus& wire) { return wire.servo(1)->shaftDegrees(); });
     };
     if (mode != QLatin1StringView("step")) {
-        QVERIFY(device::setTorque(bench.context(), after, device::Torque::On));
-        bench.letTimePass(500ms);
+        QVERIFY(device::setTorque(fixture.context(), after, device::Torque::On));
+        fixture.runFor(500ms);
         const double rests = place();
-        bench.letTimePass(2s);
+        fixture.runFor(2s);
         QVERIFY(std::abs(place() - rests) < 2);
     }
 }
 
-void TestTemporary::theSweepPutsTheModeBackHoweverItEnds_data()
+void TestTemporaryWrites::theSweepAlwaysRestoresTheMode_data()
 {
     QTest::addColumn<QString>("end");
     for (const char* end : {"stopped", "alarm", "jammed", "bad range"})
         QTest::newRow(end) << text(end);
 }
 
-void TestTemporary::theSweepPutsTheModeBackHoweverItEnds()
+void TestTemporaryWrites::theSweepAlwaysRestoresTheMode()
 {
     QFETCH(QString, end);
-    SimBench bench(text("sts3215@1"));
-    bringInto(bench, "speed", base::Protocol::Feetech);
-    const auto before = eprom(bench);
-    std::vector<device::Servo> servos{bench.servo(1)};
-    jobs::SweepWatch watch;
+    SimFixture fixture(text("sts3215@1"));
+    enterModeDirectly(fixture, "speed", base::Protocol::Feetech);
+    const auto before = eprom(fixture);
+    std::vector<device::Servo> servos{fixture.servo(1)};
+    jobs::SweepCallbacks watch;
     watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
         if (leg.number == 1 && end == QLatin1StringView("stopped"))
-            bench.stop().request();
+            fixture.stop().request();
         if (leg.number == 1 && end == QLatin1StringView("alarm"))
-            bench.withWire([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(4); });
+            fixture.withBus([](sim::VirtualBus& wire) { wire.servo(1)->injectStatus(4); });
     };
     if (end == QLatin1StringView("jammed")) {
-        bench.withWire([](sim::VirtualBus& wire) {
+        fixture.withBus([](sim::VirtualBus& wire) {
             wire.servo(1)->load().stopLow = 2000.0 / 4096 * 2 * M_PI;
         });
     }
     const bool badRange = end == QLatin1StringView("bad range");
-    const auto done = sweep(bench, servos, watch, badRange ? "5000" : "1500");
+    const auto done = sweep(fixture, servos, watch, badRange ? "5000" : "1500");
     QCOMPARE(done.has_value(), !badRange);
-    QCOMPARE(bench.raw(1, text("operating_mode")), 1);
-    QCOMPARE(bench.raw(1, text("goal_speed")), 0);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QCOMPARE(openIntents(bench), 0);
-    QVERIFY(before == eprom(bench));
+    QCOMPARE(fixture.raw(1, text("operating_mode")), 1);
+    QCOMPARE(fixture.raw(1, text("goal_speed")), 0);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(openIntents(fixture), 0);
+    QVERIFY(before == eprom(fixture));
 }
 
 /// The limits a servo has while it is tested are not what its way back from motor mode remembers.
-void TestTemporary::rememberedLimitsStayWhatTheyWere()
+void TestTemporaryWrites::rememberedLimitsAreUnchanged()
 {
-    SimBench bench(text("scs15@1"), {.baud = 1'000'000, .servoBaud = 1'000'000});
-    bench.poke(1, text("min_angle_limit"), 0);
-    bench.poke(1, text("max_angle_limit"), 0);
-    std::vector<device::Servo> servos{bench.servo(1)};
+    SimFixture fixture(text("scs15@1"), {.baud = 1'000'000, .servoBaud = 1'000'000});
+    fixture.poke(1, text("min_angle_limit"), 0);
+    fixture.poke(1, text("max_angle_limit"), 0);
+    std::vector<device::Servo> servos{fixture.servo(1)};
     const auto identity = servos[0].identity();
-    QVERIFY(sweep(bench, servos, {}, "500", "300"));
-    QCOMPARE(bench.raw(1, text("max_angle_limit")), 0);
-    QVERIFY(!bench.journal().kept(identity, text("limits")).value());
-    QVERIFY(noted(bench, device::NoticeCode::LimitsDefaulted));
-    QVERIFY(!noted(bench, device::NoticeCode::LimitsKept));
+    QVERIFY(sweep(fixture, servos, {}, "500", "300"));
+    QCOMPARE(fixture.raw(1, text("max_angle_limit")), 0);
+    QVERIFY(!fixture.journal().servoValues(identity, text("limits")).value());
+    QVERIFY(hasNotice(fixture, device::NoticeCode::LimitsSetToDefault));
+    QVERIFY(!hasNotice(fixture, device::NoticeCode::LimitsSaved));
 }
 
-void TestTemporary::aModeThatIsLeftBehindIsFound_data()
+void TestTemporaryWrites::anUnrestoredModeIsFound_data()
 {
     QTest::addColumn<QString>("how");
     QTest::addColumn<QString>("servo");
@@ -426,7 +426,7 @@ void TestTemporary::aModeThatIsLeftBehindIsFound_data()
     QTest::newRow("emergency stop") << text("emergency") << text("sts3215@1") << text("speed");
 }
 
-void TestTemporary::aModeThatIsLeftBehindIsFound()
+void TestTemporaryWrites::anUnrestoredModeIsFound()
 {
     QFETCH(QString, how);
     QFETCH(QString, servo);
@@ -434,55 +434,55 @@ void TestTemporary::aModeThatIsLeftBehindIsFound()
     const bool lx = servo.startsWith(QLatin1StringView("lx"));
     const auto language = lx ? base::Protocol::Lx : base::Protocol::Feetech;
     const int baud = lx ? 115'200 : 1'000'000;
-    SimBench bench(servo, {.baud = baud});
-    bringInto(bench, mode.toLatin1().constData(), language);
-    const auto before = eprom(bench);
+    SimFixture fixture(servo, {.baud = baud});
+    enterModeDirectly(fixture, mode.toLatin1().constData(), language);
+    const auto before = eprom(fixture);
     const bool emergency = how == QLatin1StringView("emergency");
     {
-        std::vector<device::Servo> servos{bench.servo(1, language)};
-        bench.bus().setStopFrames(device::stopFrames({language}, servos));
-        jobs::SweepWatch watch;
+        std::vector<device::Servo> servos{fixture.servo(1, language)};
+        fixture.bus().setStopFrames(device::stopFrames({language}, servos));
+        jobs::SweepCallbacks watch;
         watch.onLeg = [&](std::size_t, const record::SweepLeg& leg) {
             if (leg.number == 2)
-                emergency ? bench.bus().emergency() : bench.cutLink();
+                emergency ? fixture.bus().emergency() : fixture.cutLink();
         };
-        const auto done = sweep(bench, servos, watch, lx ? "500" : "1500", lx ? "300" : "1000");
+        const auto done = sweep(fixture, servos, watch, lx ? "500" : "1500", lx ? "300" : "1000");
         QVERIFY(done);
         QCOMPARE(done->end, emergency ? SweepEnd::Emergency : SweepEnd::LinkLost);
-        QVERIFY(noted(bench, device::NoticeCode::SettingNotPutBack));
+        QVERIFY(hasNotice(fixture, device::NoticeCode::SettingNotRestored));
     }
-    QCOMPARE(openIntents(bench), 1);
-    QVERIFY(before == eprom(bench));
+    QCOMPARE(openIntents(fixture), 1);
+    QVERIFY(before == eprom(fixture));
     if (emergency)
-        QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    bench.reconnect(baud);
-    const auto found = jobs::recover(bench.context(), RecoverAction::Look);
+        QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    fixture.reconnect(baud);
+    const auto found = jobs::recover(fixture.context(), RecoveryAction::Preview);
     QVERIFY(found);
     QCOMPARE(found->front().before.finding, Finding::AllNew);
-    const auto settled = jobs::recover(bench.context(), RecoverAction::Undo);
+    const auto settled = jobs::recover(fixture.context(), RecoveryAction::Undo);
     QVERIFY(settled);
     QVERIFY2(settled->front().done,
              settled->front().error ? qPrintable(settled->front().error->detail) : "");
-    device::Servo after = bench.servo(1, language);
+    device::Servo after = fixture.servo(1, language);
     QCOMPARE(after.mode()->key, mode);
-    QCOMPARE(bench.raw(1, lx ? text("load") : text("torque_switch")), 0);
-    QCOMPARE(openIntents(bench), 0);
-    QVERIFY(before == eprom(bench));
+    QCOMPARE(fixture.raw(1, lx ? text("load") : text("torque_switch")), 0);
+    QCOMPARE(openIntents(fixture), 0);
+    QVERIFY(before == eprom(fixture));
 }
 
-void TestTemporary::twoServosInTwoModes()
+void TestTemporaryWrites::twoServosInTwoModes()
 {
-    SimBench bench(text("sts3215@1,sts3215@2"));
-    bringInto(bench, "speed", base::Protocol::Feetech);
-    std::vector<device::Servo> servos{bench.servo(1), bench.servo(2)};
-    const auto done = sweep(bench, servos);
+    SimFixture fixture(text("sts3215@1,sts3215@2"));
+    enterModeDirectly(fixture, "speed", base::Protocol::Feetech);
+    std::vector<device::Servo> servos{fixture.servo(1), fixture.servo(2)};
+    const auto done = sweep(fixture, servos);
     QVERIFY(done);
     QCOMPARE(done->end, SweepEnd::Finished);
-    QCOMPARE(bench.raw(1, text("operating_mode")), 1);
-    QCOMPARE(bench.raw(1, text("torque_switch")), 0);
-    QCOMPARE(bench.raw(2, text("operating_mode")), 0);
-    QCOMPARE(bench.raw(2, text("torque_switch")), 1); // it holds, as it would alone
+    QCOMPARE(fixture.raw(1, text("operating_mode")), 1);
+    QCOMPARE(fixture.raw(1, text("torque_switch")), 0);
+    QCOMPARE(fixture.raw(2, text("operating_mode")), 0);
+    QCOMPARE(fixture.raw(2, text("torque_switch")), 1); // it holds, as it would alone
 }
 
-QTEST_GUILESS_MAIN(TestTemporary)
+QTEST_GUILESS_MAIN(TestTemporaryWrites)
 #include "tst_temporary.moc"

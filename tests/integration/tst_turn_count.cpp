@@ -35,7 +35,7 @@ class TestTurnCount : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void nothingReadIsNothingKnown()
+    void unknownWithoutReadings()
     {
         TurnCounter counter;
         counter.on(oneTurn);
@@ -44,7 +44,7 @@ private Q_SLOTS:
         QCOMPARE(*counter.value(), (device::Turns{0, 90, false, true}));
     }
 
-    void turnsAreCountedThroughTheSeamBothWays()
+    void turnsAreCountedAcrossTheWrapBothWays()
     {
         TurnCounter counter;
         counter.on(oneTurn);
@@ -54,30 +54,30 @@ private Q_SLOTS:
         turnTo(counter, place, 1024 + 3 * steps, at);
         QCOMPARE(counter.value()->turns, 3);
         QCOMPARE(counter.value()->degrees, 3 * 360.0 + 90);
-        QVERIFY(counter.value()->sure);
+        QVERIFY(counter.value()->isCertain);
         turnTo(counter, place, 1024 - 2 * steps, at);
         QCOMPARE(counter.value()->turns, -2);
         QCOMPARE(counter.value()->degrees, -2 * 360.0 + 90);
         QVERIFY(!counter.value()->absolute);
     }
 
-    void readingsTooFarApartAreNotSure()
+    void readingsTooFarApartAreUncertain()
     {
         TurnCounter counter;
         counter.on(oneTurn);
         counter.reading(0, 360.0, 1s);
         counter.reading(1500, 360.0, 1400ms); // 144° at 360°/s
-        QVERIFY(counter.value()->sure);
+        QVERIFY(counter.value()->isCertain);
         counter.reading(100, 360.0, 2s); // 216° or more
-        QVERIFY(!counter.value()->sure);
+        QVERIFY(!counter.value()->isCertain);
         counter.reading(120, 0.0, 2010ms);
-        QVERIFY2(!counter.value()->sure, "what was missed stays missed");
+        QVERIFY2(!counter.value()->isCertain, "what was missed stays missed");
         counter.reset();
         counter.reading(120, 0.0, 2020ms);
-        QVERIFY(counter.value()->sure);
+        QVERIFY(counter.value()->isCertain);
     }
 
-    void aServoThatCountsItselfIsBelieved()
+    void aServosOwnTurnCountIsUsed()
     {
         TurnCounter counter;
         counter.on({steps, true, QStringLiteral("multiturn"), 0});
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QCOMPARE(*counter.value(), (device::Turns{-1, -90, true, true}));
     }
 
-    void aNewZeroOrMeaningBeginsAnew()
+    void aNewZeroOrMeaningRestartsTheCount()
     {
         TurnCounter counter;
         counter.on(oneTurn);
@@ -98,7 +98,7 @@ private Q_SLOTS:
         same.mode = QStringLiteral("pwm"); // the encoder shows the same
         counter.on(same);
         QCOMPARE(counter.value()->turns, 1);
-        same.offset = 300; // centred
+        same.offset = 300; // centered
         counter.on(same);
         QVERIFY(!counter.value());
         counter.on({}); // step mode
@@ -107,20 +107,20 @@ private Q_SLOTS:
     }
 
     /// What registers make of the reading: step mode shows the way left, factor 30 changes nothing.
-    void theBasisIsTheServos()
+    void theBaseComesFromTheServo()
     {
-        support::SimBench bench(QStringLiteral("sts3215@1,scs15@5"));
-        device::Servo sts = bench.servo(1);
+        support::SimFixture fixture(QStringLiteral("sts3215@1,scs15@5"));
+        device::Servo sts = fixture.servo(1);
         QCOMPARE(device::turnBasis(sts).steps, steps);
-        QVERIFY(!device::turnBasis(sts).countsItself);
-        bench.poke(1, QStringLiteral("lock"), 0);
-        bench.poke(1, QStringLiteral("angle_resolution"), 2);
-        QCOMPARE(device::turnBasis(bench.servo(1)).steps, steps);
-        bench.poke(1, QStringLiteral("phase"), bench.raw(1, QStringLiteral("phase")) | 1 << 4);
-        QVERIFY(device::turnBasis(bench.servo(1)).countsItself);
-        bench.poke(1, QStringLiteral("operating_mode"), 3);
-        QCOMPARE(device::turnBasis(bench.servo(1)).steps, 0);
-        QCOMPARE(device::turnBasis(bench.servo(5)).steps, 0); // a potentiometer
+        QVERIFY(!device::turnBasis(sts).countsTurns);
+        fixture.poke(1, QStringLiteral("lock"), 0);
+        fixture.poke(1, QStringLiteral("angle_resolution"), 2);
+        QCOMPARE(device::turnBasis(fixture.servo(1)).steps, steps);
+        fixture.poke(1, QStringLiteral("phase"), fixture.raw(1, QStringLiteral("phase")) | 1 << 4);
+        QVERIFY(device::turnBasis(fixture.servo(1)).countsTurns);
+        fixture.poke(1, QStringLiteral("operating_mode"), 3);
+        QCOMPARE(device::turnBasis(fixture.servo(1)).steps, 0);
+        QCOMPARE(device::turnBasis(fixture.servo(5)).steps, 0); // a potentiometer
     }
 };
 

@@ -21,22 +21,22 @@
 #include <QTest>
 
 using base::ErrorCode;
-using support::ByteLine;
-using support::byteSts;
+using support::RawServoLine;
+using support::rawSts3215;
 
 namespace {
-struct Bench {
+struct Fixture {
     base::ManualClock clock;
-    ByteLine line;
+    RawServoLine line;
     support::MemoryJournal journal;
-    base::Stop stop;
+    base::StopToken stop;
     device::Notices notices;
     std::unique_ptr<bus::BusCore> bus;
 
-    explicit Bench(const support::ByteServo& servo)
+    explicit Fixture(const support::RawServo& servo)
     {
         line.servos = {servo};
-        bus = std::make_unique<bus::BusCore>(support::openByteLine(line, clock),
+        bus = std::make_unique<bus::BusCore>(support::openRawServoLine(line, clock),
                                              protocol::feetechCodec(), clock);
         line.frames.clear();
     }
@@ -44,29 +44,29 @@ struct Bench {
 };
 
 /// Firmware 3.25, byte order flag 1, model 9.3: the list has it as an STS3215.
-support::ByteServo contradicting()
+support::RawServo conflictingServo()
 {
-    support::ByteServo servo = byteSts(1);
+    support::RawServo servo = rawSts3215(1);
     servo.table[1] = 25;
     servo.table[2] = 1;
     return servo;
 }
 
-support::ByteServo strangeLock()
+support::RawServo invalidLockServo()
 {
-    support::ByteServo servo = byteSts(1);
+    support::RawServo servo = rawSts3215(1);
     servo.table[55] = 77;
     return servo;
 }
 
 template <typename Answer>
-void refused(const Answer& answer, Bench& bench, const char* path)
+void refused(const Answer& answer, Fixture& fixture, const char* path)
 {
     QVERIFY2(!answer, path);
-    QVERIFY2(answer.error().code == ErrorCode::FamilyUnclear,
+    QVERIFY2(answer.error().code == ErrorCode::FamilyConflict,
              qPrintable(QLatin1String(path) + QLatin1String(": ") +
                         base::errorName(answer.error().code)));
-    QVERIFY2(bench.line.changingFrames() == 0, path);
+    QVERIFY2(fixture.line.writeFrameCount() == 0, path);
 }
 
 base::Result<void> move(const device::Context& context, device::Servo& servo)
@@ -75,70 +75,70 @@ base::Result<void> move(const device::Context& context, device::Servo& servo)
     if (!plan)
         return tl::unexpected(plan.error());
     std::vector<device::MovePlan> plans{*plan};
-    return device::sendMoves(context, plans, device::MoveHow::Write);
+    return device::sendMoves(context, plans, device::MoveMethod::Write);
 }
 } // namespace
 
-class TestUnclearFamily : public QObject {
+class TestFamilyConflict : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void noPathWrites_data();
-    void noPathWrites();
+    void nothingWrites_data();
+    void nothingWrites();
     void everythingCanBeRead();
-    void theFactsAreNamed_data();
-    void theFactsAreNamed();
+    void theFactsAreReported_data();
+    void theFactsAreReported();
     void emergencyStopIsAllowed();
     void torqueGoesOff_data();
     void torqueGoesOff();
-    void onceTheLockIsWellItIsWrittenTo();
+    void aValidLockAllowsWriting();
 };
 
-void TestUnclearFamily::noPathWrites_data()
+void TestFamilyConflict::nothingWrites_data()
 {
     QTest::addColumn<bool>("lockOnly");
     QTest::newRow("firmware, flag and model") << false;
     QTest::newRow("byte at the lock") << true;
 }
 
-void TestUnclearFamily::noPathWrites()
+void TestFamilyConflict::nothingWrites()
 {
     QFETCH(bool, lockOnly);
-    Bench bench(lockOnly ? strangeLock() : contradicting());
-    const auto context = bench.context();
+    Fixture fixture(lockOnly ? invalidLockServo() : conflictingServo());
+    const auto context = fixture.context();
     auto found = device::identify(context, 1);
     QVERIFY(found);
     device::Servo& servo = *found;
     const device::WriteItem item{
         lockOnly ? QStringLiteral("max_temperature") : QStringLiteral("byte_13"), 61};
-    refused(device::write(context, servo, {item}, {}), bench, "write");
+    refused(device::write(context, servo, {item}, {}), fixture, "write");
     for (const auto torque : {device::Torque::On, device::Torque::Damp})
-        refused(device::setTorque(context, servo, torque), bench, "torque");
-    refused(move(context, servo), bench, "move");
-    refused(jobs::changeId(context, servo, 9), bench, "set-id");
-    refused(jobs::changeBaud(context, servo, 500'000), bench, "set-baud");
-    refused(jobs::center(context, servo), bench, "center");
-    refused(jobs::reboot(context, servo), bench, "reboot");
-    refused(jobs::restoreDefaults(context, servo), bench, "restore-defaults");
-    refused(jobs::blink(context, servo, std::chrono::seconds(1)), bench, "blink");
+        refused(device::setTorque(context, servo, torque), fixture, "torque");
+    refused(move(context, servo), fixture, "move");
+    refused(jobs::changeId(context, servo, 9), fixture, "set-id");
+    refused(jobs::changeBaud(context, servo, 500'000), fixture, "set-baud");
+    refused(jobs::center(context, servo), fixture, "center");
+    refused(jobs::reboot(context, servo), fixture, "reboot");
+    refused(jobs::restoreDefaults(context, servo), fixture, "restore-defaults");
+    refused(jobs::blink(context, servo, std::chrono::seconds(1)), fixture, "blink");
     std::vector<device::Servo> servos{servo};
-    jobs::SweepOrder sweep;
+    jobs::SweepRequest sweep;
     sweep.limits.resize(1);
-    refused(jobs::sweep(context, servos, sweep, {}), bench, "sweep");
-    refused(jobs::stepResponse(context, servo, {}, {}), bench, "step-response");
-    QVERIFY(bench.journal.entries()->empty());
+    refused(jobs::sweep(context, servos, sweep, {}), fixture, "sweep");
+    refused(jobs::stepResponse(context, servo, {}, {}), fixture, "step-response");
+    QVERIFY(fixture.journal.entries()->empty());
 }
 
-void TestUnclearFamily::everythingCanBeRead()
+void TestFamilyConflict::everythingCanBeRead()
 {
-    Bench bench(contradicting());
-    auto servo = device::identify(bench.context(), 1);
+    Fixture fixture(conflictingServo());
+    auto servo = device::identify(fixture.context(), 1);
     QVERIFY(servo);
     QVERIFY(servo->profile->conflict);
-    QVERIFY(device::readAll(bench.context(), *servo));
-    const base::Bytes& table = bench.line.servos[0].table;
+    QVERIFY(device::readAll(fixture.context(), *servo));
+    const base::Bytes& table = fixture.line.servos[0].table;
     for (int place = 0; place <= 70; ++place) {
         const catalog::Register* reg = servo->profile->at(place);
         QVERIFY(reg != nullptr);
@@ -146,10 +146,10 @@ void TestUnclearFamily::everythingCanBeRead()
         QVERIFY(!reg->writable());
         QCOMPARE(servo->raw(*reg), std::int64_t{table[std::size_t(place)]});
     }
-    QCOMPARE(bench.line.changingFrames(), 0);
+    QCOMPARE(fixture.line.writeFrameCount(), 0);
 }
 
-void TestUnclearFamily::theFactsAreNamed_data()
+void TestFamilyConflict::theFactsAreReported_data()
 {
     QTest::addColumn<bool>("lockOnly");
     QTest::addColumn<QStringList>("facts");
@@ -167,40 +167,40 @@ void TestUnclearFamily::theFactsAreNamed_data()
                                            "address 55", "77 stands there"});
 }
 
-void TestUnclearFamily::theFactsAreNamed()
+void TestFamilyConflict::theFactsAreReported()
 {
     QFETCH(bool, lockOnly);
     QFETCH(QStringList, facts);
-    Bench bench(lockOnly ? strangeLock() : contradicting());
-    auto servo = device::identify(bench.context(), 1);
+    Fixture fixture(lockOnly ? invalidLockServo() : conflictingServo());
+    auto servo = device::identify(fixture.context(), 1);
     QVERIFY(servo);
-    const auto refusal = device::setTorque(bench.context(), *servo, device::Torque::On);
+    const auto refusal = device::setTorque(fixture.context(), *servo, device::Torque::On);
     QVERIFY(!refusal);
     const auto words = text::describe(refusal.error());
     for (const QString& fact : facts)
-        QVERIFY2(words.what.contains(fact), qPrintable(words.what));
+        QVERIFY2(words.message.contains(fact), qPrintable(words.message));
     QVERIFY(!words.remedy.isEmpty());
     // Whoever shows the servo says the same, once the byte has been read.
-    QVERIFY(device::readAll(bench.context(), *servo));
-    const auto bar = device::writeBar(*servo);
+    QVERIFY(device::readAll(fixture.context(), *servo));
+    const auto bar = device::writeObstacle(*servo);
     QVERIFY(bar);
     QCOMPARE(bar->detail, refusal.error().detail);
 }
 
-void TestUnclearFamily::emergencyStopIsAllowed()
+void TestFamilyConflict::emergencyStopIsAllowed()
 {
-    support::ByteServo servo = contradicting();
+    support::RawServo servo = conflictingServo();
     servo.table[40] = 1;
-    Bench bench(servo);
-    auto found = device::identify(bench.context(), 1);
+    Fixture fixture(servo);
+    auto found = device::identify(fixture.context(), 1);
     QVERIFY(found);
-    const auto verdicts = jobs::checkStopped(bench.context(), {&*found});
+    const auto verdicts = jobs::verifyEmergencyStop(fixture.context(), {&*found});
     QVERIFY(verdicts);
-    QVERIFY(verdicts->front().torque == jobs::StopVerdict::Torque::Off);
-    QCOMPARE(bench.line.servos[0].table[40], std::uint8_t(0));
+    QVERIFY(verdicts->front().torque == jobs::StopCheckResult::Torque::Off);
+    QCOMPARE(fixture.line.servos[0].table[40], std::uint8_t(0));
 }
 
-void TestUnclearFamily::torqueGoesOff_data()
+void TestFamilyConflict::torqueGoesOff_data()
 {
     QTest::addColumn<bool>("lockOnly");
     QTest::addColumn<bool>("halt");
@@ -211,37 +211,37 @@ void TestUnclearFamily::torqueGoesOff_data()
 }
 
 /// Its switch has the same place in every table.
-void TestUnclearFamily::torqueGoesOff()
+void TestFamilyConflict::torqueGoesOff()
 {
     QFETCH(bool, lockOnly);
     QFETCH(bool, halt);
-    support::ByteServo servo = lockOnly ? strangeLock() : contradicting();
+    support::RawServo servo = lockOnly ? invalidLockServo() : conflictingServo();
     servo.table[40] = 1;
-    Bench bench(servo);
-    auto found = device::identify(bench.context(), 1);
+    Fixture fixture(servo);
+    auto found = device::identify(fixture.context(), 1);
     QVERIFY(found);
-    const auto done = halt ? device::halt(bench.context(), *found)
-                           : device::setTorque(bench.context(), *found, device::Torque::Off);
+    const auto done = halt ? device::halt(fixture.context(), *found)
+                           : device::setTorque(fixture.context(), *found, device::Torque::Off);
     QVERIFY(done); // reading has shown it
-    support::ByteServo off = servo;
+    support::RawServo off = servo;
     off.table[40] = 0;
-    QCOMPARE(bench.line.servos[0].table, off.table);
-    QCOMPARE(bench.notices.back().code, device::NoticeCode::TorqueSwitchedOff);
+    QCOMPARE(fixture.line.servos[0].table, off.table);
+    QCOMPARE(fixture.notices.back().code, device::NoticeCode::TorqueSwitchedOff);
 }
 
-void TestUnclearFamily::onceTheLockIsWellItIsWrittenTo()
+void TestFamilyConflict::aValidLockAllowsWriting()
 {
-    Bench bench(strangeLock());
-    auto servo = device::identify(bench.context(), 1);
+    Fixture fixture(invalidLockServo());
+    auto servo = device::identify(fixture.context(), 1);
     QVERIFY(servo);
     const device::WriteItem item{QStringLiteral("max_temperature"), 61};
-    QVERIFY(!device::write(bench.context(), *servo, {item}, {}));
-    bench.line.servos[0].table[55] = 1; // switched off and on
-    const auto report = device::write(bench.context(), *servo, {item}, {});
+    QVERIFY(!device::write(fixture.context(), *servo, {item}, {}));
+    fixture.line.servos[0].table[55] = 1; // switched off and on
+    const auto report = device::write(fixture.context(), *servo, {item}, {});
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.line.servos[0].table[13], std::uint8_t(61));
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.line.servos[0].table[13], std::uint8_t(61));
 }
 
-QTEST_GUILESS_MAIN(TestUnclearFamily)
+QTEST_GUILESS_MAIN(TestFamilyConflict)
 #include "tst_unclear_family.moc"

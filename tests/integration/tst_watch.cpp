@@ -13,10 +13,10 @@
 using base::ErrorCode;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using support::BenchOptions;
-using support::SimBench;
+using support::SimFixture;
+using support::SimFixtureOptions;
 
-using namespace watch_help;
+using namespace watch_support;
 
 class TestWatch : public QObject {
     Q_OBJECT
@@ -25,26 +25,26 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     void watchesTheFeedbackBlock();
-    void whatIsNotMeasuredIsNotZero();
-    void givesEachUnitItsColumn();
-    void readsAtTheRateAskedFor_data();
-    void readsAtTheRateAskedFor();
-    void showsWhatTheServoHolds();
-    void speedAgreesWithTheWayCovered_data();
-    void speedAgreesWithTheWayCovered();
-    void asksFamiliesThatCanTogether();
-    void countsWhatIsMissed();
+    void unmeasuredIsNotZero();
+    void eachUnitHasItsColumn();
+    void readsAtTheRequestedRate_data();
+    void readsAtTheRequestedRate();
+    void showsTheServosValues();
+    void speedMatchesTheDistance_data();
+    void speedMatchesTheDistance();
+    void usesSyncReadWhereSupported();
+    void countsMissedReadings();
     void stopsWithin100Milliseconds();
-    void endsWhenTheReceiverCannotGoOn();
+    void endsWhenTheReceiverFails();
     void endsWhenTheLinkIsCut();
-    void refusesWhatItCannotRead();
+    void refusesUnreadableRegisters();
     void keepsUpForAnHour();
 };
 
 void TestWatch::watchesTheFeedbackBlock()
 {
-    SimBench bench(QStringLiteral("sts3215@1"));
-    const auto spec = specFor(bench, {1}, milliseconds(20), seconds(1));
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    const auto spec = specFor(fixture, {1}, milliseconds(20), seconds(1));
     QCOMPARE(
         headers(jobs::watchColumns(spec)),
         QStringList({QStringLiteral("present_position[deg]"), QStringLiteral("present_speed[rpm]"),
@@ -53,41 +53,41 @@ void TestWatch::watchesTheFeedbackBlock()
                      QStringLiteral("async_write_flag[]"), QStringLiteral("servo_status[]"),
                      QStringLiteral("moving[]"), QStringLiteral("active_goal_position[deg]"),
                      QStringLiteral("present_current[mA]")}));
-    bench.forgetFrames();
-    const auto [report, rows] = watch(bench, spec);
+    fixture.clearFrames();
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
-    QVERIFY(bench.onlyAsked());
+    QVERIFY(fixture.onlyReadsSent());
     QCOMPARE(report->columns, jobs::watchColumns(spec));
     QCOMPARE(report->rows, rows.size());
     QCOMPARE(report->missed, std::uint64_t{0});
     // One block read a round: 56 to 70 at once.
-    QCOMPARE(bench.frameCount(), rows.size());
+    QCOMPARE(fixture.frameCount(), rows.size());
     for (const jobs::WatchRow& row : rows)
         QVERIFY(std::all_of(row.values.begin(), row.values.end(),
                             [](const auto& value) { return value.has_value(); }));
 }
 
-void TestWatch::whatIsNotMeasuredIsNotZero()
+void TestWatch::unmeasuredIsNotZero()
 {
-    SimBench bench(QStringLiteral("sts3215@1,scs15@2,sts3215@3"), {fast, fast, {}});
-    bench.poke(3, QStringLiteral("phase"), bench.raw(3, QStringLiteral("phase")) | 32);
-    const auto spec = specFor(bench, {1, 2, 3}, milliseconds(20), milliseconds(200));
-    const auto [report, rows] = watch(bench, spec);
+    SimFixture fixture(QStringLiteral("sts3215@1,scs15@2,sts3215@3"), {fast, fast, {}});
+    fixture.poke(3, QStringLiteral("phase"), fixture.raw(3, QStringLiteral("phase")) | 32);
+    const auto spec = specFor(fixture, {1, 2, 3}, milliseconds(20), milliseconds(200));
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     const std::size_t current = column(report->columns, QStringLiteral("present_current"));
     for (const jobs::WatchRow& row : rows)
         QCOMPARE(row.values[current].has_value(), row.id == 1);
     // Nobody here has a sensor: there is no such column.
-    const auto blind = specFor(bench, {2, 3}, milliseconds(20), milliseconds(200));
+    const auto blind = specFor(fixture, {2, 3}, milliseconds(20), milliseconds(200));
     QVERIFY(!headers(jobs::watchColumns(blind)).contains(QStringLiteral("present_current[mA]")));
 }
 
-void TestWatch::givesEachUnitItsColumn()
+void TestWatch::eachUnitHasItsColumn()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.servoBaud = fast;
-    SimBench bench(QStringLiteral("sts3215@1,scs45@2,sts3250@3"), options);
-    auto spec = specFor(bench, {1, 2, 3}, milliseconds(20), milliseconds(100));
+    SimFixture fixture(QStringLiteral("sts3215@1,scs45@2,sts3250@3"), options);
+    auto spec = specFor(fixture, {1, 2, 3}, milliseconds(20), milliseconds(100));
     spec.keys = {QStringLiteral("present_voltage"), QStringLiteral("present_speed"),
                  QStringLiteral("goal_time")};
     const auto columns = jobs::watchColumns(spec);
@@ -95,7 +95,7 @@ void TestWatch::givesEachUnitItsColumn()
         headers(columns),
         QStringList({QStringLiteral("present_voltage[V]"), QStringLiteral("present_speed[rpm]"),
                      QStringLiteral("present_speed[step/s]"), QStringLiteral("goal_time[ms]")}));
-    const auto [report, rows] = watch(bench, spec);
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     QVERIFY(!rows.empty());
     for (const jobs::WatchRow& row : rows) {
@@ -107,7 +107,7 @@ void TestWatch::givesEachUnitItsColumn()
     }
 }
 
-void TestWatch::readsAtTheRateAskedFor_data()
+void TestWatch::readsAtTheRequestedRate_data()
 {
     QTest::addColumn<int>("periodUs");
     QTest::addColumn<int>("least");
@@ -119,30 +119,30 @@ void TestWatch::readsAtTheRateAskedFor_data()
     QTest::newRow("as fast as it goes") << 0 << 25'000 << 34'500;
 }
 
-void TestWatch::readsAtTheRateAskedFor()
+void TestWatch::readsAtTheRequestedRate()
 {
     QFETCH(int, periodUs);
     QFETCH(int, least);
     QFETCH(int, most);
-    SimBench bench(QStringLiteral("sts3215@1"));
-    const auto spec = specFor(bench, {1}, base::Duration(periodUs), seconds(10));
-    const auto [report, rows] = watch(bench, spec);
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    const auto spec = specFor(fixture, {1}, base::Duration(periodUs), seconds(10));
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     QVERIFY2(int(rows.size()) >= least && int(rows.size()) <= most,
              qPrintable(QString::number(rows.size())));
     QVERIFY(report->elapsed >= seconds(10) && report->elapsed < milliseconds(10'050));
 }
 
-void TestWatch::showsWhatTheServoHolds()
+void TestWatch::showsTheServosValues()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.servoBaud = fast;
-    SimBench bench(QStringLiteral("sts3215@1,scs15@2"), options);
-    bench.poke(1, QStringLiteral("goal_position"), 1000);
-    bench.poke(2, QStringLiteral("goal_position"), 300);
-    bench.letTimePass(seconds(4));
+    SimFixture fixture(QStringLiteral("sts3215@1,scs15@2"), options);
+    fixture.poke(1, QStringLiteral("goal_position"), 1000);
+    fixture.poke(2, QStringLiteral("goal_position"), 300);
+    fixture.runFor(seconds(4));
     const auto [report, rows] =
-        watch(bench, specFor(bench, {1, 2}, milliseconds(20), milliseconds(200)));
+        watch(fixture, specFor(fixture, {1, 2}, milliseconds(20), milliseconds(200)));
     QVERIFY(report);
     const auto& columns = report->columns;
     for (const int id : {1, 2}) {
@@ -150,7 +150,7 @@ void TestWatch::showsWhatTheServoHolds()
         QVERIFY(!own.empty());
         const jobs::WatchRow& row = own.back();
         const auto raw = [&](const char* key) {
-            return double(bench.raw(id, QString::fromLatin1(key)));
+            return double(fixture.raw(id, QString::fromLatin1(key)));
         };
         const auto value = [&](const char* key) {
             // Of two columns with one key the servo fills its own.
@@ -171,7 +171,7 @@ void TestWatch::showsWhatTheServoHolds()
     QVERIFY(std::abs(*rowsOf(rows, 1).back().values[position] - 87.89) < 1.0);
 }
 
-void TestWatch::speedAgreesWithTheWayCovered_data()
+void TestWatch::speedMatchesTheDistance_data()
 {
     QTest::addColumn<int>("phase");
     QTest::addColumn<int>("speedRaw");
@@ -180,52 +180,52 @@ void TestWatch::speedAgreesWithTheWayCovered_data()
 }
 
 // Phase bit 2 chooses the unit of the raw speed; the shown speed must fit the shown way either way.
-void TestWatch::speedAgreesWithTheWayCovered()
+void TestWatch::speedMatchesTheDistance()
 {
     QFETCH(int, phase);
     QFETCH(int, speedRaw);
-    SimBench bench(QStringLiteral("sts3215@1"));
-    bench.poke(1, QStringLiteral("phase"), phase);
-    bench.poke(1, QStringLiteral("goal_speed"), speedRaw);
-    bench.poke(1, QStringLiteral("goal_position"), 3800);
-    bench.letTimePass(seconds(1));
-    const auto [report, rows] = watch(bench, specFor(bench, {1}, milliseconds(20), seconds(1)));
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    fixture.poke(1, QStringLiteral("phase"), phase);
+    fixture.poke(1, QStringLiteral("goal_speed"), speedRaw);
+    fixture.poke(1, QStringLiteral("goal_position"), 3800);
+    fixture.runFor(seconds(1));
+    const auto [report, rows] = watch(fixture, specFor(fixture, {1}, milliseconds(20), seconds(1)));
     QVERIFY(report);
     const auto position = column(report->columns, QStringLiteral("present_position"));
     const auto speed = column(report->columns, QStringLiteral("present_speed"));
     QCOMPARE(report->columns[speed].unit, QStringLiteral("rpm"));
     const double degrees = *rows.back().values[position] - *rows.front().values[position];
-    const double secondsPassed = double((rows.back().at - rows.front().at).count()) / 1e6;
-    const double rpm = degrees / secondsPassed / 6.0;
+    const double elapsedSeconds = double((rows.back().at - rows.front().at).count()) / 1e6;
+    const double rpm = degrees / elapsedSeconds / 6.0;
     QVERIFY2(std::abs(*rows[rows.size() / 2].values[speed] - rpm) < 0.1 * std::abs(rpm),
              qPrintable(QString::number(rpm)));
     QVERIFY(std::abs(rpm) > 5.0);
 }
 
-void TestWatch::asksFamiliesThatCanTogether()
+void TestWatch::usesSyncReadWhereSupported()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.servoBaud = fast;
-    SimBench bench(QStringLiteral("sts3215@1,sts3250@2,scs15@3,scs0009@4"), options);
-    const auto spec = specFor(bench, {1, 2, 3, 4}, milliseconds(50), seconds(1));
-    bench.forgetFrames();
-    const auto [report, rows] = watch(bench, spec);
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3250@2,scs15@3,scs0009@4"), options);
+    const auto spec = specFor(fixture, {1, 2, 3, 4}, milliseconds(50), seconds(1));
+    fixture.clearFrames();
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     const int rounds = int(rowsOf(rows, 1).size());
-    QCOMPARE(bench.frames(support::SyncRead), rounds);
+    QCOMPARE(fixture.frames(support::SyncRead), rounds);
     for (const int id : {1, 2})
-        QCOMPARE(bench.framesTo(id), 0);
+        QCOMPARE(fixture.framesSentTo(id), 0);
     for (const int id : {3, 4}) // these do not know sync reads
-        QCOMPARE(bench.framesTo(id), rounds);
+        QCOMPARE(fixture.framesSentTo(id), rounds);
     QCOMPARE(int(rows.size()), 4 * rounds);
 }
 
-void TestWatch::countsWhatIsMissed()
+void TestWatch::countsMissedReadings()
 {
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"));
-    const auto spec = specFor(bench, {1, 2}, milliseconds(100), seconds(20));
-    bench.wireConfig().faults.muteIds = {2};
-    const auto [report, rows] = watch(bench, spec);
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"));
+    const auto spec = specFor(fixture, {1, 2}, milliseconds(100), seconds(20));
+    fixture.wireConfig().faults.muteIds = {2};
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     const Rows silent = rowsOf(rows, 2);
     QVERIFY(silent.size() >= 10); // an absent servo is asked less often, not given up
@@ -235,43 +235,44 @@ void TestWatch::countsWhatIsMissed()
         QVERIFY(std::none_of(row.values.begin(), row.values.end(),
                              [](const auto& value) { return value.has_value(); }));
     }
-    const Rows heard = rowsOf(rows, 1);
-    QVERIFY(heard.size() >= 195 && heard.size() <= 201);
-    QCOMPARE(report->rows, heard.size());
-    QVERIFY(std::all_of(heard.begin(), heard.end(), [](const auto& row) { return row.answered; }));
+    const Rows receivedRows = rowsOf(rows, 1);
+    QVERIFY(receivedRows.size() >= 195 && receivedRows.size() <= 201);
+    QCOMPARE(report->rows, receivedRows.size());
+    QVERIFY(std::all_of(receivedRows.begin(), receivedRows.end(),
+                        [](const auto& row) { return row.answered; }));
 }
 
 void TestWatch::stopsWithin100Milliseconds()
 {
-    SimBench bench(QStringLiteral("sts3215@1"));
-    const auto spec = specFor(bench, {1}, milliseconds(10), {});
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    const auto spec = specFor(fixture, {1}, milliseconds(10), {});
     base::Duration requestedAt{};
     std::size_t frames = 0;
-    bench.forgetFrames();
-    bench.tap().onWrite = [&](const base::Bytes&) {
+    fixture.clearFrames();
+    fixture.tap().onWrite = [&](const base::Bytes&) {
         if (++frames == 500) {
-            requestedAt = bench.clock().now();
-            bench.stop().request();
+            requestedAt = fixture.clock().now();
+            fixture.stop().request();
         }
     };
-    const auto [report, rows] = watch(bench, spec);
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     QVERIFY(report->stopped);
-    QVERIFY(bench.clock().now() - requestedAt <= milliseconds(100));
+    QVERIFY(fixture.clock().now() - requestedAt <= milliseconds(100));
     QCOMPARE(rows.size(), frames); // what was read is handed over
     // The poll is over: the bus is silent when time passes.
-    const std::size_t before = bench.frameCount();
-    bench.bus().pauseUntil(bench.clock().now() + seconds(1), nullptr);
-    QCOMPARE(bench.frameCount(), before);
+    const std::size_t before = fixture.frameCount();
+    fixture.bus().pauseUntil(fixture.clock().now() + seconds(1), nullptr);
+    QCOMPARE(fixture.frameCount(), before);
 }
 
-void TestWatch::endsWhenTheReceiverCannotGoOn()
+void TestWatch::endsWhenTheReceiverFails()
 {
-    SimBench bench(QStringLiteral("sts3215@1"));
-    const auto spec = specFor(bench, {1}, milliseconds(10), seconds(10));
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    const auto spec = specFor(fixture, {1}, milliseconds(10), seconds(10));
     int taken = 0;
     const auto report =
-        jobs::watch(bench.context(), spec, [&](const jobs::WatchRow&) -> base::Result<void> {
+        jobs::watch(fixture.context(), spec, [&](const jobs::WatchRow&) -> base::Result<void> {
             if (++taken == 30)
                 return base::fail(ErrorCode::DiskFull, QStringLiteral("csv"));
             return {};
@@ -279,55 +280,55 @@ void TestWatch::endsWhenTheReceiverCannotGoOn()
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::DiskFull);
     QCOMPARE(taken, 30);
-    QVERIFY(bench.clock().now() < seconds(1));
+    QVERIFY(fixture.clock().now() < seconds(1));
 }
 
 void TestWatch::endsWhenTheLinkIsCut()
 {
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"));
-    const auto spec = specFor(bench, {1, 2}, milliseconds(10), {});
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"));
+    const auto spec = specFor(fixture, {1, 2}, milliseconds(10), {});
     base::Duration cutAt{};
-    bench.forgetFrames();
-    bench.tap().onWrite = [&](const base::Bytes&) {
-        if (bench.frameCount() == 100) {
-            bench.cutLink();
-            cutAt = bench.clock().now();
+    fixture.clearFrames();
+    fixture.tap().onWrite = [&](const base::Bytes&) {
+        if (fixture.frameCount() == 100) {
+            fixture.cutLink();
+            cutAt = fixture.clock().now();
         }
     };
-    const auto [report, rows] = watch(bench, spec);
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::LinkLost);
     QVERIFY(!rows.empty());
-    QVERIFY(bench.clock().now() - cutAt <= milliseconds(200));
+    QVERIFY(fixture.clock().now() - cutAt <= milliseconds(200));
 }
 
-void TestWatch::refusesWhatItCannotRead()
+void TestWatch::refusesUnreadableRegisters()
 {
-    SimBench bench(QStringLiteral("sts3215@1,scs15@2"), {fast, fast, {}});
-    auto spec = specFor(bench, {1, 2}, milliseconds(10), seconds(1));
+    SimFixture fixture(QStringLiteral("sts3215@1,scs15@2"), {fast, fast, {}});
+    auto spec = specFor(fixture, {1, 2}, milliseconds(10), seconds(1));
     spec.keys = {QStringLiteral("present_voltage"), QStringLiteral("colour")};
-    const auto unknown = watch(bench, spec);
+    const auto unknown = watch(fixture, spec);
     QVERIFY(!unknown.report);
     QCOMPARE(unknown.report.error().code, ErrorCode::UnknownRegister);
     QCOMPARE(unknown.report.error().registerKey, QStringLiteral("colour"));
 
     spec.keys = {QStringLiteral("acceleration")}; // SCS has none
-    const auto missing = watch(bench, spec);
+    const auto missing = watch(fixture, spec);
     QVERIFY(!missing.report);
     QCOMPARE(missing.report.error().code, ErrorCode::UnknownRegister);
     QCOMPARE(missing.report.error().id, 2);
 
-    const auto nobody = watch(bench, {});
-    QVERIFY(!nobody.report);
-    QCOMPARE(nobody.report.error().code, ErrorCode::BadArgument);
+    const auto emptyResult = watch(fixture, {});
+    QVERIFY(!emptyResult.report);
+    QCOMPARE(emptyResult.report.error().code, ErrorCode::BadArgument);
 }
 
 void TestWatch::keepsUpForAnHour()
 {
-    SimBench bench(QStringLiteral("demo"));
-    const auto spec = specFor(bench, {1, 2, 3, 4, 5, 6}, milliseconds(50), std::chrono::hours(1));
+    SimFixture fixture(QStringLiteral("demo"));
+    const auto spec = specFor(fixture, {1, 2, 3, 4, 5, 6}, milliseconds(50), std::chrono::hours(1));
     std::uint64_t good = 0;
-    const auto report = jobs::watch(bench.context(), spec, [&](const jobs::WatchRow& row) {
+    const auto report = jobs::watch(fixture.context(), spec, [&](const jobs::WatchRow& row) {
         good += row.answered && row.values.front().has_value() ? 1 : 0;
         return base::Result<void>{};
     });

@@ -12,31 +12,31 @@
 using base::Protocol;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using support::BenchOptions;
-using support::SimBench;
+using support::SimFixture;
+using support::SimFixtureOptions;
 
-using namespace watch_help;
+using namespace watch_support;
 
 namespace {
-constexpr int common = 115'200;
+constexpr int commonBaud = 115'200;
 
-BenchOptions atCommon()
+SimFixtureOptions atCommonBaud()
 {
-    BenchOptions options;
-    options.baud = common;
-    options.servoBaud = common;
+    SimFixtureOptions options;
+    options.baud = commonBaud;
+    options.servoBaud = commonBaud;
     return options;
 }
 
-jobs::WatchSpec specOf(SimBench& bench, const std::vector<std::pair<Protocol, int>>& servos,
+jobs::WatchSpec specOf(SimFixture& fixture, const std::vector<std::pair<Protocol, int>>& servos,
                        base::Duration period, base::Duration length)
 {
     jobs::WatchSpec spec;
     for (const auto& [protocol, id] : servos)
-        spec.servos.push_back(bench.servo(id, protocol));
+        spec.servos.push_back(fixture.servo(id, protocol));
     spec.period = period;
     spec.length = length;
-    bench.forgetFrames();
+    fixture.clearFrames();
     return spec;
 }
 
@@ -47,35 +47,35 @@ int measured(const Rows& rows, std::size_t column)
     }));
 }
 
-int notes(SimBench& bench, device::NoticeCode code)
+int notes(SimFixture& fixture, device::NoticeCode code)
 {
-    const auto& notices = bench.notices();
+    const auto& notices = fixture.notices();
     return int(std::count_if(notices.begin(), notices.end(),
                              [code](const device::Notice& notice) { return notice.code == code; }));
 }
 } // namespace
 
-class TestWatchLanguages : public QObject {
+class TestWatchProtocols : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void lxPositionEachRoundTheRestNowAndThen_data();
-    void lxPositionEachRoundTheRestNowAndThen();
+    void lxPositionEveryRoundOthersNowAndThen_data();
+    void lxPositionEveryRoundOthersNowAndThen();
     void lxAsFastAsTheWireAllows();
-    void slowReadingsAloneComeEachRound();
+    void slowReadingsAloneAreReadEveryRound();
     void lxRowsAreJoinedByRound();
-    void lxShowsWhatTheServoHolds();
-    void lxAlarmsAreDerivedAndSaidOnce();
+    void lxShowsTheServosValues();
+    void lxAlarmsAreDerivedAndReportedOnce();
     void modbusReadsItsFeedbackAtOnce();
     void modbusAlarmsComeFromItsStatusRegister_data();
     void modbusAlarmsComeFromItsStatusRegister();
-    void oneIdInTwoLanguages();
+    void oneIdInTwoProtocols();
     void familiesDoNotShareAPacket();
 };
 
-void TestWatchLanguages::lxPositionEachRoundTheRestNowAndThen_data()
+void TestWatchProtocols::lxPositionEveryRoundOthersNowAndThen_data()
 {
     QTest::addColumn<int>("periodMs");
     QTest::addColumn<int>("every");
@@ -85,16 +85,16 @@ void TestWatchLanguages::lxPositionEachRoundTheRestNowAndThen_data()
     QTest::newRow("once in two seconds") << 2000 << 1;
 }
 
-void TestWatchLanguages::lxPositionEachRoundTheRestNowAndThen()
+void TestWatchProtocols::lxPositionEveryRoundOthersNowAndThen()
 {
     QFETCH(int, periodMs);
     QFETCH(int, every);
-    SimBench bench(QStringLiteral("lx16a@3"), atCommon());
-    const auto spec = specOf(bench, {{Protocol::Lx, 3}}, milliseconds(periodMs), seconds(10));
+    SimFixture fixture(QStringLiteral("lx16a@3"), atCommonBaud());
+    const auto spec = specOf(fixture, {{Protocol::Lx, 3}}, milliseconds(periodMs), seconds(10));
     QCOMPARE(headers(jobs::watchColumns(spec)),
              QStringList({QStringLiteral("temperature[degC]"), QStringLiteral("vin[V]"),
                           QStringLiteral("position[deg]")}));
-    const auto [report, rows] = watch(bench, spec);
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     QCOMPARE(report->missed, std::uint64_t{0});
     const int rounds = int(rows.size());
@@ -104,37 +104,37 @@ void TestWatchLanguages::lxPositionEachRoundTheRestNowAndThen()
     QCOMPARE(measured(rows, 1), slow);
     QCOMPARE(measured(rows, 2), rounds);
     QVERIFY(rows.front().values[0].has_value()); // nobody waits a second for the first one
-    QCOMPARE(int(bench.frameCount()), rounds + 2 * slow);
-    QVERIFY(bench.onlyAsked());
+    QCOMPARE(int(fixture.frameCount()), rounds + 2 * slow);
+    QVERIFY(fixture.onlyReadsSent());
 }
 
-void TestWatchLanguages::lxAsFastAsTheWireAllows()
+void TestWatchProtocols::lxAsFastAsTheWireAllows()
 {
-    SimBench bench(QStringLiteral("lx16a@3"), atCommon());
-    const auto spec = specOf(bench, {{Protocol::Lx, 3}}, {}, seconds(5));
-    const auto [report, rows] = watch(bench, spec);
+    SimFixture fixture(QStringLiteral("lx16a@3"), atCommonBaud());
+    const auto spec = specOf(fixture, {{Protocol::Lx, 3}}, {}, seconds(5));
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     // The slow readings cost a few per cent of the wire at most.
-    QVERIFY(measured(rows, 2) >= int(double(bench.frameCount()) * 0.97));
+    QVERIFY(measured(rows, 2) >= int(double(fixture.frameCount()) * 0.97));
     QVERIFY(measured(rows, 0) >= 10);
 }
 
-void TestWatchLanguages::slowReadingsAloneComeEachRound()
+void TestWatchProtocols::slowReadingsAloneAreReadEveryRound()
 {
-    SimBench bench(QStringLiteral("lx16a@3"), atCommon());
-    auto spec = specOf(bench, {{Protocol::Lx, 3}}, milliseconds(50), seconds(2));
+    SimFixture fixture(QStringLiteral("lx16a@3"), atCommonBaud());
+    auto spec = specOf(fixture, {{Protocol::Lx, 3}}, milliseconds(50), seconds(2));
     spec.keys = {QStringLiteral("vin"), QStringLiteral("temperature")};
-    const auto [report, rows] = watch(bench, spec);
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     QCOMPARE(measured(rows, 0), int(rows.size()));
     QCOMPARE(measured(rows, 1), int(rows.size()));
 }
 
 // Blocks come fast ones first, whatever their addresses: position is read ahead of temperature.
-void TestWatchLanguages::lxRowsAreJoinedByRound()
+void TestWatchProtocols::lxRowsAreJoinedByRound()
 {
-    SimBench bench(QStringLiteral("lx16a@1"), atCommon());
-    const auto spec = specOf(bench, {{Protocol::Lx, 1}}, milliseconds(50), seconds(1));
+    SimFixture fixture(QStringLiteral("lx16a@1"), atCommonBaud());
+    const auto spec = specOf(fixture, {{Protocol::Lx, 1}}, milliseconds(50), seconds(1));
     auto decoder = jobs::WatchDecoder::make(spec);
     QVERIFY(decoder);
     enum Command { Temperature = 26, Voltage = 27, Position = 28 };
@@ -172,14 +172,14 @@ void TestWatchLanguages::lxRowsAreJoinedByRound()
     QCOMPARE(add(300, Position, true, true), QStringLiteral("--x --x"));
 }
 
-void TestWatchLanguages::lxShowsWhatTheServoHolds()
+void TestWatchProtocols::lxShowsTheServosValues()
 {
-    SimBench bench(QStringLiteral("lx16a@3"), atCommon());
-    const auto spec = specOf(bench, {{Protocol::Lx, 3}}, milliseconds(50), seconds(1));
-    const auto [report, rows] = watch(bench, spec);
+    SimFixture fixture(QStringLiteral("lx16a@3"), atCommonBaud());
+    const auto spec = specOf(fixture, {{Protocol::Lx, 3}}, milliseconds(50), seconds(1));
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     const auto raw = [&](const char* key) {
-        return double(bench.raw(3, QString::fromLatin1(key)));
+        return double(fixture.raw(3, QString::fromLatin1(key)));
     };
     QCOMPARE(*rows.front().values[0], raw("temperature"));
     QVERIFY(std::abs(*rows.front().values[1] - raw("vin") / 1000) < 0.05);
@@ -187,52 +187,52 @@ void TestWatchLanguages::lxShowsWhatTheServoHolds()
     QCOMPARE(int(rows.back().status), 0);
 }
 
-void TestWatchLanguages::lxAlarmsAreDerivedAndSaidOnce()
+void TestWatchProtocols::lxAlarmsAreDerivedAndReportedOnce()
 {
-    SimBench bench(QStringLiteral("lx16a@3,lx16a@4"), atCommon());
-    bench.withWire([](sim::VirtualBus& wire) {
-        wire.servo(3)->surroundings().ambientCelsius = 95;
+    SimFixture fixture(QStringLiteral("lx16a@3,lx16a@4"), atCommonBaud());
+    fixture.withBus([](sim::VirtualBus& wire) {
+        wire.servo(3)->environment().ambientCelsius = 95;
         wire.servo(3)->setTemperature(95);
-        wire.servo(4)->surroundings().supplyVolts = 5;
+        wire.servo(4)->environment().supplyVolts = 5;
     });
     const auto spec =
-        specOf(bench, {{Protocol::Lx, 3}, {Protocol::Lx, 4}}, milliseconds(50), seconds(10));
-    bench.notices().clear();
-    const auto [report, rows] = watch(bench, spec);
+        specOf(fixture, {{Protocol::Lx, 3}, {Protocol::Lx, 4}}, milliseconds(50), seconds(10));
+    fixture.notices().clear();
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
-    QCOMPARE(notes(bench, device::NoticeCode::DerivedTemperature), 1);
-    QCOMPARE(notes(bench, device::NoticeCode::DerivedVoltage), 1);
-    for (const device::Notice& notice : bench.notices())
+    QCOMPARE(notes(fixture, device::NoticeCode::DerivedTemperature), 1);
+    QCOMPARE(notes(fixture, device::NoticeCode::DerivedVoltage), 1);
+    for (const device::Notice& notice : fixture.notices())
         QCOMPARE(notice.id, notice.code == device::NoticeCode::DerivedTemperature ? 3 : 4);
     // Nothing the servo has not said itself.
     QVERIFY(std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.status == 0; }));
 }
 
-void TestWatchLanguages::modbusReadsItsFeedbackAtOnce()
+void TestWatchProtocols::modbusReadsItsFeedbackAtOnce()
 {
-    SimBench bench(QStringLiteral("smsmb@7"), atCommon());
-    const auto spec = specOf(bench, {{Protocol::Modbus, 7}}, milliseconds(20), seconds(2));
+    SimFixture fixture(QStringLiteral("smsmb@7"), atCommonBaud());
+    const auto spec = specOf(fixture, {{Protocol::Modbus, 7}}, milliseconds(20), seconds(2));
     QCOMPARE(headers(jobs::watchColumns(spec)),
              QStringList({QStringLiteral("servo_status[]"), QStringLiteral("present_position[deg]"),
                           QStringLiteral("present_speed[rpm]"), QStringLiteral("present_load[%]"),
                           QStringLiteral("present_voltage[V]"),
                           QStringLiteral("present_temperature[degC]"), QStringLiteral("moving[]"),
                           QStringLiteral("present_current[mA]")}));
-    const auto [report, rows] = watch(bench, spec);
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
-    QCOMPARE(bench.frameCount(), rows.size());
+    QCOMPARE(fixture.frameCount(), rows.size());
     // Eight registers from 256.
     const base::Bytes wanted{7, 3, 1, 0, 0, 8};
-    for (const base::Bytes& frame : bench.tap().written)
+    for (const base::Bytes& frame : fixture.tap().written)
         QCOMPARE(base::Bytes(frame.begin(), frame.begin() + 6), wanted);
     for (std::size_t i = 0; i < report->columns.size(); ++i)
         QCOMPARE(measured(rows, i), int(rows.size()));
     const auto voltage = column(report->columns, QStringLiteral("present_voltage"));
     QCOMPARE(*rows.back().values[voltage],
-             double(bench.raw(7, QStringLiteral("present_voltage"))) * 0.1);
+             double(fixture.raw(7, QStringLiteral("present_voltage"))) * 0.1);
 }
 
-void TestWatchLanguages::modbusAlarmsComeFromItsStatusRegister_data()
+void TestWatchProtocols::modbusAlarmsComeFromItsStatusRegister_data()
 {
     QTest::addColumn<QStringList>("keys");
     QTest::newRow("feedback") << QStringList{};
@@ -240,35 +240,35 @@ void TestWatchLanguages::modbusAlarmsComeFromItsStatusRegister_data()
         << QStringList{QStringLiteral("present_temperature")};
 }
 
-void TestWatchLanguages::modbusAlarmsComeFromItsStatusRegister()
+void TestWatchProtocols::modbusAlarmsComeFromItsStatusRegister()
 {
     QFETCH(QStringList, keys);
-    SimBench bench(QStringLiteral("smsmb@7"), atCommon());
-    bench.poke(7, QStringLiteral("torque_switch"), 1);
+    SimFixture fixture(QStringLiteral("smsmb@7"), atCommonBaud());
+    fixture.poke(7, QStringLiteral("torque_switch"), 1);
     for (const int faults : {0, 2}) {
-        bench.withWire(
+        fixture.withBus(
             [faults](sim::VirtualBus& wire) { wire.servo(7)->injectStatus(std::uint8_t(faults)); });
-        bench.letTimePass(milliseconds(20));
-        QCOMPARE(bench.raw(7, QStringLiteral("servo_status")) & 16, std::int64_t{16});
-        auto spec = specOf(bench, {{Protocol::Modbus, 7}}, milliseconds(50), seconds(1));
+        fixture.runFor(milliseconds(20));
+        QCOMPARE(fixture.raw(7, QStringLiteral("servo_status")) & 16, std::int64_t{16});
+        auto spec = specOf(fixture, {{Protocol::Modbus, 7}}, milliseconds(50), seconds(1));
         spec.keys = keys;
-        const auto [report, rows] = watch(bench, spec);
+        const auto [report, rows] = watch(fixture, spec);
         QVERIFY(report);
         QVERIFY(rows.size() > 10);
         // "Torque is on" is a bit of the register, and no alarm.
         for (const jobs::WatchRow& row : rows)
             QCOMPARE(int(row.status), faults);
-        QCOMPARE(notes(bench, device::NoticeCode::DerivedVoltage), 0);
+        QCOMPARE(notes(fixture, device::NoticeCode::DerivedVoltage), 0);
     }
 }
 
-void TestWatchLanguages::oneIdInTwoLanguages()
+void TestWatchProtocols::oneIdInTwoProtocols()
 {
-    SimBench bench(QStringLiteral("sts3215@1,lx16a@1,smsmb@1"), atCommon());
+    SimFixture fixture(QStringLiteral("sts3215@1,lx16a@1,smsmb@1"), atCommonBaud());
     const auto spec =
-        specOf(bench, {{Protocol::Feetech, 1}, {Protocol::Lx, 1}, {Protocol::Modbus, 1}},
+        specOf(fixture, {{Protocol::Feetech, 1}, {Protocol::Lx, 1}, {Protocol::Modbus, 1}},
                milliseconds(50), seconds(2));
-    const auto [report, rows] = watch(bench, spec);
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     QCOMPARE(report->missed, std::uint64_t{0});
     // One thing under two names is one column, by the name of the family that comes first.
@@ -285,21 +285,22 @@ void TestWatchLanguages::oneIdInTwoLanguages()
     }
 }
 
-void TestWatchLanguages::familiesDoNotShareAPacket()
+void TestWatchProtocols::familiesDoNotShareAPacket()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.servoBaud = fast;
-    SimBench bench(QStringLiteral("sts3215@1,sts3250@2,hls3606@3,hls3915@4,sm60-360m@5"), options);
-    auto spec = specFor(bench, {1, 2, 3, 4, 5}, milliseconds(50), seconds(1));
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3250@2,hls3606@3,hls3915@4,sm60-360m@5"),
+                       options);
+    auto spec = specFor(fixture, {1, 2, 3, 4, 5}, milliseconds(50), seconds(1));
     spec.keys = {QStringLiteral("present_position")};
-    bench.forgetFrames();
-    const auto [report, rows] = watch(bench, spec);
+    fixture.clearFrames();
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     const int rounds = int(rowsOf(rows, 1).size());
-    QCOMPARE(bench.frames(support::SyncRead), 2 * rounds);
-    QCOMPARE(bench.framesTo(5), rounds); // SMCL knows no sync read
+    QCOMPARE(fixture.frames(support::SyncRead), 2 * rounds);
+    QCOMPARE(fixture.framesSentTo(5), rounds); // SMCL knows no sync read
     QCOMPARE(int(rows.size()), 5 * rounds);
 }
 
-QTEST_GUILESS_MAIN(TestWatchLanguages)
+QTEST_GUILESS_MAIN(TestWatchProtocols)
 #include "tst_watch_languages.moc"

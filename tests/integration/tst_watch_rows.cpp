@@ -6,11 +6,11 @@
 #include <QRegularExpression>
 #include <QTest>
 
-using namespace watch_help;
+using namespace watch_support;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using support::BenchOptions;
-using support::SimBench;
+using support::SimFixture;
+using support::SimFixtureOptions;
 
 class TestWatchRows : public QObject {
     Q_OBJECT
@@ -19,18 +19,18 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     void joinsDistantRegistersInOneRow();
-    void rowsComeInTimeOrder();
-    void joinsRowsAlsoWhenBlocksAreMissed();
+    void rowsAreInTimeOrder();
+    void joinsRowsWithMissedBlocks();
     void neverJoinsBlocksOfTwoRounds();
 };
 
 void TestWatchRows::joinsDistantRegistersInOneRow()
 {
-    SimBench bench(QStringLiteral("sts3215@1,sts3250@2"));
-    auto spec = specFor(bench, {1, 2}, milliseconds(20), milliseconds(200));
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3250@2"));
+    auto spec = specFor(fixture, {1, 2}, milliseconds(20), milliseconds(200));
     spec.keys = {QStringLiteral("present_temperature"), QStringLiteral("id"),
                  QStringLiteral("torque_switch")};
-    const auto [report, rows] = watch(bench, spec);
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     QCOMPARE(headers(report->columns),
              QStringList({QStringLiteral("present_temperature[degC]"), QStringLiteral("id[]"),
@@ -43,13 +43,13 @@ void TestWatchRows::joinsDistantRegistersInOneRow()
     }
 }
 
-void TestWatchRows::rowsComeInTimeOrder()
+void TestWatchRows::rowsAreInTimeOrder()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.servoBaud = fast;
-    SimBench bench(QStringLiteral("demo"), options);
+    SimFixture fixture(QStringLiteral("demo"), options);
     const auto [report, rows] =
-        watch(bench, specFor(bench, {1, 2, 3, 4, 5, 6}, base::Duration{}, seconds(1)));
+        watch(fixture, specFor(fixture, {1, 2, 3, 4, 5, 6}, base::Duration{}, seconds(1)));
     QVERIFY(report);
     QVERIFY(rows.size() > 600);
     QVERIFY(std::is_sorted(rows.begin(), rows.end(),
@@ -62,15 +62,15 @@ void TestWatchRows::rowsComeInTimeOrder()
     }
 }
 
-void TestWatchRows::joinsRowsAlsoWhenBlocksAreMissed()
+void TestWatchRows::joinsRowsWithMissedBlocks()
 {
-    BenchOptions options;
+    SimFixtureOptions options;
     options.wire.seed = 7;
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"), options);
-    auto spec = specFor(bench, {1, 2}, milliseconds(100), seconds(60));
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"), options);
+    auto spec = specFor(fixture, {1, 2}, milliseconds(100), seconds(60));
     spec.keys = {QStringLiteral("id"), QStringLiteral("present_temperature")};
-    bench.wireConfig().faults.drop = 0.3;
-    const auto [report, rows] = watch(bench, spec);
+    fixture.wireConfig().faults.drop = 0.3;
+    const auto [report, rows] = watch(fixture, spec);
     QVERIFY(report);
     QVERIFY(report->missed > 200);
     int partial = 0;
@@ -94,8 +94,8 @@ void TestWatchRows::joinsRowsAlsoWhenBlocksAreMissed()
 // Blocks as a bus may hand them over when one is missed: the row ends there, whatever follows.
 void TestWatchRows::neverJoinsBlocksOfTwoRounds()
 {
-    SimBench bench(QStringLiteral("sts3215@1,sts3215@2"));
-    auto spec = specFor(bench, {1, 2}, milliseconds(100), seconds(1));
+    SimFixture fixture(QStringLiteral("sts3215@1,sts3215@2"));
+    auto spec = specFor(fixture, {1, 2}, milliseconds(100), seconds(1));
     spec.keys = {QStringLiteral("id"), QStringLiteral("present_temperature")};
     auto decoder = jobs::WatchDecoder::make(spec);
     QVERIFY(decoder);

@@ -24,23 +24,23 @@
 using base::ErrorCode;
 using base::Protocol;
 using std::chrono::milliseconds;
-using support::ByteLine;
-using support::byteSts;
-using support::SimBench;
+using support::RawServoLine;
+using support::rawSts3215;
+using support::SimFixture;
 
 namespace {
 /// A bus on responders that know only bytes.
 struct Bytes {
     base::ManualClock clock;
-    ByteLine line;
+    RawServoLine line;
     support::MemoryJournal journal;
-    base::Stop stop;
+    base::StopToken stop;
     device::Notices notices;
     std::unique_ptr<bus::BusCore> bus;
 
     void open()
     {
-        bus = std::make_unique<bus::BusCore>(support::openByteLine(line, clock),
+        bus = std::make_unique<bus::BusCore>(support::openRawServoLine(line, clock),
                                              protocol::feetechCodec(), clock);
         line.frames.clear();
     }
@@ -58,7 +58,7 @@ struct Bytes {
 };
 
 /// Every way to change a servo.
-using Deed = std::function<base::Result<void>(const device::Context&, device::Servo&)>;
+using Action = std::function<base::Result<void>(const device::Context&, device::Servo&)>;
 
 template <typename Answer>
 base::Result<void> plain(const Answer& answer)
@@ -66,15 +66,15 @@ base::Result<void> plain(const Answer& answer)
     return answer ? base::Result<void>() : tl::unexpected(answer.error());
 }
 
-base::Result<void> writeOne(const device::Context& context, device::Servo& servo, const char* key,
-                            std::int64_t raw)
+base::Result<void> writeRegister(const device::Context& context, device::Servo& servo,
+                                 const char* key, std::int64_t raw)
 {
     device::WriteOptions options;
     options.dangerous = true;
     return plain(device::write(context, servo, {{QString::fromLatin1(key), raw}}, options));
 }
 
-base::Result<void> restoreOther(const device::Context& context, device::Servo& servo)
+base::Result<void> restoreOtherSnapshot(const device::Context& context, device::Servo& servo)
 {
     if (const auto read = device::readAll(context, servo); !read)
         return read;
@@ -94,24 +94,26 @@ base::Result<void> move(const device::Context& context, device::Servo& servo)
     if (!plan)
         return tl::unexpected(plan.error());
     std::vector<device::MovePlan> plans{*plan};
-    return device::sendMoves(context, plans, device::MoveHow::Write);
+    return device::sendMoves(context, plans, device::MoveMethod::Write);
 }
 
 base::Result<void> sweepOnce(const device::Context& context, device::Servo& servo)
 {
     std::vector<device::Servo> servos{servo};
-    jobs::SweepOrder order;
+    jobs::SweepRequest order;
     order.limits.resize(1);
     return plain(jobs::sweep(context, servos, order, {}));
 }
 
-const std::vector<std::pair<const char*, Deed>>& deeds()
+const std::vector<std::pair<const char*, Action>>& actions()
 {
     using device::Context;
     using device::Servo;
-    static const std::vector<std::pair<const char*, Deed>> all{
-        {"write", [](const Context& context,
-                     Servo& servo) { return writeOne(context, servo, "max_temperature", 61); }},
+    static const std::vector<std::pair<const char*, Action>> all{
+        {"write",
+         [](const Context& context, Servo& servo) {
+             return writeRegister(context, servo, "max_temperature", 61);
+         }},
         {"temporary write",
          [](const Context& context, Servo& servo) {
              device::WriteOptions options;
@@ -136,7 +138,7 @@ const std::vector<std::pair<const char*, Deed>>& deeds()
          [](const Context& context, Servo& servo) {
              return plain(jobs::restoreDefaults(context, servo));
          }},
-        {"restore", restoreOther},
+        {"restore", restoreOtherSnapshot},
         {"blink",
          [](const Context& context, Servo& servo) {
              return plain(jobs::blink(context, servo, milliseconds(500)));
@@ -146,11 +148,11 @@ const std::vector<std::pair<const char*, Deed>>& deeds()
     return all;
 }
 
-enum class Second { OneAfterAnother, Collides, Late };
+enum class SecondReply { Sequential, Collides, Delayed };
 } // namespace
-Q_DECLARE_METATYPE(Second)
+Q_DECLARE_METATYPE(SecondReply)
 
-class TestWriteTwins : public QObject {
+class TestWriteDuplicateId : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -158,66 +160,67 @@ private Q_SLOTS:
 
     void nothingIsWrittenToTwoResponders_data();
     void nothingIsWrittenToTwoResponders();
-    void nothingIsWrittenToSimulatedTwins_data();
-    void nothingIsWrittenToSimulatedTwins();
-    void identicalInStepCannotBeTold();
-    void oneServoIsWrittenTo_data();
-    void oneServoIsWrittenTo();
-    void theLookCostsOnce();
-    void aSearchIsFollowedByANewLook();
-    void aNewIdNeedsNoSecondLook();
-    void noiseIsAskedAgainAndNotRemembered();
+    void nothingIsWrittenToSimulatedDuplicates_data();
+    void nothingIsWrittenToSimulatedDuplicates();
+    void identicalSynchronousServosAreIndistinguishable();
+    void aSingleServoIsWritten_data();
+    void aSingleServoIsWritten();
+    void theCheckIsDoneOnce();
+    void aSearchIsFollowedByANewCheck();
+    void aNewIdNeedsNoSecondCheck();
+    void noiseIsRetriedAndNotRemembered();
     void aLostReplyIsNoSecondServo();
     void silenceIsNoSecondServo();
-    void anEmergencyStopIsNotKeptWaiting();
+    void anEmergencyStopDoesNotWait();
     void torqueOffReachesBoth_data();
     void torqueOffReachesBoth();
 };
 
-void TestWriteTwins::nothingIsWrittenToTwoResponders_data()
+void TestWriteDuplicateId::nothingIsWrittenToTwoResponders_data()
 {
     QTest::addColumn<int>("deed");
-    QTest::addColumn<Second>("second");
-    for (std::size_t i = 0; i < deeds().size(); ++i) {
-        const char* name = deeds()[i].first;
-        QTest::addRow("%s, one after the other", name) << int(i) << Second::OneAfterAnother;
-        QTest::addRow("%s, colliding", name) << int(i) << Second::Collides;
-        QTest::addRow("%s, second reply 60 ms late", name) << int(i) << Second::Late;
+    QTest::addColumn<SecondReply>("second");
+    for (std::size_t i = 0; i < actions().size(); ++i) {
+        const char* name = actions()[i].first;
+        QTest::addRow("%s, one after the other", name) << int(i) << SecondReply::Sequential;
+        QTest::addRow("%s, colliding", name) << int(i) << SecondReply::Collides;
+        QTest::addRow("%s, second reply 60 ms late", name) << int(i) << SecondReply::Delayed;
     }
 }
 
-void TestWriteTwins::nothingIsWrittenToTwoResponders()
+void TestWriteDuplicateId::nothingIsWrittenToTwoResponders()
 {
     QFETCH(int, deed);
-    QFETCH(Second, second);
-    Bytes bench;
-    bench.line.servos = {byteSts(1, 2048), byteSts(1, 900)};
-    bench.line.servos[0].table[14] = 80;
-    bench.line.servos[1].table[14] = 90;
-    if (second != Second::Collides)
-        bench.line.replies = ByteLine::Replies::OneAfterAnother;
-    if (second == Second::Late) {
-        bench.line.adapterLate = milliseconds(60);
-        bench.line.secondLate = milliseconds(60);
+    QFETCH(SecondReply, second);
+    Bytes fixture;
+    fixture.line.servos = {rawSts3215(1, 2048), rawSts3215(1, 900)};
+    fixture.line.servos[0].table[14] = 80;
+    fixture.line.servos[1].table[14] = 90;
+    if (second != SecondReply::Collides)
+        fixture.line.replies = RawServoLine::ReplyTiming::Sequential;
+    if (second == SecondReply::Delayed) {
+        fixture.line.adapterLatency = milliseconds(60);
+        fixture.line.secondReplyDelay = milliseconds(60);
     }
-    bench.open();
-    device::Servo servo = bench.servo();
-    const auto done = deeds()[std::size_t(deed)].second(bench.context(), servo);
+    fixture.open();
+    device::Servo servo = fixture.servo();
+    const auto done = actions()[std::size_t(deed)].second(fixture.context(), servo);
     QVERIFY(!done);
     // Colliding replies may not even be readable beforehand.
-    const bool heard = done.error().code == ErrorCode::SeveralServos ||
-                       (second == Second::Collides && done.error().code == ErrorCode::Garbled);
-    QVERIFY2(heard, qPrintable(base::errorName(done.error().code)));
-    QCOMPARE(bench.line.changingFrames(), 0);
-    QCOMPARE(bench.line.writesTo(0) + bench.line.writesTo(1), 0);
-    QCOMPARE(bench.journal.entries()->size(), std::size_t{0});
-    if (done.error().code != ErrorCode::SeveralServos)
+    const bool repliesSeen =
+        done.error().code == ErrorCode::DuplicateId ||
+        (second == SecondReply::Collides && done.error().code == ErrorCode::Garbled);
+    QVERIFY2(repliesSeen, qPrintable(base::errorName(done.error().code)));
+    QCOMPARE(fixture.line.writeFrameCount(), 0);
+    QCOMPARE(fixture.line.writeCount(0) + fixture.line.writeCount(1), 0);
+    QCOMPARE(fixture.journal.entries()->size(), std::size_t{0});
+    if (done.error().code != ErrorCode::DuplicateId)
         return;
     const auto words = text::describe(done.error());
     QVERIFY2(words.remedy.contains(QLatin1String("one servo at a time")), qPrintable(words.remedy));
 }
 
-void TestWriteTwins::nothingIsWrittenToSimulatedTwins_data()
+void TestWriteDuplicateId::nothingIsWrittenToSimulatedDuplicates_data()
 {
     QTest::addColumn<QString>("model");
     QTest::addColumn<int>("baud");
@@ -236,31 +239,32 @@ void TestWriteTwins::nothingIsWrittenToSimulatedTwins_data()
     }
 }
 
-void TestWriteTwins::nothingIsWrittenToSimulatedTwins()
+void TestWriteDuplicateId::nothingIsWrittenToSimulatedDuplicates()
 {
     QFETCH(QString, model);
     QFETCH(int, baud);
     QFETCH(Protocol, protocol);
     QFETCH(QString, key);
     QFETCH(int, latencyMs);
-    support::BenchOptions options;
+    support::SimFixtureOptions options;
     options.baud = baud;
     options.wire.adapterLatency = milliseconds(latencyMs);
     const std::optional<int> rate = baud;
-    SimBench alone({{model, 1, rate, {}, 180, {}, nullptr}}, options);
+    SimFixture alone({{model, 1, rate, {}, 180, {}, nullptr}}, options);
     const device::Servo known = alone.servo(1, protocol);
-    for (const bool energise : {false, true}) {
-        SimBench bench(
+    for (const bool energize : {false, true}) {
+        SimFixture fixture(
             {{model, 1, rate, {}, 180, {}, nullptr}, {model, 1, rate, {}, 95, {}, nullptr}},
             options);
         device::Servo servo = known;
         const auto before = servo.raw(key).value_or(0);
-        const auto done = energise ? device::setTorque(bench.context(), servo, device::Torque::On)
-                                   : writeOne(bench.context(), servo, qPrintable(key), before - 1);
+        const auto done =
+            energize ? device::setTorque(fixture.context(), servo, device::Torque::On)
+                     : writeRegister(fixture.context(), servo, qPrintable(key), before - 1);
         QVERIFY(!done);
-        QCOMPARE(done.error().code, ErrorCode::SeveralServos);
-        QVERIFY(bench.journal().entries()->empty());
-        bench.withWire([&](sim::VirtualBus& wire) {
+        QCOMPARE(done.error().code, ErrorCode::DuplicateId);
+        QVERIFY(fixture.journal().entries()->empty());
+        fixture.withBus([&](sim::VirtualBus& wire) {
             for (sim::VirtualServo* each : wire.servos())
                 QCOMPARE(each->raw(key), before);
         });
@@ -268,17 +272,17 @@ void TestWriteTwins::nothingIsWrittenToSimulatedTwins()
 }
 
 // Said to be so in the help: content that is equal bit by bit, in step, looks like one servo.
-void TestWriteTwins::identicalInStepCannotBeTold()
+void TestWriteDuplicateId::identicalSynchronousServosAreIndistinguishable()
 {
-    Bytes bench;
-    bench.line.servos = {byteSts(1), byteSts(1)};
-    bench.open();
-    device::Servo servo = bench.servo();
-    QVERIFY(writeOne(bench.context(), servo, "max_temperature", 61));
-    QCOMPARE(bench.line.servos[1].table[13], std::uint8_t(61));
+    Bytes fixture;
+    fixture.line.servos = {rawSts3215(1), rawSts3215(1)};
+    fixture.open();
+    device::Servo servo = fixture.servo();
+    QVERIFY(writeRegister(fixture.context(), servo, "max_temperature", 61));
+    QCOMPARE(fixture.line.servos[1].table[13], std::uint8_t(61));
 }
 
-void TestWriteTwins::oneServoIsWrittenTo_data()
+void TestWriteDuplicateId::aSingleServoIsWritten_data()
 {
     QTest::addColumn<int>("lateMs");
     QTest::addColumn<int>("spoilEvery"); ///< 0: none
@@ -289,125 +293,125 @@ void TestWriteTwins::oneServoIsWrittenTo_data()
     QTest::newRow("every 3rd reply broken") << 0 << 3;
 }
 
-void TestWriteTwins::oneServoIsWrittenTo()
+void TestWriteDuplicateId::aSingleServoIsWritten()
 {
     QFETCH(int, lateMs);
     QFETCH(int, spoilEvery);
-    Bytes bench;
-    bench.line.servos = {byteSts(1)};
-    bench.line.adapterLate = milliseconds(lateMs);
+    Bytes fixture;
+    fixture.line.servos = {rawSts3215(1)};
+    fixture.line.adapterLatency = milliseconds(lateMs);
     if (spoilEvery > 0) {
-        bench.line.spoil = [spoilEvery](int n, base::Bytes& reply) {
+        fixture.line.spoil = [spoilEvery](int n, base::Bytes& reply) {
             if (n % spoilEvery == spoilEvery - 1)
                 reply[reply.size() / 2] ^= 0x10;
         };
     }
-    bench.open();
-    device::Servo servo = bench.servo();
-    const auto done = writeOne(bench.context(), servo, "max_temperature", 61);
-    QVERIFY2(done, done ? "" : qPrintable(text::describe(done.error()).what));
-    QCOMPARE(bench.line.servos[0].table[13], std::uint8_t(61));
-    QCOMPARE(bench.line.servos[0].table[55], std::uint8_t(1)); // locked again
+    fixture.open();
+    device::Servo servo = fixture.servo();
+    const auto done = writeRegister(fixture.context(), servo, "max_temperature", 61);
+    QVERIFY2(done, done ? "" : qPrintable(text::describe(done.error()).message));
+    QCOMPARE(fixture.line.servos[0].table[13], std::uint8_t(61));
+    QCOMPARE(fixture.line.servos[0].table[55], std::uint8_t(1)); // locked again
 }
 
-void TestWriteTwins::theLookCostsOnce()
+void TestWriteDuplicateId::theCheckIsDoneOnce()
 {
-    Bytes bench;
-    bench.line.servos = {byteSts(1)};
-    bench.open();
-    device::Servo servo = bench.servo();
-    QVERIFY(device::beginWriting(bench.context(), servo, {}));
-    QVERIFY(!bench.line.frames.empty());
-    QCOMPARE(bench.line.changingFrames(), 0);
-    bench.line.frames.clear();
-    const base::Duration before = bench.clock.now();
-    QVERIFY(device::requireVerified(bench.context(), servo, {}));
-    QCOMPARE(bench.line.frames.size(), std::size_t{0});
-    QCOMPARE(bench.clock.now(), before);
-    QVERIFY(device::beginWriting(bench.context(), servo, {}));
-    QCOMPARE(bench.line.frames.size(), std::size_t{1}); // who it is
-    bench.open();                                       // another connection
-    QVERIFY(device::beginWriting(bench.context(), servo, {}));
-    QVERIFY(!bench.line.frames.empty());
+    Bytes fixture;
+    fixture.line.servos = {rawSts3215(1)};
+    fixture.open();
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::beginWriting(fixture.context(), servo, {}));
+    QVERIFY(!fixture.line.frames.empty());
+    QCOMPARE(fixture.line.writeFrameCount(), 0);
+    fixture.line.frames.clear();
+    const base::Duration before = fixture.clock.now();
+    QVERIFY(device::requireVerified(fixture.context(), servo, {}));
+    QCOMPARE(fixture.line.frames.size(), std::size_t{0});
+    QCOMPARE(fixture.clock.now(), before);
+    QVERIFY(device::beginWriting(fixture.context(), servo, {}));
+    QCOMPARE(fixture.line.frames.size(), std::size_t{1}); // who it is
+    fixture.open();                                       // another connection
+    QVERIFY(device::beginWriting(fixture.context(), servo, {}));
+    QVERIFY(!fixture.line.frames.empty());
 }
 
-void TestWriteTwins::aSearchIsFollowedByANewLook()
+void TestWriteDuplicateId::aSearchIsFollowedByANewCheck()
 {
-    SimBench bench(QStringLiteral("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    QVERIFY(writeOne(bench.context(), servo, "max_temperature", 61));
-    QVERIFY(jobs::scan(bench.context(), {}));
-    bench.forgetFrames();
-    QVERIFY(device::beginWriting(bench.context(), servo, {}));
-    QVERIFY(bench.frames(support::Read) > 0);
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    QVERIFY(writeRegister(fixture.context(), servo, "max_temperature", 61));
+    QVERIFY(jobs::scan(fixture.context(), {}));
+    fixture.clearFrames();
+    QVERIFY(device::beginWriting(fixture.context(), servo, {}));
+    QVERIFY(fixture.frames(support::Read) > 0);
 }
 
-void TestWriteTwins::aNewIdNeedsNoSecondLook()
+void TestWriteDuplicateId::aNewIdNeedsNoSecondCheck()
 {
-    SimBench bench(QStringLiteral("sts3215@1"));
-    device::Servo servo = bench.servo(1);
-    QVERIFY(jobs::changeId(bench.context(), servo, 9));
+    SimFixture fixture(QStringLiteral("sts3215@1"));
+    device::Servo servo = fixture.servo(1);
+    QVERIFY(jobs::changeId(fixture.context(), servo, 9));
     QCOMPARE(servo.id, 9);
-    bench.forgetFrames();
-    QVERIFY(device::beginWriting(bench.context(), servo, {}));
-    QCOMPARE(bench.frameCount(), std::size_t{1}); // who it is
+    fixture.clearFrames();
+    QVERIFY(device::beginWriting(fixture.context(), servo, {}));
+    QCOMPARE(fixture.frameCount(), std::size_t{1}); // who it is
 }
 
 // On a line that breaks everything nothing is written; the next attempt looks afresh.
-void TestWriteTwins::noiseIsAskedAgainAndNotRemembered()
+void TestWriteDuplicateId::noiseIsRetriedAndNotRemembered()
 {
-    Bytes bench;
-    bench.line.servos = {byteSts(1)};
-    bench.line.spoil = [](int, base::Bytes& reply) { reply[reply.size() / 2] ^= 0x10; };
-    bench.open();
-    device::Servo servo = bench.servo();
-    const auto refused = writeOne(bench.context(), servo, "max_temperature", 61);
+    Bytes fixture;
+    fixture.line.servos = {rawSts3215(1)};
+    fixture.line.spoil = [](int, base::Bytes& reply) { reply[reply.size() / 2] ^= 0x10; };
+    fixture.open();
+    device::Servo servo = fixture.servo();
+    const auto refused = writeRegister(fixture.context(), servo, "max_temperature", 61);
     QVERIFY(!refused);
-    QCOMPARE(refused.error().code, ErrorCode::SeveralServos);
+    QCOMPARE(refused.error().code, ErrorCode::DuplicateId);
     const auto words = text::describe(refused.error());
-    QVERIFY2(words.what.contains(QRegularExpression(QStringLiteral("\\d+ of \\d+"))),
-             qPrintable(words.what));
-    QCOMPARE(bench.line.changingFrames(), 0);
-    bench.line.spoil = nullptr;
-    QVERIFY(writeOne(bench.context(), servo, "max_temperature", 61));
+    QVERIFY2(words.message.contains(QRegularExpression(QStringLiteral("\\d+ of \\d+"))),
+             qPrintable(words.message));
+    QCOMPARE(fixture.line.writeFrameCount(), 0);
+    fixture.line.spoil = nullptr;
+    QVERIFY(writeRegister(fixture.context(), servo, "max_temperature", 61));
 }
 
 // The firmware's span is never answered: that is no sign of a second servo.
-void TestWriteTwins::aLostReplyIsNoSecondServo()
+void TestWriteDuplicateId::aLostReplyIsNoSecondServo()
 {
-    Bytes bench;
-    bench.line.servos = {byteSts(1)};
-    bench.line.spoil = [](int, base::Bytes& reply) {
+    Bytes fixture;
+    fixture.line.servos = {rawSts3215(1)};
+    fixture.line.spoil = [](int, base::Bytes& reply) {
         if (reply.size() > 7 && reply[5] == 3 && reply[6] == 10)
             reply.clear();
     };
-    bench.open();
-    device::Servo servo = bench.servo();
-    const auto refused = device::beginWriting(bench.context(), servo, QStringLiteral("write"));
+    fixture.open();
+    device::Servo servo = fixture.servo();
+    const auto refused = device::beginWriting(fixture.context(), servo, QStringLiteral("write"));
     QVERIFY(!refused);
-    QCOMPARE(refused.error().code, ErrorCode::NoAnswer);
+    QCOMPARE(refused.error().code, ErrorCode::NoReply);
     QCOMPARE(refused.error().id, 1);
 }
 
 /// One unreadable reply, and then the cable is out.
-void TestWriteTwins::silenceIsNoSecondServo()
+void TestWriteDuplicateId::silenceIsNoSecondServo()
 {
-    Bytes bench;
-    bench.line.servos = {byteSts(1)};
-    bench.line.spoil = [told = false](int, base::Bytes& reply) mutable {
-        if (std::exchange(told, true))
+    Bytes fixture;
+    fixture.line.servos = {rawSts3215(1)};
+    fixture.line.spoil = [duplicateReported = false](int, base::Bytes& reply) mutable {
+        if (std::exchange(duplicateReported, true))
             reply.clear();
         else
             reply.back() ^= 0xFF;
     };
-    bench.open();
-    device::Servo servo = bench.servo();
-    const auto refused = device::beginWriting(bench.context(), servo, QStringLiteral("write"));
+    fixture.open();
+    device::Servo servo = fixture.servo();
+    const auto refused = device::beginWriting(fixture.context(), servo, QStringLiteral("write"));
     QVERIFY(!refused);
-    QCOMPARE(refused.error().code, ErrorCode::NoAnswer);
+    QCOMPARE(refused.error().code, ErrorCode::NoReply);
 }
 
-void TestWriteTwins::torqueOffReachesBoth_data()
+void TestWriteDuplicateId::torqueOffReachesBoth_data()
 {
     QTest::addColumn<bool>("halt");
     QTest::addColumn<bool>("collide");
@@ -420,49 +424,50 @@ void TestWriteTwins::torqueOffReachesBoth_data()
     }
 }
 
-void TestWriteTwins::torqueOffReachesBoth()
+void TestWriteDuplicateId::torqueOffReachesBoth()
 {
     QFETCH(bool, halt);
     QFETCH(bool, collide);
     QFETCH(int, mode);
     constexpr std::uint8_t goal = 4; // its high byte: 1024
-    Bytes bench;
-    bench.line.servos = {byteSts(1, 2048), byteSts(1, 900)};
-    bench.line.servos[1].table[14] = 90;
+    Bytes fixture;
+    fixture.line.servos = {rawSts3215(1, 2048), rawSts3215(1, 900)};
+    fixture.line.servos[1].table[14] = 90;
     if (!collide)
-        bench.line.replies = ByteLine::Replies::OneAfterAnother;
-    for (support::ByteServo& one : bench.line.servos) {
+        fixture.line.replies = RawServoLine::ReplyTiming::Sequential;
+    for (support::RawServo& one : fixture.line.servos) {
         one.table[33] = std::uint8_t(mode);
         one.table[40] = 1;
         one.table[43] = goal;
     }
-    bench.open();
-    device::Servo servo = bench.servo();
-    const auto done = halt ? device::halt(bench.context(), servo)
-                           : device::setTorque(bench.context(), servo, device::Torque::Off);
-    for (const support::ByteServo& one : bench.line.servos) {
+    fixture.open();
+    device::Servo servo = fixture.servo();
+    const auto done = halt ? device::halt(fixture.context(), servo)
+                           : device::setTorque(fixture.context(), servo, device::Torque::Off);
+    for (const support::RawServo& one : fixture.line.servos) {
         QCOMPARE(one.table[40], std::uint8_t(0));
         QCOMPARE(one.table[43], goal); // the place of one is not the other's
     }
     QVERIFY(!done);
     const auto words = text::describe(done.error());
-    QVERIFY2(words.what.contains(QLatin1String("Torque off was sent")), qPrintable(words.what));
+    QVERIFY2(words.message.contains(QLatin1String("Torque off was sent")),
+             qPrintable(words.message));
 }
 
-void TestWriteTwins::anEmergencyStopIsNotKeptWaiting()
+void TestWriteDuplicateId::anEmergencyStopDoesNotWait()
 {
-    Bytes bench;
-    bench.line.servos = {byteSts(1, 2048), byteSts(1, 900)};
-    bench.line.replies = ByteLine::Replies::OneAfterAnother;
-    for (support::ByteServo& one : bench.line.servos)
+    Bytes fixture;
+    fixture.line.servos = {rawSts3215(1, 2048), rawSts3215(1, 900)};
+    fixture.line.replies = RawServoLine::ReplyTiming::Sequential;
+    for (support::RawServo& one : fixture.line.servos)
         one.table[40] = 1;
-    bench.open();
-    device::Servo servo = bench.servo();
-    const auto verdicts = jobs::checkStopped(bench.context(), {&servo});
+    fixture.open();
+    device::Servo servo = fixture.servo();
+    const auto verdicts = jobs::verifyEmergencyStop(fixture.context(), {&servo});
     QVERIFY(verdicts);
-    QCOMPARE(bench.line.servos[0].table[40], std::uint8_t(0));
-    QCOMPARE(bench.line.servos[1].table[40], std::uint8_t(0));
+    QCOMPARE(fixture.line.servos[0].table[40], std::uint8_t(0));
+    QCOMPARE(fixture.line.servos[1].table[40], std::uint8_t(0));
 }
 
-QTEST_GUILESS_MAIN(TestWriteTwins)
+QTEST_GUILESS_MAIN(TestWriteDuplicateId)
 #include "tst_write_twins.moc"

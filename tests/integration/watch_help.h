@@ -9,32 +9,32 @@
 
 #include <algorithm>
 
-namespace watch_help {
+namespace watch_support {
 constexpr int fast = 1'000'000;
 
 using Rows = std::vector<jobs::WatchRow>;
 
-struct Watched {
+struct WatchResult {
     base::Result<jobs::WatchReport> report;
     Rows rows;
 };
 
-inline Watched watch(support::SimBench& bench, const jobs::WatchSpec& spec)
+inline WatchResult watch(support::SimFixture& fixture, const jobs::WatchSpec& spec)
 {
     Rows rows;
-    auto report = jobs::watch(bench.context(), spec, [&](const jobs::WatchRow& row) {
+    auto report = jobs::watch(fixture.context(), spec, [&](const jobs::WatchRow& row) {
         rows.push_back(row);
         return base::Result<void>{};
     });
     return {std::move(report), std::move(rows)};
 }
 
-inline jobs::WatchSpec specFor(support::SimBench& bench, const std::vector<int>& ids,
+inline jobs::WatchSpec specFor(support::SimFixture& fixture, const std::vector<int>& ids,
                                base::Duration period, base::Duration length)
 {
     jobs::WatchSpec spec;
     for (const int id : ids)
-        spec.servos.push_back(bench.servo(id));
+        spec.servos.push_back(fixture.servo(id));
     spec.period = period;
     spec.length = length;
     return spec;
@@ -64,4 +64,4 @@ inline Rows rowsOf(const Rows& rows, int id)
                  [id](const jobs::WatchRow& row) { return row.id == id; });
     return result;
 }
-} // namespace watch_help
+} // namespace watch_support

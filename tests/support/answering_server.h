@@ -13,26 +13,26 @@
 #include <thread>
 
 namespace support {
-class AnsweringServer {
+class CannedReplyServer {
 public:
-    explicit AnsweringServer(QByteArray answer)
+    explicit CannedReplyServer(QByteArray answer)
         : m_answer(std::move(answer))
     {
-        m_thread = std::thread([this] { live(); });
+        m_thread = std::thread([this] { serve(); });
     }
-    ~AnsweringServer()
+    ~CannedReplyServer()
     {
         m_ending = true;
         m_thread.join();
         ::close(m_tcp.listener);
     }
-    AnsweringServer(const AnsweringServer&) = delete;
-    AnsweringServer& operator=(const AnsweringServer&) = delete;
+    CannedReplyServer(const CannedReplyServer&) = delete;
+    CannedReplyServer& operator=(const CannedReplyServer&) = delete;
 
     quint16 port() const { return m_tcp.number; }
 
 private:
-    void live() const
+    void serve() const
     {
         while (!m_ending) {
             pollfd waiting{m_tcp.listener, POLLIN, 0};

@@ -25,9 +25,9 @@ base::Bytes reply(int id, const base::Bytes& data)
     return frame;
 }
 
-class ByteLink final : public transport::Link {
+class RawServoLink final : public transport::Link {
 public:
-    ByteLink(ByteLine& line, base::ManualClock& clock)
+    RawServoLink(RawServoLine& line, base::ManualClock& clock)
         : m_line(line)
         , m_clock(clock)
     {}
@@ -37,9 +37,9 @@ public:
         const base::Bytes frame(bytes.begin(), bytes.end());
         m_line.frames.push_back(frame);
         if (m_line.echo) {
-            base::Duration at = m_clock.now() + m_line.adapterLate;
+            base::Duration at = m_clock.now() + m_line.adapterLatency;
             for (const std::uint8_t value : frame)
-                m_coming.push_back({at += byteTime, value});
+                m_pendingBytes.push_back({at += byteTime, value});
         }
         base::Bytes body = frame;
         if (body.size() < 6 || body[0] != 0xFF || body[1] != 0xFF)
@@ -55,21 +55,21 @@ public:
     base::Result<std::size_t> read(base::Bytes& buffer) override
     {
         std::size_t count = 0;
-        for (; !m_coming.empty() && m_coming.front().at <= m_clock.now(); ++count) {
-            buffer.push_back(m_coming.front().value);
-            m_coming.pop_front();
+        for (; !m_pendingBytes.empty() && m_pendingBytes.front().at <= m_clock.now(); ++count) {
+            buffer.push_back(m_pendingBytes.front().value);
+            m_pendingBytes.pop_front();
         }
         return count;
     }
 
-    base::Result<bool> waitReadable(base::Duration span) override
+    base::Result<bool> waitForReadyRead(base::Duration span) override
     {
         const base::Duration until = m_clock.now() + span;
-        if (m_coming.empty() || m_coming.front().at > until) {
+        if (m_pendingBytes.empty() || m_pendingBytes.front().at > until) {
             m_clock.advance(span);
             return false;
         }
-        m_clock.advance(std::max(base::Duration{}, m_coming.front().at - m_clock.now()));
+        m_clock.advance(std::max(base::Duration{}, m_pendingBytes.front().at - m_clock.now()));
         return true;
     }
 
@@ -82,12 +82,12 @@ public:
     QString name() const override { return QStringLiteral("bytes"); }
 
 private:
-    struct Coming {
+    struct PendingBytes {
         base::Duration at{};
         std::uint8_t value = 0;
     };
 
-    static base::Bytes carryOut(ByteServo& servo, const base::Bytes& body)
+    static base::Bytes carryOut(RawServo& servo, const base::Bytes& body)
     {
         const std::uint8_t instruction = body[4];
         if (instruction == support::read) {
@@ -107,51 +107,51 @@ private:
         if (m_baud != 1'000'000 ||
             (body[4] != ping && body[4] != support::read && body[4] != support::write))
             return;
-        std::vector<base::Bytes> said;
-        for (ByteServo& servo : m_line.servos) {
+        std::vector<base::Bytes> pendingReplies;
+        for (RawServo& servo : m_line.servos) {
             if (servo.id == body[2])
-                said.push_back(reply(body[2], carryOut(servo, body)));
+                pendingReplies.push_back(reply(body[2], carryOut(servo, body)));
         }
-        if (said.empty())
+        if (pendingReplies.empty())
             return;
-        if (m_line.replies == ByteLine::Replies::Together) {
-            for (std::size_t i = 0; i < said[0].size() && said.size() > 1; ++i)
-                said[0][i] = said[0][i] & said[1][i];
-            said.resize(1);
+        if (m_line.replies == RawServoLine::ReplyTiming::Simultaneous) {
+            for (std::size_t i = 0; i < pendingReplies[0].size() && pendingReplies.size() > 1; ++i)
+                pendingReplies[0][i] = pendingReplies[0][i] & pendingReplies[1][i];
+            pendingReplies.resize(1);
         }
         base::Duration at = m_clock.now() + byteTime * (int(body.size()) + 1) + replyDelay;
-        for (std::size_t i = 0; i < said.size(); ++i) {
+        for (std::size_t i = 0; i < pendingReplies.size(); ++i) {
             if (m_line.spoil)
-                m_line.spoil(m_line.asked++, said[i]);
-            at += i > 0 ? m_line.secondLate : base::Duration{};
-            for (const std::uint8_t value : said[i])
-                m_coming.push_back({(at += byteTime) + m_line.adapterLate, value});
+                m_line.spoil(m_line.asked++, pendingReplies[i]);
+            at += i > 0 ? m_line.secondReplyDelay : base::Duration{};
+            for (const std::uint8_t value : pendingReplies[i])
+                m_pendingBytes.push_back({(at += byteTime) + m_line.adapterLatency, value});
             at += byteTime;
         }
     }
 
-    ByteLine& m_line;
+    RawServoLine& m_line;
     base::ManualClock& m_clock;
     int m_baud = 1'000'000;
-    std::deque<Coming> m_coming;
+    std::deque<PendingBytes> m_pendingBytes;
 };
 } // namespace
 
-int ByteLine::changingFrames() const
+int RawServoLine::writeFrameCount() const
 {
     return int(std::count_if(frames.begin(), frames.end(), [](const base::Bytes& frame) {
         return frame.size() > 4 && frame[4] != ping && frame[4] != read;
     }));
 }
 
-std::unique_ptr<transport::Link> openByteLine(ByteLine& line, base::ManualClock& clock)
+std::unique_ptr<transport::Link> openRawServoLine(RawServoLine& line, base::ManualClock& clock)
 {
-    return std::make_unique<ByteLink>(line, clock);
+    return std::make_unique<RawServoLink>(line, clock);
 }
 
-ByteServo byteSts(int id, int position)
+RawServo rawSts3215(int id, int position)
 {
-    ByteServo servo;
+    RawServo servo;
     servo.id = id;
     base::Bytes& t = servo.table;
     const auto set = [&t](std::size_t at, std::initializer_list<int> values) {

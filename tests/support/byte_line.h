@@ -13,34 +13,34 @@
 #include <vector>
 
 namespace support {
-struct ByteServo {
+struct RawServo {
     int id = 1;
     base::Bytes table = base::Bytes(128, 0);
     int writes = 0; ///< frames that changed it
 };
 
-struct ByteLine {
-    enum class Replies : std::uint8_t {
-        Together,        ///< at the same instant: low bits win, as on an open line
-        OneAfterAnother, ///< whole frames in a row
+struct RawServoLine {
+    enum class ReplyTiming : std::uint8_t {
+        Simultaneous, ///< at the same instant: low bits win, as on an open line
+        Sequential,   ///< whole frames in a row
     };
-    std::vector<ByteServo> servos;
-    Replies replies = Replies::Together;
-    base::Duration adapterLate{};
+    std::vector<RawServo> servos;
+    ReplyTiming replies = ReplyTiming::Simultaneous;
+    base::Duration adapterLatency{};
     bool echo = false;                              ///< the adapter returns what the host sends
-    base::Duration secondLate{};                    ///< the second reply comes so much later
+    base::Duration secondReplyDelay{};              ///< the second reply comes so much later
     std::function<void(int, base::Bytes&)> spoil{}; ///< may change the n-th reply
     std::vector<base::Bytes> frames;                ///< what the host has sent
     int asked = 0;
 
-    int writesTo(std::size_t index) const { return servos[index].writes; }
+    int writeCount(std::size_t index) const { return servos[index].writes; }
     /// Writes, restores and the like among the frames.
-    int changingFrames() const;
+    int writeFrameCount() const;
 };
 
 /// `line` and `clock` must outlive it.
-std::unique_ptr<transport::Link> openByteLine(ByteLine& line, base::ManualClock& clock);
+std::unique_ptr<transport::Link> openRawServoLine(RawServoLine& line, base::ManualClock& clock);
 
 /// An STS3215 with firmware 3.10 at rest: identity, limits, lock closed, 7.4 V, 30 °C.
-ByteServo byteSts(int id, int position = 2048);
+RawServo rawSts3215(int id, int position = 2048);
 } // namespace support

@@ -19,10 +19,10 @@ namespace support {
 namespace {
 constexpr int lockAddress = 55;
 constexpr int maxTries = 40;
-constexpr int courseTries = 5;
+constexpr int maxTimingTries = 5;
 constexpr int startMs = 10'000; ///< the longest any of them looks before it writes
-constexpr int idleMs = 2000; ///< a command that has written nothing for so long waits for the user
-constexpr int enoughRounds = 10; ///< of one command, to expect that a break meets an open change
+constexpr int idleMs = 2000;  ///< a command that has written nothing for so long waits for the user
+constexpr int minRounds = 10; ///< of one command, to expect that a break meets an open change
 
 struct Command {
     const char* name;
@@ -33,25 +33,25 @@ struct Command {
 };
 
 /// A command that nothing happens to.
-struct Course {
+struct CommandTiming {
     int writes = 0;
     int ms = 0; ///< from its first write
 };
 
 /// Where a command is broken: so long after that many frames that change something.
-struct Moment {
+struct InterruptionPoint {
     int writes = 1;
     int afterMs = 0;
 };
 
 /// Rows of an STS servo that the claims are held against.
-struct Place {
+struct RegisterSpan {
     int address;
     int size;
 };
-const std::map<QString, Place>& places()
+const std::map<QString, RegisterSpan>& registerSpans()
 {
-    static const std::map<QString, Place> known{
+    static const std::map<QString, RegisterSpan> known{
         {QStringLiteral("id"), {5, 1}},
         {QStringLiteral("baud_rate"), {6, 1}},
         {QStringLiteral("max_temperature"), {13, 1}},
@@ -78,24 +78,24 @@ QByteArray frame(int id, int instruction, const QByteArray& params)
 }
 
 /// Reads servos through a line that may be noisy. Knows bytes only.
-class Witness {
+class RawServoReader {
 public:
-    explicit Witness(const QString& port)
+    explicit RawServoReader(const QString& port)
         : m_client(port)
     {}
 
-    void listenAt(int baud) { m_client.setRate(baud == 500'000 ? B500000 : B1000000); }
+    void setBaudRate(int baud) { m_client.setRate(baud == 500'000 ? B500000 : B1000000); }
 
     /// -1: no valid reply.
-    int read(int id, Place place, int tries = maxTries)
+    int read(int id, RegisterSpan place, int tries = maxTries)
     {
         const QByteArray request =
             frame(id, 2, QByteArray(1, char(place.address)).append(char(place.size)));
         for (int i = 0; i < tries; ++i) {
-            m_client.say(request);
-            const QByteArray heard = m_client.hear(6 + place.size + 4, 30);
-            for (qsizetype at = 0; at + 6 + place.size <= heard.size(); ++at) {
-                const QByteArray reply = heard.mid(at, 6 + place.size);
+            m_client.send(request);
+            const QByteArray received = m_client.receive(6 + place.size + 4, 30);
+            for (qsizetype at = 0; at + 6 + place.size <= received.size(); ++at) {
+                const QByteArray reply = received.mid(at, 6 + place.size);
                 if (reply != frame(id, reply[4], reply.mid(5, place.size)) || reply == request)
                     continue;
                 const int low = static_cast<unsigned char>(reply[5]);
@@ -110,33 +110,35 @@ private:
     raw::Client m_client;
 };
 
-struct Found {
+struct ServoAddress {
     int id;
     int baud;
 };
 
 /// One campaign's files, made once: a snapshot and a template with other values than the servos'.
-class Files {
+class CampaignFiles {
 public:
-    Files()
+    CampaignFiles()
     {
         const raw::Simulator sim(words("--servos sts3215@1"));
         CliProgram cli;
         cli.setPort(sim.port());
-        const auto must = [&](const QString& line) {
-            Ran ran;
-            for (int i = 0; i < maxTries && ran.exit != 0; ++i)
-                ran = cli.run(line.split(u' '));
-            if (ran.exit != 0)
-                qFatal("%s: %s%s", qPrintable(line), qPrintable(ran.out), qPrintable(ran.err));
+        const auto requireOk = [&](const QString& line) {
+            ProgramResult result;
+            for (int i = 0; i < maxTries && result.exit != 0; ++i)
+                result = cli.run(line.split(u' '));
+            if (result.exit != 0)
+                qFatal("%s: %s%s", qPrintable(line), qPrintable(result.out),
+                       qPrintable(result.err));
         };
-        must(QStringLiteral("write 1 max_temperature=64 min_voltage=45 position_p=40 position_d=33 "
-                            "protection_current=444 overload_torque=70 --dangerous"));
-        must(QStringLiteral("snapshot save 1 %1").arg(snapshot()));
-        must(QStringLiteral("bundle save %1 1").arg(bundle()));
-        must(QStringLiteral("template make 1 %1 max_temperature position_p position_d "
-                            "protection_current")
-                 .arg(model()));
+        requireOk(
+            QStringLiteral("write 1 max_temperature=64 min_voltage=45 position_p=40 position_d=33 "
+                           "protection_current=444 overload_torque=70 --dangerous"));
+        requireOk(QStringLiteral("snapshot save 1 %1").arg(snapshot()));
+        requireOk(QStringLiteral("bundle save %1 1").arg(bundle()));
+        requireOk(QStringLiteral("template make 1 %1 max_temperature position_p position_d "
+                                 "protection_current")
+                      .arg(model()));
     }
     QString snapshot() const { return m_folder.filePath(QStringLiteral("wanted.servo.json")); }
     QString model() const { return m_folder.filePath(QStringLiteral("template.servo.json")); }
@@ -156,7 +158,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-std::vector<Command> commands(const Files& files)
+std::vector<Command> commands(const CampaignFiles& files)
 {
     const auto text = [](const char* words) { return QString::fromLatin1(words); };
     return {
@@ -187,15 +189,16 @@ std::vector<Command> commands(const Files& files)
 }
 
 /// One round: its simulator, its program, its history.
-class Round {
+class CampaignRound {
 public:
-    Round(const Command& command, const Files& files, bool noisy, std::uint32_t seed)
+    CampaignRound(const Command& command, const CampaignFiles& files, bool noisy,
+                  std::uint32_t seed)
         : m_command(command)
         , m_arguments(simulator(command, files, noisy, seed))
         , m_sim(std::make_unique<raw::Simulator>(m_arguments))
     {
         if (command.servos == nullptr) {
-            m_sim->tell("next");
+            m_sim->sendLine("next");
             (void)m_sim->nextLine();
         }
         m_cli.setPort(m_sim->port());
@@ -206,7 +209,7 @@ public:
         }
     }
 
-    static QStringList simulator(const Command& command, const Files& files, bool noisy,
+    static QStringList simulator(const Command& command, const CampaignFiles& files, bool noisy,
                                  std::uint32_t seed)
     {
         QStringList list = command.servos == nullptr ? words("--preset line")
@@ -224,22 +227,23 @@ public:
     QStringList line() const { return m_command.words.split(u' ') << QStringLiteral("--json"); }
 
     /// Runs `recover` until nothing is open; false if that never comes.
-    bool recover(bool undo, Tally& tally)
+    bool recover(bool undo, CampaignTotals& tally)
     {
         m_cli.setPort(m_sim->port());
         const QString how = undo ? QStringLiteral("--undo") : QStringLiteral("--finish");
         for (int i = 0; i < maxTries; ++i) {
-            const Ran look = m_cli.json("recover --any-port");
+            const ProgramResult look = m_cli.json("recover --any-port");
             const QJsonArray open = look.json()[QLatin1String("intents")].toArray();
             if (look.exit == 0 && open.isEmpty() && look.json().contains(QLatin1String("intents")))
                 return true;
-            tally.changesOpen += i == 0 ? 1 : 0;
-            const Ran done = m_cli.run({QStringLiteral("recover"), QStringLiteral("--any-port"),
-                                        how, QStringLiteral("--json")});
+            tally.openChanges += i == 0 ? 1 : 0;
+            const ProgramResult done =
+                m_cli.run({QStringLiteral("recover"), QStringLiteral("--any-port"), how,
+                           QStringLiteral("--json")});
             m_claims = done.json()[QLatin1String("intents")].toArray();
             // The terminal of the cable may be another program's by now; it is the same servo.
             for (const QJsonValue& left : look.json()[QLatin1String("elsewhere")].toArray()) {
-                const Ran named =
+                const ProgramResult named =
                     m_cli.run({QStringLiteral("recover"), QStringLiteral("--any-port"),
                                QStringLiteral("--change"), left[QLatin1String("uuid")].toString(),
                                how, QStringLiteral("--json")});
@@ -252,11 +256,11 @@ public:
 
     /// Where each servo is now. A busy machine may answer late, so those that are missing are
     /// looked for again.
-    std::vector<Found> servos()
+    std::vector<ServoAddress> servos()
     {
-        constexpr int looks = 5;
-        std::vector<Found> found;
-        for (int i = 0; i < looks && found.size() < expected(); ++i)
+        constexpr int scanPasses = 5;
+        std::vector<ServoAddress> found;
+        for (int i = 0; i < scanPasses && found.size() < expected(); ++i)
             found = look(4 << i);
         return found;
     }
@@ -267,10 +271,10 @@ public:
                    : std::size_t(QString::fromLatin1(m_command.servos).count(u'@'));
     }
 
-    int read(const Found& servo, Place place)
+    int read(const ServoAddress& servo, RegisterSpan place)
     {
-        Witness witness(m_sim->port());
-        witness.listenAt(servo.baud);
+        RawServoReader witness(m_sim->port());
+        witness.setBaudRate(servo.baud);
         return witness.read(servo.id, place);
     }
 
@@ -285,12 +289,12 @@ public:
                 (kind != QLatin1String("write") && kind != QLatin1String("mode") && !restored))
                 continue;
             const bool undone = claim[QLatin1String("action")] == QLatin1String("undo");
-            const Found servo{claim[QLatin1String("found_id")].toInt(),
-                              claim[QLatin1String("found_baud")].toInt()};
+            const ServoAddress servo{claim[QLatin1String("found_id")].toInt(),
+                                     claim[QLatin1String("found_baud")].toInt()};
             for (const QJsonValue& item : claim[QLatin1String("items")].toArray()) {
-                const auto place = places().find(item[QLatin1String("key")].toString());
-                const int said = item[QLatin1String(undone ? "old" : "new")].toInt(-1);
-                if (place != places().end() && read(servo, place->second) != said)
+                const auto place = registerSpans().find(item[QLatin1String("key")].toString());
+                const int claimed = item[QLatin1String(undone ? "old" : "new")].toInt(-1);
+                if (place != registerSpans().end() && read(servo, place->second) != claimed)
                     ++wrong;
             }
         }
@@ -305,12 +309,12 @@ public:
     }
 
 private:
-    std::vector<Found> look(int tries)
+    std::vector<ServoAddress> look(int tries)
     {
-        std::vector<Found> found;
-        Witness witness(m_sim->port());
+        std::vector<ServoAddress> found;
+        RawServoReader witness(m_sim->port());
         for (const int baud : {1'000'000, 500'000}) {
-            witness.listenAt(baud);
+            witness.setBaudRate(baud);
             for (const int id : {1, 2, 9}) {
                 if (witness.read(id, {5, 1}, tries) == id)
                     found.push_back({id, baud});
@@ -327,40 +331,40 @@ private:
 };
 
 /// Exit code 0 of a program that was cut off is a claim like any other: all is written and locked.
-int falseSuccess(Round& round, const Ran& ran)
+int isFalseSuccess(CampaignRound& round, const ProgramResult& result)
 {
-    const QJsonObject json = ran.json();
+    const QJsonObject json = result.json();
     const QJsonArray writes = json[QLatin1String("writes")].toArray();
     int wrong = 0;
     const auto servos = round.servos();
     for (const QJsonValue& write : writes) {
-        const auto place = places().find(write[QLatin1String("key")].toString());
+        const auto place = registerSpans().find(write[QLatin1String("key")].toString());
         const QString outcome = write[QLatin1String("outcome")].toString();
-        if (place == places().end() || outcome != QLatin1String("kept") || servos.empty())
+        if (place == registerSpans().end() || outcome != QLatin1String("kept") || servos.empty())
             continue;
         const int now = round.read(servos.front(), place->second);
         wrong += now != write[QLatin1String("read_back")].toInt(-1) ? 1 : 0;
     }
     if (json[QLatin1String("lock")] == QLatin1String("closed")) {
-        for (const Found& servo : servos)
+        for (const ServoAddress& servo : servos)
             wrong += round.read(servo, {lockAddress, 1}) != 1 ? 1 : 0;
     }
     return wrong;
 }
 
-void judge(Round& round, const Command& command, bool undo, Tally& tally)
+void judge(CampaignRound& round, const Command& command, bool undo, CampaignTotals& tally)
 {
     if (!round.recover(undo, tally))
         ++tally.unrecovered;
     const auto servos = round.servos();
     tally.lost += servos.size() < round.expected() ? 1 : 0;
-    for (const Found& servo : servos)
+    for (const ServoAddress& servo : servos)
         tally.unlocked += round.read(servo, {lockAddress, 1}) != 1 ? 1 : 0;
-    tally.falseWords += round.falseClaims(false);
+    tally.falseClaimCount += round.falseClaims(false);
     if (command.servos == nullptr)
         return; // the bag is packed anew
     round.powerCycle();
-    tally.falseWords += round.falseClaims(true);
+    tally.falseClaimCount += round.falseClaims(true);
 }
 
 /// Waits for frames that change something; false: the program has ended, or wrote nothing more
@@ -381,10 +385,10 @@ bool awaitWrites(const CutCable& cable, QProcess& process, int count)
     return true;
 }
 
-Course courseOf(const Command& command, const Files& files, std::uint32_t seed)
+CommandTiming measureCommand(const Command& command, const CampaignFiles& files, std::uint32_t seed)
 {
     files.forget();
-    Round round(command, files, false, seed);
+    CampaignRound round(command, files, false, seed);
     const CutCable cable(round.port(), false);
     round.cli().setPort(cable.port());
     round.cli().start(round.line());
@@ -396,121 +400,124 @@ Course courseOf(const Command& command, const Files& files, std::uint32_t seed)
     constexpr int everything = 1'000'000;
     (void)awaitWrites(cable, process, everything);
     const qint64 waited = process.state() == QProcess::NotRunning ? 0 : idleMs;
-    const Course course{cable.writes(), int(timer.elapsed() - waited)};
+    const CommandTiming timing{cable.writes(), int(timer.elapsed() - waited)};
     round.cli().signal(SIGKILL);
     (void)round.cli().finish();
-    return course;
+    return timing;
 }
 
-Ran breakThrough(CutCable& cable, Break how, Round& round, const Moment& moment, Tally& tally)
+ProgramResult interruptRun(CutCable& cable, Interruption how, CampaignRound& round,
+                           const InterruptionPoint& point, CampaignTotals& tally)
 {
     round.cli().setPort(cable.port());
     round.cli().start(round.line());
     QProcess& process = round.cli().process();
     const bool broken =
-        awaitWrites(cable, process, moment.writes) && !process.waitForFinished(moment.afterMs);
+        awaitWrites(cable, process, point.writes) && !process.waitForFinished(point.afterMs);
     tally.broken += broken ? 1 : 0;
-    if (how == Break::Cut)
+    if (how == Interruption::LinkCut)
         cable.cut();
     else
         round.cli().signal(SIGKILL);
-    const Ran ran = round.cli().finish();
+    const ProgramResult result = round.cli().finish();
     if (process.state() != QProcess::NotRunning) {
         ++tally.hung;
         process.kill();
         process.waitForFinished();
     }
-    return ran;
+    return result;
 }
 
-void breakOnce(Break how, Round& round, const Moment& moment, bool tcp, Tally& tally)
+void interruptOnce(Interruption how, CampaignRound& round, const InterruptionPoint& point, bool tcp,
+                   CampaignTotals& tally)
 {
     std::optional<CutCable> cable(std::in_place, round.port(), tcp);
-    const Ran ran = breakThrough(*cable, how, round, moment, tally);
+    const ProgramResult result = interruptRun(*cable, how, round, point, tally);
     cable.reset(); // it would take the replies to the raw frames
-    if (how == Break::Cut)
-        tally.falseWords += falseSuccess(round, ran);
+    if (how == Interruption::LinkCut)
+        tally.falseClaimCount += isFalseSuccess(round, result);
 }
 
-Tally breakCommand(Break how, const Command& command, const Files& files, int rounds,
-                   std::mt19937& random)
+CampaignTotals interruptCommand(Interruption how, const Command& command,
+                                const CampaignFiles& files, int rounds, std::mt19937& random)
 {
-    const bool noisy = how == Break::KillInNoise;
-    Course course; // on a busy machine the servo may not answer in time
-    for (int i = 0; i < courseTries && course.writes == 0; ++i)
-        course = courseOf(command, files, std::uint32_t(random()));
-    Tally tally;
-    if (course.writes == 0) {
+    const bool noisy = how == Interruption::KillDuringNoise;
+    CommandTiming timing; // on a busy machine the servo may not answer in time
+    for (int i = 0; i < maxTimingTries && timing.writes == 0; ++i)
+        timing = measureCommand(command, files, std::uint32_t(random()));
+    CampaignTotals tally;
+    if (timing.writes == 0) {
         ++tally.missed;
-        tally.firstTrouble = QStringLiteral("%1 wrote nothing").arg(QLatin1String(command.name));
+        tally.firstFailure = QStringLiteral("%1 wrote nothing").arg(QLatin1String(command.name));
         return tally;
     }
-    const int pauseMs = std::min(course.ms / course.writes, idleMs / 2);
+    const int pauseMs = std::min(timing.ms / timing.writes, idleMs / 2);
     for (int i = 0; tally.broken < rounds && i < 2 * rounds; ++i) {
         files.forget();
         const auto seed = std::uint32_t(random());
-        const Moment moment{std::uniform_int_distribution<>(1, course.writes)(random),
-                            std::uniform_int_distribution<>(0, pauseMs)(random)};
-        Round round(command, files, noisy, seed);
+        const InterruptionPoint point{std::uniform_int_distribution<>(1, timing.writes)(random),
+                                      std::uniform_int_distribution<>(0, pauseMs)(random)};
+        CampaignRound round(command, files, noisy, seed);
         ++tally.rounds;
-        breakOnce(how, round, moment, how == Break::Cut && !command.rate && i % 2 == 0, tally);
+        interruptOnce(how, round, point,
+                      how == Interruption::LinkCut && !command.rate && i % 2 == 0, tally);
         judge(round, command, random() % 2 == 0, tally);
-        if (!tally.clean() && tally.firstTrouble.isEmpty())
-            tally.firstTrouble = QStringLiteral("%1, seed %2, %3 ms after write %4")
+        if (!tally.clean() && tally.firstFailure.isEmpty())
+            tally.firstFailure = QStringLiteral("%1, seed %2, %3 ms after write %4")
                                      .arg(QLatin1String(command.name))
                                      .arg(seed)
-                                     .arg(moment.afterMs)
-                                     .arg(moment.writes);
+                                     .arg(point.afterMs)
+                                     .arg(point.writes);
     }
-    if (rounds >= enoughRounds && tally.changesOpen == 0) {
+    if (rounds >= minRounds && tally.openChanges == 0) {
         ++tally.missed;
-        tally.firstTrouble =
+        tally.firstFailure =
             QStringLiteral("%1: no break met an open change").arg(QLatin1String(command.name));
     }
     return tally;
 }
 } // namespace
 
-Tally& Tally::operator+=(const Tally& other)
+CampaignTotals& CampaignTotals::operator+=(const CampaignTotals& other)
 {
     rounds += other.rounds;
     broken += other.broken;
-    changesOpen += other.changesOpen;
+    openChanges += other.openChanges;
     unlocked += other.unlocked;
     lost += other.lost;
-    falseWords += other.falseWords;
+    falseClaimCount += other.falseClaimCount;
     unrecovered += other.unrecovered;
     hung += other.hung;
     missed += other.missed;
-    if (firstTrouble.isEmpty())
-        firstTrouble = other.firstTrouble;
+    if (firstFailure.isEmpty())
+        firstFailure = other.firstFailure;
     return *this;
 }
 
-Tally runCampaign(Break how, int rounds, std::uint32_t seed, const QString& only,
-                  const std::function<void(const QString& text)>& line)
+CampaignTotals runCampaign(Interruption how, int rounds, std::uint32_t seed, const QString& only,
+                           const std::function<void(const QString& text)>& line)
 {
-    const Files files;
+    const CampaignFiles files;
     auto all = commands(files);
     if (!only.isEmpty())
         std::erase_if(all, [&](const Command& one) { return only != QLatin1String(one.name); });
     std::mt19937 random(seed);
-    Tally sum;
+    CampaignTotals sum;
     for (int i = 0; i < int(all.size()); ++i) {
         const Command& command = all[std::size_t(i)];
         const int share = rounds / int(all.size()) + (i < rounds % int(all.size()) ? 1 : 0);
         if (share == 0)
             continue;
-        const Tally tally = breakCommand(how, command, files, share, random);
+        const CampaignTotals tally = interruptCommand(how, command, files, share, random);
         line(QStringLiteral("%1 rounds %2, broken off %3, changes open %4; unlocked %5, lost %6, "
                             "false words %7, unrecovered %8, hung %9")
                  .arg(QLatin1String(command.name), -18)
                  .arg(tally.rounds, 3)
                  .arg(tally.broken, 3)
-                 .arg(tally.changesOpen, 3)
+                 .arg(tally.openChanges, 3)
                  .arg(tally.unlocked)
                  .arg(tally.lost)
-                 .arg(tally.falseWords)
+                 .arg(tally.falseClaimCount)
                  .arg(tally.unrecovered)
                  .arg(tally.hung));
         sum += tally;

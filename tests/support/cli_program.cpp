@@ -10,7 +10,7 @@
 
 namespace support {
 namespace {
-constexpr int patienceMs = 60'000; ///< only a hung program ever needs it
+constexpr int timeoutMs = 60'000; ///< only a hung program ever needs it
 
 QString program(const char* name)
 {
@@ -25,7 +25,7 @@ QStringList words(const char* line)
     return QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
-QJsonObject Ran::json() const
+QJsonObject ProgramResult::json() const
 {
     return QJsonDocument::fromJson(out.toUtf8()).object();
 }
@@ -54,7 +54,7 @@ void CliProgram::start(const QStringList& arguments)
     if (!m_port.isEmpty())
         all << QStringLiteral("--port") << m_port;
     m_process.start(program("servodesk-cli"), all);
-    m_process.waitForStarted(patienceMs);
+    m_process.waitForStarted(timeoutMs);
 }
 
 void CliProgram::collect()
@@ -67,7 +67,7 @@ bool CliProgram::waitFor(const QByteArray& seen, const QByteArray& text)
 {
     // In slices, because what comes on the other channel wakes nobody.
     constexpr int sliceMs = 50;
-    for (int waited = 0; waited < patienceMs; waited += sliceMs) {
+    for (int waited = 0; waited < timeoutMs; waited += sliceMs) {
         collect();
         if (seen.contains(text))
             return true;
@@ -83,7 +83,7 @@ bool CliProgram::waitForOutput(const QByteArray& text)
     return waitFor(m_out, text);
 }
 
-bool CliProgram::waitForRemark(const QByteArray& text)
+bool CliProgram::waitForError(const QByteArray& text)
 {
     return waitFor(m_err, text);
 }
@@ -95,17 +95,17 @@ void CliProgram::signal(int number)
         ::kill(static_cast<pid_t>(m_process.processId()), number);
 }
 
-Ran CliProgram::finish()
+ProgramResult CliProgram::finish()
 {
     m_process.closeWriteChannel();
     const bool ended =
-        m_process.state() == QProcess::NotRunning || m_process.waitForFinished(patienceMs);
+        m_process.state() == QProcess::NotRunning || m_process.waitForFinished(timeoutMs);
     collect();
     const bool normal = ended && m_process.exitStatus() == QProcess::NormalExit;
     return {normal ? m_process.exitCode() : -1, QString::fromUtf8(m_out), QString::fromUtf8(m_err)};
 }
 
-Ran CliProgram::run(const QStringList& arguments)
+ProgramResult CliProgram::run(const QStringList& arguments)
 {
     start(arguments);
     return finish();
@@ -113,9 +113,9 @@ Ran CliProgram::run(const QStringList& arguments)
 
 SimProgram::SimProgram(const QStringList& arguments)
 {
-    putFirst(m_process);
+    raisePriority(m_process);
     m_process.start(program("servodesk-sim"), arguments);
-    if (!m_process.waitForReadyRead(patienceMs))
+    if (!m_process.waitForReadyRead(timeoutMs))
         return;
     const QString line = QString::fromUtf8(m_process.readLine()).trimmed();
     if (line.startsWith(QLatin1String("port: ")))
@@ -127,6 +127,6 @@ void SimProgram::end()
     if (m_process.state() == QProcess::NotRunning)
         return;
     m_process.terminate();
-    m_process.waitForFinished(patienceMs);
+    m_process.waitForFinished(timeoutMs);
 }
 } // namespace support

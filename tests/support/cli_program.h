@@ -12,7 +12,7 @@ namespace support {
 /// Blanks separate, as in a shell without quotes.
 QStringList words(const char* line);
 
-struct Ran {
+struct ProgramResult {
     int exit = -1;
     QString out;
     QString err;
@@ -31,17 +31,17 @@ public:
     void setEnvironment(const QString& name, const QString& value);
     QString dataFolder() const { return m_data.path(); }
 
-    Ran run(const QStringList& arguments);
-    Ran run(const char* line) { return run(words(line)); }
-    Ran json(const char* line) { return run(words(line) << QStringLiteral("--json")); }
+    ProgramResult run(const QStringList& arguments);
+    ProgramResult run(const char* line) { return run(words(line)); }
+    ProgramResult json(const char* line) { return run(words(line) << QStringLiteral("--json")); }
 
     /// Starts it and comes back; for Ctrl-C.
     void start(const QStringList& arguments);
     QProcess& process() { return m_process; }
     bool waitForOutput(const QByteArray& text); ///< on stdout
-    bool waitForRemark(const QByteArray& text); ///< on stderr
+    bool waitForError(const QByteArray& text);  ///< on stderr
     void signal(int number);
-    Ran finish();
+    ProgramResult finish();
 
 private:
     bool waitFor(const QByteArray& seen, const QByteArray& text);

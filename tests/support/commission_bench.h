@@ -14,7 +14,7 @@ namespace support {
 inline record::Snapshot templateOf(const char* model,
                                    const std::vector<std::pair<const char*, std::int64_t>>& values)
 {
-    SimBench other(QString::fromLatin1(model) + QStringLiteral("@1"));
+    SimFixture other(QString::fromLatin1(model) + QStringLiteral("@1"));
     auto context = other.context();
     device::Servo servo = other.servo(1);
     record::Snapshot snapshot = *jobs::takeSnapshot(context, servo, QStringLiteral("test"));
@@ -29,17 +29,17 @@ inline record::Snapshot templateOf(const char* model,
     return snapshot;
 }
 
-class CommissionBench {
+class CommissionFixture {
 public:
-    explicit CommissionBench(const QString& servos = QStringLiteral("line"))
-        : bench(servos)
+    explicit CommissionFixture(const QString& servos = QStringLiteral("line"))
+        : fixture(servos)
     {
         spec.automatic = true;
         for (int id = 11; id < 40; ++id)
             spec.ids.push_back(id);
-        bench.withWire([](sim::VirtualBus& wire) {
-            if (!wire.isBag())
-                wire.makeBag();
+        fixture.withBus([](sim::VirtualBus& wire) {
+            if (!wire.hasHotplugQueue())
+                wire.makeHotplugQueue();
         });
     }
 
@@ -52,77 +52,79 @@ public:
         if (!opened)
             return tl::unexpected(opened.error());
         batch = *opened;
-        jobs::CommissionHooks hooks;
-        hooks.onChange = [this](const jobs::CommissionView& view) { changed(view); };
-        hooks.onRow = [this](const record::CommissionRow&) {
+        jobs::CommissionCallbacks callbacks;
+        callbacks.onChange = [this](const jobs::CommissionView& view) { changed(view); };
+        callbacks.onRow = [this](const record::CommissionRow&) {
             // What is told is on the disk already.
             const auto kept = record::openCommissionBatch(csv());
-            keptInTime = keptInTime && kept && kept->rows == batch.rows;
+            savedInTime = savedInTime && kept && kept->rows == batch.rows;
         };
-        hooks.answer = [this] { return answer ? answer() : jobs::CommissionAnswer::None; };
-        hooks.save = [this](const device::Context&, device::Servo& servo) -> base::Result<QString> {
+        callbacks.answer = [this] { return answer ? answer() : jobs::CommissionAnswer::None; };
+        callbacks.save = [this](const device::Context&,
+                                device::Servo& servo) -> base::Result<QString> {
             saved.push_back(servo.id);
             const QString name = QStringLiteral("table-%1").arg(saved.size());
-            if (!keepsTables)
+            if (!savesSnapshotFiles)
                 return name;
             const QString file = folder.filePath(name);
             return record::saveSnapshot(jobs::snapshotOf(servo, QStringLiteral("test")), file)
                 .map([&] { return file; });
         };
-        hooks.name = name;
-        return jobs::commission(bench.context(), spec, batch, csv(), hooks);
+        callbacks.name = name;
+        return jobs::commission(fixture.context(), spec, batch, csv(), callbacks);
     }
 
     /// Another start of the program: only the files and the journal are left of the one before.
     void restart()
     {
-        bench.reconnect(1'000'000);
+        fixture.reconnect(1'000'000);
         views.clear();
     }
 
-    void plugNext()
+    void connectNext()
     {
-        const auto place = bench.withWire([](sim::VirtualBus& wire) { return wire.plugNext(); });
+        const auto place =
+            fixture.withBus([](sim::VirtualBus& wire) { return wire.connectNext(); });
         if (!place)
-            bench.stop().request();
+            fixture.stop().request();
         else
             current = *place;
-        pluggedAt = bench.clock().now();
+        pluggedAt = fixture.clock().now();
     }
     void unplugAll()
     {
-        bench.withWire([](sim::VirtualBus& wire) { wire.unplugAll(); });
+        fixture.withBus([](sim::VirtualBus& wire) { wire.unplugAll(); });
     }
     void plug(std::size_t place)
     {
-        bench.withWire([place](sim::VirtualBus& wire) { wire.plug(place); });
+        fixture.withBus([place](sim::VirtualBus& wire) { wire.plug(place); });
     }
     sim::VirtualServo& servoAt(std::size_t place)
     {
-        return *bench.withWire([place](sim::VirtualBus& wire) { return wire.servos()[place]; });
+        return *fixture.withBus([place](sim::VirtualBus& wire) { return wire.servos()[place]; });
     }
-    bool somebodyPlugged()
+    bool isAnyPlugged()
     {
-        return bench.withWire([](sim::VirtualBus& wire) {
+        return fixture.withBus([](sim::VirtualBus& wire) {
             for (std::size_t place = 0; place < wire.servos().size(); ++place) {
-                if (wire.plugged(place))
+                if (wire.isPlugged(place))
                     return true;
             }
             return false;
         });
     }
-    bool saw(jobs::CommissionStep step) const
+    bool hasSeen(jobs::CommissionStep step) const
     {
         return std::any_of(views.begin(), views.end(),
                            [step](const auto& view) { return view.step == step; });
     }
-    bool saw(jobs::CommissionObstacle obstacle) const
+    bool hasSeen(jobs::CommissionObstacle obstacle) const
     {
         return std::any_of(views.begin(), views.end(),
                            [obstacle](const auto& view) { return view.obstacle == obstacle; });
     }
 
-    SimBench bench;
+    SimFixture fixture;
     QTemporaryDir folder;
     jobs::CommissionSpec spec;
     record::CommissionBatch batch;
@@ -132,9 +134,9 @@ public:
     std::function<jobs::CommissionAnswer()> answer;
     std::function<base::Result<void>(const device::Servo&, const QString&, bool)> name;
     /// True: this view has been dealt with, the usual hand rests.
-    std::function<bool(const jobs::CommissionView&)> hand;
-    bool keptInTime = true;
-    bool keepsTables = false; ///< its tables are files
+    std::function<bool(const jobs::CommissionView&)> onView;
+    bool savedInTime = true;
+    bool savesSnapshotFiles = false; ///< its tables are files
     std::size_t current = 0;
     base::Duration pluggedAt{};
 
@@ -142,12 +144,12 @@ private:
     void changed(const jobs::CommissionView& view)
     {
         views.push_back(view);
-        if (hand && hand(view))
+        if (onView && onView(view))
             return;
-        if (view.step == jobs::CommissionStep::Waiting && !somebodyPlugged()) {
-            plugNext();
+        if (view.step == jobs::CommissionStep::Waiting && !isAnyPlugged()) {
+            connectNext();
         } else if (view.step == jobs::CommissionStep::Unplug) {
-            spans.push_back(bench.clock().now() - pluggedAt);
+            spans.push_back(fixture.clock().now() - pluggedAt);
             unplugAll();
         }
     }

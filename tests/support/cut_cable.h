@@ -49,17 +49,17 @@ public:
     void cut()
     {
         const std::lock_guard lock(m_mutex);
-        hangUp();
+        dropConnection();
     }
     /// Cuts instead of passing on the frame of that number among those writes() counts from now.
     void cutAtWrite(int number) { m_cutAt = m_writes + number; }
     /// The program is not heard any more; the line stays up.
-    void loseAll() { m_loseAll = true; }
+    void dropAll() { m_dropAll = true; }
     /// Frames with this instruction are lost from now on; 0: none.
-    void lose(int instruction) { m_lost = instruction; }
+    void dropInstruction(int instruction) { m_lost = instruction; }
 
 private:
-    void hangUp()
+    void dropConnection()
     {
         if (!m_name.isEmpty())
             QFile::remove(m_name);
@@ -128,14 +128,14 @@ private:
         }
         if (got <= 0)
             return;
-        if (m_loseAll)
+        if (m_dropAll)
             return;
         countWrites(reinterpret_cast<const unsigned char*>(chunk), std::size_t(got));
         if (got > 4 && m_lost != 0 && chunk[4] == m_lost)
             return;
         if (m_cutAt > 0 && m_writes >= m_cutAt) {
             m_cutAt = 0;
-            hangUp();
+            dropConnection();
             return;
         }
         const auto rate = m_slave >= 0 ? transport::ttySpeed(m_slave) : std::nullopt;
@@ -181,7 +181,7 @@ private:
     std::atomic<int> m_writes{0};
     std::atomic<int> m_cutAt{0}; ///< 0: not
     std::atomic<int> m_lost{0};
-    std::atomic<bool> m_loseAll{false};
+    std::atomic<bool> m_dropAll{false};
     std::thread m_thread;
 };
 } // namespace support

@@ -8,7 +8,7 @@
 
 namespace support {
 /// Only the fonts of this folder are there.
-inline QByteArray machineWith(const QTemporaryDir& place, const char* fonts)
+inline QByteArray fontConfigWith(const QTemporaryDir& place, const char* fonts)
 {
     QFile file(place.filePath(QStringLiteral("fonts.conf")));
     if (file.open(QIODevice::WriteOnly))

@@ -24,7 +24,7 @@ struct Bench {
     }
 };
 
-inline void must(const base::Result<void>& done)
+inline void requireOk(const base::Result<void>& done)
 {
     if (!done)
         qFatal("%s", qPrintable(done.error().detail));
@@ -32,10 +32,10 @@ inline void must(const base::Result<void>& done)
 
 inline base::ServoIdentity servo(int id, const char* model = "STS3215")
 {
-    base::ServoIdentity who{
+    base::ServoIdentity identity{
         id, 9, 3, 3, 10, QStringLiteral("sts-sms"), QStringLiteral("/dev/ttyUSB0"), 1000000};
-    who.model = QString::fromLatin1(model);
-    return who;
+    identity.model = QString::fromLatin1(model);
+    return identity;
 }
 
 /// Two registers; `outcome` empty: interrupted.
@@ -50,10 +50,10 @@ inline QString write(record::HistoryJournal& journal, int id, std::int64_t value
     const QString uuid = journal.begin(intent).value();
     if (*outcome == '\0')
         return uuid;
-    base::IntentEnd end{QString::fromLatin1(outcome), QStringLiteral("O'Neill\\ ?")};
+    base::IntentResult end{QString::fromLatin1(outcome), QStringLiteral("O'Neill\\ ?")};
     end.items = {{QStringLiteral("min_angle"), value, QStringLiteral("kept")},
                  {QStringLiteral("max_angle"), {}, QStringLiteral("mismatch")}};
-    must(journal.end(uuid, end));
+    requireOk(journal.end(uuid, end));
     return uuid;
 }
 
@@ -82,15 +82,15 @@ inline void fill(Bench& bench)
         write(bench.journal, 1 + i % 3, i);
     write(bench.journal, 2, 77, "failed");
     write(bench.journal, 3, 78, "");
-    must(bench.journal.keep(servo(1), QStringLiteral("limits"), {1, -2}));
+    requireOk(bench.journal.saveServoValues(servo(1), QStringLiteral("limits"), {1, -2}));
     const auto history = bench.open();
     const record::HistoryLog log = history->log();
     (void)log.addSnapshot(snapshot(1, "磨损 'worn'"), record::SnapshotReason::Automatic).value();
-    (void)log.addSnapshot(snapshot(7, ""), record::SnapshotReason::Asked).value();
+    (void)log.addSnapshot(snapshot(7, ""), record::SnapshotReason::Manual).value();
     const QDateTime at({2026, 5, 2}, {9, 0, 0, 250}, Qt::UTC);
-    must(log.alarmCame(servo(2), QStringLiteral("overload"), false, at));
-    must(log.alarmWent(servo(2), QStringLiteral("overload"), at.addSecs(9)));
-    must(log.alarmCame(servo(1), QStringLiteral("voltage"), true, at.addSecs(1)));
+    requireOk(log.recordAlarmStart(servo(2), QStringLiteral("overload"), false, at));
+    requireOk(log.recordAlarmEnd(servo(2), QStringLiteral("overload"), at.addSecs(9)));
+    requireOk(log.recordAlarmStart(servo(1), QStringLiteral("voltage"), true, at.addSecs(1)));
     record::HistoryRecording recording;
     recording.at = at;
     recording.length = 12s;
@@ -103,7 +103,7 @@ inline void fill(Bench& bench)
 
 // --- the lists as text, newest first ---
 
-inline QString said(const QDateTime& at)
+inline QString isoText(const QDateTime& at)
 {
     return at.toString(Qt::ISODateWithMs);
 }
@@ -117,7 +117,7 @@ inline QStringList writes(const record::History& history, const record::HistoryF
                          .arg(one.intentUuid)
                          .arg(one.place)
                          .arg(one.servoId)
-                         .arg(one.model, one.label, said(one.at), base::intentKindName(one.kind))
+                         .arg(one.model, one.label, isoText(one.at), base::intentKindName(one.kind))
                          .arg(one.key)
                          .arg(one.address) +
                      QStringLiteral(" %1→%2 %3 %4 %5 %6 %7 %8 %9")
@@ -138,9 +138,9 @@ inline QStringList servos(const record::History& history, const record::HistoryF
     for (const record::HistoryServo& one : all)
         lines << QStringLiteral("%1 %2 %3 %4 %5 %6 %7")
                          .arg(one.uuid)
-                         .arg(one.who.id)
-                         .arg(one.who.model, one.who.map, one.label, said(one.lastWrite),
-                              one.who.port) +
+                         .arg(one.identity.id)
+                         .arg(one.identity.model, one.identity.map, one.label,
+                              isoText(one.lastWrite), one.identity.port) +
                      (one.current ? QStringLiteral(" current") : QString());
     return lines;
 }
@@ -172,7 +172,7 @@ inline QStringList alarms(const record::History& history, const record::HistoryF
                      .arg(one.servoId)
                      .arg(one.key)
                      .arg(one.derived)
-                     .arg(said(one.at), said(one.went));
+                     .arg(isoText(one.at), isoText(one.clearedAt));
     return lines;
 }
 
@@ -183,7 +183,7 @@ inline QStringList recordings(const record::History& history,
     const auto all = history.log().recordings(filter).value();
     for (const record::HistoryRecording& one : all) {
         QString line = QStringLiteral("%1 %2 %3 %4 %5")
-                           .arg(one.uuid, said(one.at), one.file)
+                           .arg(one.uuid, isoText(one.at), one.file)
                            .arg(one.rows)
                            .arg(qint64(one.length.count()));
         for (const auto& servo : one.servos)
@@ -199,7 +199,7 @@ inline QStringList runs(const record::History& history, const record::RunFilter&
     const auto all = history.runs(filter).value();
     for (const record::TestRun& one : all) {
         QString line = QStringLiteral("%1 %2 %3 %4 %5")
-                           .arg(one.uuid, one.kind, said(one.at), one.operatorName, one.note) +
+                           .arg(one.uuid, one.kind, isoText(one.at), one.operatorName, one.note) +
                        one.files.join(u',');
         for (const record::TestServo& servo : one.servos)
             line += QStringLiteral(" %1:%2:%3:%4")

@@ -35,7 +35,7 @@ base::Result<QString> MemoryJournal::begin(const base::Intent& intent)
     return entry.intent.uuid;
 }
 
-base::Result<void> MemoryJournal::end(const QString& uuid, const base::IntentEnd& end)
+base::Result<void> MemoryJournal::end(const QString& uuid, const base::IntentResult& end)
 {
     if (const auto good = writable(); !good)
         return good;
@@ -47,8 +47,9 @@ base::Result<void> MemoryJournal::end(const QString& uuid, const base::IntentEnd
     return {};
 }
 
-base::Result<void> MemoryJournal::keep(const base::ServoIdentity& servo, const QString& name,
-                                       const std::vector<std::int64_t>& values)
+base::Result<void> MemoryJournal::saveServoValues(const base::ServoIdentity& servo,
+                                                  const QString& name,
+                                                  const std::vector<std::int64_t>& values)
 {
     if (const auto good = writable(); !good)
         return good;
@@ -57,7 +58,7 @@ base::Result<void> MemoryJournal::keep(const base::ServoIdentity& servo, const Q
 }
 
 base::Result<std::optional<std::vector<std::int64_t>>>
-MemoryJournal::kept(const base::ServoIdentity& servo, const QString& name) const
+MemoryJournal::servoValues(const base::ServoIdentity& servo, const QString& name) const
 {
     const auto found = m_kept.find(nameOf(servo, name));
     if (found == m_kept.end())

@@ -11,15 +11,15 @@ namespace support {
 class MemoryJournal final : public base::Journal {
 public:
     base::Result<QString> begin(const base::Intent& intent) override;
-    base::Result<void> end(const QString& uuid, const base::IntentEnd& end) override;
+    base::Result<void> end(const QString& uuid, const base::IntentResult& end) override;
     base::Result<std::vector<base::JournalEntry>> entries() const override { return m_entries; }
-    base::Result<void> keep(const base::ServoIdentity& servo, const QString& name,
-                            const std::vector<std::int64_t>& values) override;
-    base::Result<std::optional<std::vector<std::int64_t>>> kept(const base::ServoIdentity& servo,
-                                                                const QString& name) const override;
+    base::Result<void> saveServoValues(const base::ServoIdentity& servo, const QString& name,
+                                       const std::vector<std::int64_t>& values) override;
+    base::Result<std::optional<std::vector<std::int64_t>>>
+    servoValues(const base::ServoIdentity& servo, const QString& name) const override;
 
     /// From now on every record fails with this code; nullopt: works again.
-    void failWith(std::optional<base::ErrorCode> code) { m_failure = code; }
+    void setError(std::optional<base::ErrorCode> code) { m_failure = code; }
 
 private:
     base::Result<void> writable() const;

@@ -6,8 +6,8 @@
 #include <QTemporaryDir>
 
 namespace support {
-struct OwnDataFolder {
-    OwnDataFolder() { qputenv("SERVODESK_DATA_DIR", folder.path().toLocal8Bit()); }
+struct TemporaryDataFolder {
+    TemporaryDataFolder() { qputenv("SERVODESK_DATA_DIR", folder.path().toLocal8Bit()); }
     QString path() const { return folder.path(); }
     QTemporaryDir folder;
 };

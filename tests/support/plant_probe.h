@@ -27,33 +27,33 @@ struct Move {
     std::vector<Sample> samples; ///< a millisecond apart, the first 1 ms after the goal
 
     double way() const { return double(goal - start); }
-    double sense() const { return goal < start ? -1.0 : 1.0; }
+    double direction() const { return goal < start ? -1.0 : 1.0; }
 
     /// Mean of what was reported in the last 200 ms.
-    double rest() const
+    double restPosition() const
     {
         return mean([](const Sample& sample) { return double(sample.reported); });
     }
-    double shaftRest() const
+    double shaftRestPosition() const
     {
         return mean([](const Sample& sample) { return sample.shaft; });
     }
     /// Standard deviation of what was reported in the last 200 ms.
     double restDeviation() const
     {
-        const double middle = rest();
+        const double middle = restPosition();
         return std::sqrt(mean([middle](const Sample& sample) {
             return (double(sample.reported) - middle) * (double(sample.reported) - middle);
         }));
     }
     /// The farthest report beyond the goal; negative: it never got there.
-    double beyond() const
+    double peakBeyondGoal() const
     {
-        double most = -HUGE_VAL;
+        double maximum = -HUGE_VAL;
         for (const Sample& sample : samples) {
-            most = std::max(most, sense() * double(sample.reported - goal));
+            maximum = std::max(maximum, direction() * double(sample.reported - goal));
         }
-        return most;
+        return maximum;
     }
     /// Until it is within `steps` of the goal and stays there; the whole time if it does not.
     int timeToWithin(double steps) const
@@ -69,12 +69,12 @@ struct Move {
     /// The fastest the shaft was over this long, towards the goal.
     double topSpeed(std::size_t window = 100) const
     {
-        double most = 0;
+        double maximum = 0;
         for (std::size_t i = window; i < samples.size(); ++i) {
             const double way = samples[i].shaft - samples[i - window].shaft;
-            most = std::max(most, sense() * way * 1000.0 / double(window));
+            maximum = std::max(maximum, direction() * way * 1000.0 / double(window));
         }
-        return most;
+        return maximum;
     }
 
 private:
@@ -90,9 +90,9 @@ private:
     }
 };
 
-class Plant {
+class ServoPlant {
 public:
-    explicit Plant(sim::VirtualServo& servo)
+    explicit ServoPlant(sim::VirtualServo& servo)
         : m_servo(servo)
         , m_position(servo.profile().byRole(catalog::Role::PresentPosition)->key)
         , m_goal(servo.profile().byRole(catalog::Role::GoalPosition)->key)

@@ -17,7 +17,7 @@
 
 namespace support {
 namespace {
-constexpr int patienceMs = 120'000; ///< only a hung program ever needs it
+constexpr int timeoutMs = 120'000; ///< only a hung program ever needs it
 const QString superuser = QStringLiteral("postgres");
 
 /// Where initdb is; Debian keeps it out of the PATH.
@@ -78,7 +78,7 @@ Postgres::Postgres()
 {
     if (const passwd* user = serverUser();
         user != nullptr && ::chown(qPrintable(m_folder.path()), user->pw_uid, user->pw_gid) != 0)
-        m_why = QStringLiteral("chown failed");
+        m_errorString = QStringLiteral("chown failed");
 }
 
 Postgres::~Postgres()
@@ -107,15 +107,15 @@ void Postgres::prepare(QProcess& process) const
     });
 }
 
-bool Postgres::runAsServer(const QString& name, const QStringList& arguments)
+bool Postgres::runAsServerUser(const QString& name, const QStringList& arguments)
 {
     QProcess process;
     prepare(process);
     process.setProcessChannelMode(QProcess::MergedChannels);
     process.start(name, arguments);
-    if (process.waitForFinished(patienceMs) && process.exitCode() == 0)
+    if (process.waitForFinished(timeoutMs) && process.exitCode() == 0)
         return true;
-    m_why = QString::fromLocal8Bit(process.readAll());
+    m_errorString = QString::fromLocal8Bit(process.readAll());
     return false;
 }
 
@@ -128,15 +128,15 @@ bool Postgres::makeCluster()
     file.write(superuserPassword().toUtf8());
     file.close();
     file.setPermissions(QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther);
-    return runAsServer(program("initdb"),
-                       {QStringLiteral("--pgdata"), m_folder.filePath(QStringLiteral("cluster")),
-                        QStringLiteral("--username"), superuser, QStringLiteral("--pwfile"),
-                        password, QStringLiteral("--auth=scram-sha-256"),
-                        QStringLiteral("--encoding=UTF8"), QStringLiteral("--locale=C"),
-                        QStringLiteral("--no-sync")});
+    return runAsServerUser(
+        program("initdb"),
+        {QStringLiteral("--pgdata"), m_folder.filePath(QStringLiteral("cluster")),
+         QStringLiteral("--username"), superuser, QStringLiteral("--pwfile"), password,
+         QStringLiteral("--auth=scram-sha-256"), QStringLiteral("--encoding=UTF8"),
+         QStringLiteral("--locale=C"), QStringLiteral("--no-sync")});
 }
 
-bool Postgres::useTls(const QString& certificate, const QString& key)
+bool Postgres::enableTls(const QString& certificate, const QString& key)
 {
     const passwd* user = serverUser();
     for (const auto& [from, to] : {std::pair(certificate, QStringLiteral("server.crt")),
@@ -146,7 +146,7 @@ bool Postgres::useTls(const QString& certificate, const QString& key)
         if (!QFile::copy(from, path) ||
             !QFile::setPermissions(path, QFileDevice::ReadOwner | QFileDevice::WriteOwner) ||
             ::chown(qPrintable(path), user->pw_uid, user->pw_gid) != 0) {
-            m_why = QStringLiteral("cannot copy ") + from;
+            m_errorString = QStringLiteral("cannot copy ") + from;
             return false;
         }
     }
@@ -178,8 +178,8 @@ bool Postgres::start()
                                                               m_folder.path());
     }
     m_server.start(program("postgres"), arguments);
-    if (!m_server.waitForStarted(patienceMs)) {
-        m_why = m_server.errorString();
+    if (!m_server.waitForStarted(timeoutMs)) {
+        m_errorString = m_server.errorString();
         return false;
     }
     while (m_server.state() == QProcess::Running) {
@@ -187,12 +187,12 @@ bool Postgres::start()
         ready.start(program("pg_isready"),
                     {QStringLiteral("-q"), QStringLiteral("-h"), QStringLiteral("127.0.0.1"),
                      QStringLiteral("-p"), QString::number(m_port)});
-        if (ready.waitForFinished(patienceMs) && ready.exitCode() == 0)
+        if (ready.waitForFinished(timeoutMs) && ready.exitCode() == 0)
             return true;
         m_server.waitForFinished(50); // that is how it goes wrong
     }
     QFile log(m_folder.filePath(QStringLiteral("log")));
-    m_why = log.open(QIODevice::ReadOnly) ? QString::fromUtf8(log.readAll()) : QString();
+    m_errorString = log.open(QIODevice::ReadOnly) ? QString::fromUtf8(log.readAll()) : QString();
     return false;
 }
 
@@ -201,7 +201,7 @@ void Postgres::stop()
     if (m_server.state() == QProcess::NotRunning)
         return;
     ::kill(pid_t(m_server.processId()), SIGINT); // "fast shutdown"
-    m_server.waitForFinished(patienceMs);
+    m_server.waitForFinished(timeoutMs);
 }
 
 void Postgres::signalAll(int number)
@@ -219,15 +219,15 @@ void Postgres::kill()
     if (m_server.state() == QProcess::NotRunning)
         return;
     signalAll(SIGKILL);
-    m_server.waitForFinished(patienceMs);
+    m_server.waitForFinished(timeoutMs);
 }
 
-void Postgres::freeze()
+void Postgres::suspend()
 {
     signalAll(SIGSTOP);
 }
 
-void Postgres::thaw()
+void Postgres::resume()
 {
     signalAll(SIGCONT);
 }
@@ -269,8 +269,8 @@ QString Postgres::query(const QString& database, const QString& sql)
     process.start(program("psql"), {QStringLiteral("-X"), QStringLiteral("-At"),
                                     QStringLiteral("-v"), QStringLiteral("ON_ERROR_STOP=1"),
                                     QStringLiteral("-c"), sql, address(database)});
-    const bool fine = process.waitForFinished(patienceMs) && process.exitCode() == 0;
-    m_why = fine ? QString() : QString::fromUtf8(process.readAllStandardError());
+    const bool fine = process.waitForFinished(timeoutMs) && process.exitCode() == 0;
+    m_errorString = fine ? QString() : QString::fromUtf8(process.readAllStandardError());
     return QString::fromUtf8(process.readAllStandardOutput()).trimmed();
 }
 } // namespace support

@@ -19,14 +19,14 @@ public:
     static bool installed(); ///< Debian's postgresql, or what pg_config names
 
     /// Before start(): connections may use TLS, with these PEM files; copies are made.
-    bool useTls(const QString& certificate, const QString& key);
+    bool enableTls(const QString& certificate, const QString& key);
     /// The cluster is made the first time. False: why() says it.
     bool start();
-    void stop();   ///< orderly, at once
-    void kill();   ///< as if the power had failed
-    void freeze(); ///< it accepts connections and says nothing
-    void thaw();
-    QString why() const { return m_why; }
+    void stop();    ///< orderly, at once
+    void kill();    ///< as if the power had failed
+    void suspend(); ///< it accepts connections and says nothing
+    void resume();
+    QString errorString() const { return m_errorString; }
 
     quint16 port() const { return m_port; }
     QString superuserPassword() const { return QStringLiteral("root of all"); }
@@ -38,14 +38,14 @@ public:
 
 private:
     bool makeCluster();
-    bool runAsServer(const QString& program, const QStringList& arguments);
+    bool runAsServerUser(const QString& program, const QStringList& arguments);
     void prepare(QProcess& process) const;
     void signalAll(int number);
     QString passwordFile(const QString& user, const QString& password) const;
 
     QTemporaryDir m_folder;
     QProcess m_server;
-    QString m_why;
+    QString m_errorString;
     quint16 m_port = 0;
     bool m_tls = false;
 };

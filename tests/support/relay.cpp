@@ -38,7 +38,7 @@ Relay::Relay(quint16 server)
         ::listen(m_listener, 100) == 0 &&
         ::getsockname(m_listener, reinterpret_cast<sockaddr*>(&address), &size) == 0)
         m_port = ntohs(address.sin_port);
-    m_thread = std::thread([this] { live(); });
+    m_thread = std::thread([this] { serve(); });
 }
 
 Relay::~Relay()
@@ -48,9 +48,9 @@ Relay::~Relay()
     ::close(m_listener);
 }
 
-void Relay::passOnly(qint64 bytes, Then then)
+void Relay::limitTo(qint64 bytes, LimitAction then)
 {
-    m_then = then;
+    m_limitAction = then;
     m_limit = bytes;
 }
 
@@ -78,7 +78,7 @@ bool Relay::copy(int from, int to, qint64& passed, bool limited) const
         return true;
     std::array<char, 1 << 16> bytes{};
     const ssize_t count =
-        ::recv(from, bytes.data(), std::size_t(std::min(m_pace.load(), int(bytes.size()))), 0);
+        ::recv(from, bytes.data(), std::size_t(std::min(m_rateLimit.load(), int(bytes.size()))), 0);
     if (count <= 0)
         return false;
     const qint64 limit = limited ? m_limit.load() : -1;
@@ -88,9 +88,9 @@ bool Relay::copy(int from, int to, qint64& passed, bool limited) const
         return false;
     if (rest == count)
         return true;
-    if (m_then == Then::Swallow)
-        m_swallowed = true;
-    return m_then == Then::Swallow;
+    if (m_limitAction == LimitAction::Discard)
+        m_hasSwallowed = true;
+    return m_limitAction == LimitAction::Discard;
 }
 
 bool Relay::pass(Pair& pair) const
@@ -99,7 +99,7 @@ bool Relay::pass(Pair& pair) const
            copy(pair.server, pair.client, pair.down, false);
 }
 
-void Relay::live()
+void Relay::serve()
 {
     std::vector<Pair> pairs;
     const auto close = [](const Pair& pair) {

@@ -18,20 +18,20 @@ public:
     Relay(const Relay&) = delete;
     Relay& operator=(const Relay&) = delete;
 
-    enum class Then { Cut, Swallow };
+    enum class LimitAction { Cut, Discard };
     /// Of each connection's bytes from the client; negative: all.
-    void passOnly(qint64 bytes, Then then);
-    void passAll() { passOnly(-1, Then::Cut); }
+    void limitTo(qint64 bytes, LimitAction then);
+    void removeLimit() { limitTo(-1, LimitAction::Cut); }
     /// At most so many bytes every millisecond in each direction.
-    void slowDown(int bytes) { m_pace = bytes; }
+    void setRateLimit(int bytes) { m_rateLimit = bytes; }
 
     quint16 port() const { return m_port; }
     int connections() const { return m_connections; }
-    bool swallowed() const { return m_swallowed; } ///< something, ever
+    bool hasSwallowed() const { return m_hasSwallowed; } ///< something, ever
 
 private:
     struct Pair;
-    void live();
+    void serve();
     void accept(std::vector<Pair>& pairs) const;
     bool pass(Pair& pair) const;
     bool copy(int from, int to, qint64& passed, bool limited) const;
@@ -40,10 +40,10 @@ private:
     int m_listener = -1;
     quint16 m_port = 0;
     std::atomic<qint64> m_limit{-1};
-    std::atomic<Then> m_then{Then::Cut};
-    std::atomic<int> m_pace{1 << 16};
+    std::atomic<LimitAction> m_limitAction{LimitAction::Cut};
+    std::atomic<int> m_rateLimit{1 << 16};
     mutable std::atomic<int> m_connections{0};
-    mutable std::atomic<bool> m_swallowed{false};
+    mutable std::atomic<bool> m_hasSwallowed{false};
     std::atomic<bool> m_ending{false};
     std::thread m_thread;
 };

@@ -5,12 +5,12 @@
 #include "session/history_sender.h"
 
 namespace support {
-inline session::HistorySender::Times quickSender(std::chrono::milliseconds silence)
+inline session::HistorySender::Timing shortSenderTimes(std::chrono::milliseconds silence)
 {
     using namespace std::chrono_literals;
-    session::HistorySender::Times times;
-    times.look = 50ms;
-    times.settle = 1ms;
+    session::HistorySender::Timing times;
+    times.checkInterval = 50ms;
+    times.debounce = 1ms;
     times.firstRetry = 20ms;
     times.lastRetry = 100ms;
     times.silence = silence;

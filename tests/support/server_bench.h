@@ -10,14 +10,14 @@
 #include <QTest>
 
 namespace support {
-class ServerBench {
+class HistoryServerFixture {
 protected:
     /// For initTestCase().
     void startServer()
     {
         if (!Postgres::installed())
             QFAIL("PostgreSQL is not installed (packaging/test-packages.txt)");
-        QVERIFY2(m_pg.start(), qPrintable(m_pg.why()));
+        QVERIFY2(m_pg.start(), qPrintable(m_pg.errorString()));
     }
 
     /// For init().
@@ -26,7 +26,7 @@ protected:
         m_database = QStringLiteral("shop %1").arg(++m_databases);
         m_pg.query(QStringLiteral("postgres"),
                    QStringLiteral("CREATE DATABASE \"%1\"").arg(m_database));
-        QVERIFY2(m_pg.why().isEmpty(), qPrintable(m_pg.why()));
+        QVERIFY2(m_pg.errorString().isEmpty(), qPrintable(m_pg.errorString()));
     }
 
     QString address() const { return m_pg.address(m_database); }

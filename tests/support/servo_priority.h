@@ -9,7 +9,7 @@
 
 namespace support {
 /// Before `simulator` is started.
-inline void putFirst(QProcess& simulator)
+inline void raisePriority(QProcess& simulator)
 {
     constexpr int niceness = -10;
     simulator.setChildProcessModifier([] { (void)setpriority(PRIO_PROCESS, 0, niceness); });

@@ -22,7 +22,7 @@ bool begins(const base::Bytes& frame, std::uint8_t header)
     return frame.size() > instructionPlace && frame[0] == header && frame[1] == header;
 }
 
-bool onlyAsks(const base::Bytes& frame)
+bool isReadOnlyFrame(const base::Bytes& frame)
 {
     const auto is = [](std::uint8_t code, std::initializer_list<int> codes) {
         return std::find(codes.begin(), codes.end(), code) != codes.end();
@@ -41,7 +41,8 @@ std::unique_ptr<sim::VirtualBus> checked(base::Result<std::unique_ptr<sim::Virtu
     return std::move(*made);
 }
 
-std::unique_ptr<sim::VirtualBus> makeWire(const QString& servos, const BenchOptions& options)
+std::unique_ptr<sim::VirtualBus> makeVirtualBus(const QString& servos,
+                                                const SimFixtureOptions& options)
 {
     const catalog::Catalog& models = builtInCatalog();
     return checked(sim::presetNames().contains(servos)
@@ -56,99 +57,100 @@ const catalog::Catalog& builtInCatalog()
     return catalog;
 }
 
-sim::FirmwareBehavior benchFirmware()
+sim::FirmwareBehavior strictFirmware()
 {
     const QByteArray chosen = qgetenv("SERVODESK_TEST_FIRMWARE");
     if (chosen == "default")
         return {};
     if (!chosen.isEmpty())
         qFatal("no such firmware: %s", chosen.constData());
-    sim::FirmwareBehavior hardest;
-    hardest.deafWhileWriting = true;
-    hardest.acknowledgesWithNewId = true;
-    hardest.runsToOldGoal = true;
-    return hardest;
+    sim::FirmwareBehavior strict;
+    strict.deafWhileWriting = true;
+    strict.acknowledgesWithNewId = true;
+    strict.runsToOldGoal = true;
+    return strict;
 }
 
-// Overloads, not default arguments: GCC 12 takes the members of a default BenchOptions that it
+// Overloads, not default arguments: GCC 12 takes the members of a default SimFixtureOptions that it
 // destroys inline in a caller for uninitialized.
-SimBench::SimBench(const QString& servos)
-    : SimBench(servos, BenchOptions())
+SimFixture::SimFixture(const QString& servos)
+    : SimFixture(servos, SimFixtureOptions())
 {}
 
-SimBench::SimBench(const std::vector<sim::ServoRecipe>& servos)
-    : SimBench(servos, BenchOptions())
+SimFixture::SimFixture(const std::vector<sim::ServoSpec>& servos)
+    : SimFixture(servos, SimFixtureOptions())
 {}
 
-SimBench::SimBench(const QString& servos, const BenchOptions& options)
-    : SimBench(makeWire(servos, options), options)
+SimFixture::SimFixture(const QString& servos, const SimFixtureOptions& options)
+    : SimFixture(makeVirtualBus(servos, options), options)
 {}
 
-SimBench::SimBench(const std::vector<sim::ServoRecipe>& servos, const BenchOptions& options)
-    : SimBench(checked(sim::makeBus(servos, builtInCatalog(), options.wire, std::nullopt)), options)
+SimFixture::SimFixture(const std::vector<sim::ServoSpec>& servos, const SimFixtureOptions& options)
+    : SimFixture(checked(sim::makeBus(servos, builtInCatalog(), options.wire, std::nullopt)),
+                 options)
 {}
 
-SimBench::SimBench(std::unique_ptr<sim::VirtualBus> wire, const BenchOptions& options)
+SimFixture::SimFixture(std::unique_ptr<sim::VirtualBus> wire, const SimFixtureOptions& options)
     : m_wire(std::make_shared<sim::SharedBus>(std::move(wire)))
 {
-    withWire([&options](sim::VirtualBus& bus) {
+    withBus([&options](sim::VirtualBus& bus) {
         for (sim::VirtualServo* servo : bus.servos())
             servo->behavior() = options.firmware;
     });
     reconnect(options.baud);
 }
 
-device::Context SimBench::context()
+device::Context SimFixture::context()
 {
     return {*m_bus, builtInCatalog(), m_journal, *m_stop, m_notices};
 }
 
-std::int64_t SimBench::raw(int id, const QString& key)
+std::int64_t SimFixture::raw(int id, const QString& key)
 {
-    return withWire([&](sim::VirtualBus& wire) { return wire.servo(id)->raw(key); });
+    return withBus([&](sim::VirtualBus& wire) { return wire.servo(id)->raw(key); });
 }
 
-void SimBench::poke(int id, const QString& key, std::int64_t raw)
+void SimFixture::poke(int id, const QString& key, std::int64_t raw)
 {
-    withWire([&](sim::VirtualBus& wire) { wire.servo(id)->poke(key, raw); });
+    withBus([&](sim::VirtualBus& wire) { wire.servo(id)->poke(key, raw); });
 }
 
-sim::WireConfig& SimBench::wireConfig()
+sim::WireConfig& SimFixture::wireConfig()
 {
-    return *withWire([](sim::VirtualBus& wire) { return &wire.config(); });
+    return *withBus([](sim::VirtualBus& wire) { return &wire.config(); });
 }
 
-void SimBench::letTimePass(base::Duration span)
+void SimFixture::runFor(base::Duration span)
 {
     m_clock.advance(span);
-    withWire([this](sim::VirtualBus& wire) { return wire.hostReads(m_clock.now()); });
+    withBus([this](sim::VirtualBus& wire) { return wire.hostReads(m_clock.now()); });
 }
 
-void SimBench::powerCycle()
+void SimFixture::powerCycle()
 {
-    withWire([](sim::VirtualBus& wire) { wire.powerCycle(); });
+    withBus([](sim::VirtualBus& wire) { wire.powerCycle(); });
 }
 
-void SimBench::cutLink()
+void SimFixture::cutLink()
 {
-    withWire([](sim::VirtualBus& wire) { wire.cutLink(); });
+    withBus([](sim::VirtualBus& wire) { wire.cutLink(); });
 }
 
-void SimBench::cutAfterHostBytes(std::size_t count)
+void SimFixture::cutAfterHostBytes(std::size_t count)
 {
-    withWire([count](sim::VirtualBus& wire) { wire.cutAfterHostBytes(count); });
+    withBus([count](sim::VirtualBus& wire) { wire.cutAfterHostBytes(count); });
 }
 
-void SimBench::restoreLink()
+void SimFixture::restoreLink()
 {
-    withWire([](sim::VirtualBus& wire) { wire.restoreLink(); });
+    withBus([](sim::VirtualBus& wire) { wire.restoreLink(); });
 }
 
-void SimBench::reconnect(int baud)
+void SimFixture::reconnect(int baud)
 {
-    withWire([](sim::VirtualBus& wire) { wire.restoreLink(); });
+    withBus([](sim::VirtualBus& wire) { wire.restoreLink(); });
     m_bus.reset();
-    m_stop = std::make_unique<base::Stop>();
+    m_stop = std::make_unique<base::StopToken>();
     m_notices.clear();
     const auto open = [this, baud]() -> base::Result<std::unique_ptr<transport::Link>> {
         if (m_tap.onOpen)
@@ -157,29 +159,29 @@ void SimBench::reconnect(int baud)
     };
     m_bus = std::make_unique<bus::BusCore>(*open(), protocol::feetechCodec(), m_clock,
                                            bus::CoreOptions{10, nullptr, open});
-    forgetFrames();
+    clearFrames();
 }
 
-int SimBench::frames(std::uint8_t instruction) const
+int SimFixture::frames(std::uint8_t instruction) const
 {
     return int(std::count_if(m_tap.written.begin(), m_tap.written.end(), [&](const auto& frame) {
         return begins(frame, 0xFF) && frame[instructionPlace] == instruction;
     }));
 }
 
-int SimBench::framesTo(int id) const
+int SimFixture::framesSentTo(int id) const
 {
     return int(std::count_if(m_tap.written.begin(), m_tap.written.end(), [&](const auto& frame) {
         return frame.size() > idPlace && frame[idPlace] == id;
     }));
 }
 
-bool SimBench::onlyAsked() const
+bool SimFixture::onlyReadsSent() const
 {
-    return std::all_of(m_tap.written.begin(), m_tap.written.end(), onlyAsks);
+    return std::all_of(m_tap.written.begin(), m_tap.written.end(), isReadOnlyFrame);
 }
 
-device::Servo SimBench::servo(int id, base::Protocol protocol)
+device::Servo SimFixture::servo(int id, base::Protocol protocol)
 {
     auto found = device::identify(context(), id, protocol);
     if (found && !device::readSettings(context(), *found))

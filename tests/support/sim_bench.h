@@ -36,34 +36,34 @@ enum Instruction : std::uint8_t {
 /// on. Tests of the host use it, so that they prove that the host copes. With
 /// SERVODESK_TEST_FIRMWARE=default they use the simulator's default; tests/CMakeLists.txt names
 /// those that are run both ways.
-sim::FirmwareBehavior benchFirmware();
+sim::FirmwareBehavior strictFirmware();
 
-struct BenchOptions {
+struct SimFixtureOptions {
     int baud = 1'000'000;           ///< of the port
     std::optional<int> servoBaud{}; ///< of all servos; their factory rates if not given
     sim::WireConfig wire{};
-    sim::FirmwareBehavior firmware = benchFirmware(); ///< of all servos
+    sim::FirmwareBehavior firmware = strictFirmware(); ///< of all servos
 };
 
-class SimBench {
+class SimFixture {
 public:
     /// A preset's name or a list "sts3215@1,scs15@2"; the test fails hard if it is neither.
-    explicit SimBench(const QString& servos);
-    SimBench(const QString& servos, const BenchOptions& options);
-    explicit SimBench(const std::vector<sim::ServoRecipe>& servos);
-    SimBench(const std::vector<sim::ServoRecipe>& servos, const BenchOptions& options);
+    explicit SimFixture(const QString& servos);
+    SimFixture(const QString& servos, const SimFixtureOptions& options);
+    explicit SimFixture(const std::vector<sim::ServoSpec>& servos);
+    SimFixture(const std::vector<sim::ServoSpec>& servos, const SimFixtureOptions& options);
 
     device::Context context();
     bus::BusCore& bus() { return *m_bus; }
     base::ManualClock& clock() { return m_clock; }
-    base::Stop& stop() { return *m_stop; }
+    base::StopToken& stop() { return *m_stop; }
     MemoryJournal& journal() { return m_journal; }
     device::Notices& notices() { return m_notices; }
     LinkTap& tap() { return m_tap; }
 
     /// The virtual bus, for what has no helper below.
     template <typename Function>
-    decltype(auto) withWire(Function&& function)
+    decltype(auto) withBus(Function&& function)
     {
         return m_wire->with(std::forward<Function>(function));
     }
@@ -72,8 +72,8 @@ public:
     void poke(int id, const QString& key, std::int64_t raw);
     sim::WireConfig& wireConfig();
 
-    void letTimePass(base::Duration span); ///< nobody speaks
-    void powerCycle();                     ///< of the servos; the port stays open
+    void runFor(base::Duration span); ///< nobody speaks
+    void powerCycle();                ///< of the servos; the port stays open
     void cutLink();
     void restoreLink(); ///< the plug is back: a bus that awaits it finds it
     void cutAfterHostBytes(std::size_t count);
@@ -82,26 +82,26 @@ public:
     void reconnect(int baud);
 
     /// Frames the host has written since the port was opened (and its echo probed) or since
-    /// forgetFrames().
+    /// clearFrames().
     int frames(std::uint8_t instruction) const;
-    int framesTo(int id) const;
+    int framesSentTo(int id) const;
     std::size_t frameCount() const { return m_tap.written.size(); }
-    void forgetFrames() { m_tap.written.clear(); }
+    void clearFrames() { m_tap.written.clear(); }
     /// True when nothing was sent that could change a servo.
-    bool onlyAsked() const;
+    bool onlyReadsSent() const;
 
     /// Reads who answers at `id`, with its settings; the test fails hard if nobody does.
     device::Servo servo(int id, base::Protocol protocol = base::Protocol::Feetech);
 
 private:
-    SimBench(std::unique_ptr<sim::VirtualBus> wire, const BenchOptions& options);
+    SimFixture(std::unique_ptr<sim::VirtualBus> wire, const SimFixtureOptions& options);
 
     base::ManualClock m_clock;
     std::shared_ptr<sim::SharedBus> m_wire;
     LinkTap m_tap;
     MemoryJournal m_journal;
     device::Notices m_notices;
-    std::unique_ptr<base::Stop> m_stop;
+    std::unique_ptr<base::StopToken> m_stop;
     std::unique_ptr<bus::BusCore> m_bus;
 };
 } // namespace support

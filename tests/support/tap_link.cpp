@@ -16,7 +16,7 @@ public:
         if (m_tap.onWrite)
             m_tap.onWrite(m_tap.written.back());
         const auto own =
-            m_tap.answerInstead ? m_tap.answerInstead(m_tap.written.back()) : std::nullopt;
+            m_tap.replyOverride ? m_tap.replyOverride(m_tap.written.back()) : std::nullopt;
         if (!own)
             return m_link->write(bytes);
         m_own.insert(m_own.end(), own->begin(), own->end());
@@ -29,11 +29,11 @@ public:
         m_own.clear();
         return m_link->read(buffer).map([count](std::size_t more) { return count + more; });
     }
-    base::Result<bool> waitReadable(base::Duration span) override
+    base::Result<bool> waitForReadyRead(base::Duration span) override
     {
         if (m_tap.onWait)
             m_tap.onWait();
-        return m_own.empty() ? m_link->waitReadable(span) : base::Result<bool>(true);
+        return m_own.empty() ? m_link->waitForReadyRead(span) : base::Result<bool>(true);
     }
     base::Result<void> setBaud(int baud) override
     {
@@ -43,7 +43,7 @@ public:
         return m_link->setBaud(baud);
     }
     int baud() const override { return m_link->baud(); }
-    bool hasBaud() const override { return m_link->hasBaud(); }
+    bool canSetBaud() const override { return m_link->canSetBaud(); }
     QString name() const override { return m_link->name(); }
 
 private:

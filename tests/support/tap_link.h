@@ -20,7 +20,7 @@ struct LinkTap {
     std::set<int> refusedRates;
     /// What a device that is none of the simulator's makes of a frame: the bytes that come back,
     /// maybe none. nullopt: the frame goes to the simulator.
-    std::function<std::optional<base::Bytes>(const base::Bytes&)> answerInstead;
+    std::function<std::optional<base::Bytes>(const base::Bytes&)> replyOverride;
 };
 
 /// `tap` and `link`'s own context must outlive the result.

@@ -11,7 +11,7 @@ bool TlsAuthority::openssl(const QStringList& arguments)
     process.start(QStringLiteral("openssl"), arguments);
     if (process.waitForFinished() && process.exitCode() == 0)
         return true;
-    m_why = process.errorString() + QString::fromLocal8Bit(process.readAll());
+    m_errorString = process.errorString() + QString::fromLocal8Bit(process.readAll());
     return false;
 }
 

@@ -12,7 +12,7 @@ public:
     bool make();
     /// For a server of this name; made again if it was made before.
     bool issue(const QString& host);
-    QString why() const { return m_why; }
+    QString errorString() const { return m_errorString; }
 
     QString root() const { return file("ca.crt"); }
     QString certificate() const { return file("server.crt"); }
@@ -23,6 +23,6 @@ private:
     bool openssl(const QStringList& arguments);
 
     QTemporaryDir m_folder;
-    QString m_why;
+    QString m_errorString;
 };
 } // namespace support

@@ -15,24 +15,24 @@
 #include "ui/app/commands.h"
 
 namespace ui {
-struct Bench {
-    explicit Bench(session::Session& session)
+struct AppContext {
+    explicit AppContext(session::Session& session)
         : desk(session)
-        , drive(desk)
-        , scope(desk)
-        , sweep(desk)
-        , keeper(desk, scope, archive)
+        , motion(desk)
+        , liveData(desk)
+        , sweepTest(desk)
+        , historyRecorder(desk, liveData, history)
         , commands(desk, selection)
     {}
 
     session::Desk desk;
-    session::Drive drive;
-    session::Scope scope;
-    session::SweepTest sweep;
-    session::Archive archive;
-    session::HistoryKeeper keeper;
-    session::HistorySender sender; ///< no server is set at first
-    session::PortWatch ports;
+    session::MotionController motion;
+    session::LiveData liveData;
+    session::SweepTest sweepTest;
+    session::HistoryService history;
+    session::HistoryRecorder historyRecorder;
+    session::HistorySender historySender; ///< no server is set at first
+    session::PortWatcher ports;
     Selection selection;
     Commands commands;
 };

@@ -101,7 +101,7 @@ const std::array<Row, static_cast<std::size_t>(Command::Count)> table{{
      QT_TRANSLATE_NOOP("Commands", "Set up servos plugged in one after the other"), "", "Ctrl+6", Always},
     {Command::PageHistory, QT_TRANSLATE_NOOP("Commands", "&History"),
      QT_TRANSLATE_NOOP("Commands", "What was ever written, saved, tested and alarmed"), "", "Ctrl+7", Always},
-    {Command::EarlierTests, QT_TRANSLATE_NOOP("Commands", "&Earlier tests…"),
+    {Command::PreviousTests, QT_TRANSLATE_NOOP("Commands", "&Earlier tests…"),
      QT_TRANSLATE_NOOP("Commands", "Look at kept tests, compare two, choose a reference"), "view-history", "Ctrl+H", Always},
     {Command::PauseTrend, QT_TRANSLATE_NOOP("Commands", "&Pause the chart"),
      QT_TRANSLATE_NOOP("Commands", "Let the chart stand still, or follow again; measuring goes on"), "media-playback-pause", "F7", Always},
@@ -151,16 +151,16 @@ unsigned situation(const session::Desk& desk, const Selection& selection)
     const bool idle =
         desk.state() == session::LinkState::Off || desk.state() == session::LinkState::Lost;
     unsigned now = (open ? Open : 0U) | (idle ? NotOpen : 0U);
-    now |= desk.simulated() ? Simulated : 0U;
-    now |= desk.searching() ? Searching : 0U;
-    now |= desk.busy() ? Busy : 0U;
-    now |= desk.testing() ? 0U : NoTest;
-    now |= desk.nextUndo() != nullptr ? HasUndo : 0U;
-    now |= desk.nextRedo() != nullptr ? HasRedo : 0U;
+    now |= desk.isSimulated() ? Simulated : 0U;
+    now |= desk.isSearching() ? Searching : 0U;
+    now |= desk.isBusy() ? Busy : 0U;
+    now |= desk.isTesting() ? 0U : NoTest;
+    now |= desk.undoStep() != nullptr ? HasUndo : 0U;
+    now |= desk.redoStep() != nullptr ? HasRedo : 0U;
     if (const session::ServoEntry* servo = desk.servo(selection.current())) {
         const auto& profile = servo->servo.profile;
         now |= Chosen | (profile ? Known : 0U) | (profile && profile->writable ? Writable : 0U);
-        now |= servo->lockOpen().value_or(false) ? LockIsOpen : 0U;
+        now |= servo->isLockOpen().value_or(false) ? LockIsOpen : 0U;
     }
     return now;
 }
@@ -209,11 +209,11 @@ void Commands::retranslate()
                 QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText));
         action->setToolTip(tip);
     }
-    nameSteps();
+    updateUndoTexts();
 }
 
 /// Undo and Redo say what they change back, and in which servo.
-void Commands::nameSteps()
+void Commands::updateUndoTexts()
 {
     const auto name = [this](Command command, const session::UndoStep* step, bool back) {
         const Row& row = rowOf(static_cast<std::size_t>(command));
@@ -222,7 +222,7 @@ void Commands::nameSteps()
         QString tip = QCoreApplication::translate("Commands", row.tip);
         QString text = verb;
         if (step != nullptr) {
-            const UndoWords words = undoWords(m_desk, *step, back);
+            const UndoText words = undoText(m_desk, *step, back);
             text = tr("%1: %2").arg(verb, words.brief);
             tip += QLatin1Char('\n') + words.lines.join(QLatin1Char('\n'));
         }
@@ -232,8 +232,8 @@ void Commands::nameSteps()
         action->setToolTip(tip + QStringLiteral(" (%1)").arg(
                                      action->shortcut().toString(QKeySequence::NativeText)));
     };
-    name(Command::Undo, m_desk.nextUndo(), true);
-    name(Command::Redo, m_desk.nextRedo(), false);
+    name(Command::Undo, m_desk.undoStep(), true);
+    name(Command::Redo, m_desk.redoStep(), false);
 }
 
 void Commands::updateIcons()
@@ -246,7 +246,7 @@ void Commands::updateIcons()
 
 void Commands::refresh()
 {
-    nameSteps();
+    updateUndoTexts();
     const unsigned now = situation(m_desk, m_selection);
     for (std::size_t i = 0; i < m_actions.size(); ++i) {
         unsigned needed = rowOf(i).when;

@@ -44,7 +44,7 @@ enum class Command : std::uint8_t {
     TakeSnapshot,
     PageCommission,
     PageHistory,
-    EarlierTests,
+    PreviousTests,
     PauseTrend,
     Record,
     OpenRecording,
@@ -77,7 +77,7 @@ public:
 
 private:
     void refresh();
-    void nameSteps();
+    void updateUndoTexts();
 
     session::Desk& m_desk;
     const Selection& m_selection;

@@ -22,14 +22,14 @@ const QString colorScheme = QStringLiteral("color-scheme");
 constexpr uint prefersDark = 1;
 } // namespace
 
-DesktopLook::DesktopLook(QObject* parent)
+SystemTheme::SystemTheme(QObject* parent)
     : QObject(parent)
     , m_dark(isDark(QApplication::palette()))
 {
     askPortal();
 }
 
-void DesktopLook::askPortal()
+void SystemTheme::askPortal()
 {
     QDBusConnection bus = QDBusConnection::sessionBus();
     if (!bus.isConnected())
@@ -48,7 +48,7 @@ void DesktopLook::askPortal()
     });
 }
 
-void DesktopLook::portalSetting(const QString& group, const QString& key, const QDBusVariant& value)
+void SystemTheme::portalSetting(const QString& group, const QString& key, const QDBusVariant& value)
 {
     if (group != appearance || key != colorScheme)
         return;

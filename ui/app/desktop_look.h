@@ -8,14 +8,14 @@
 #include <QObject>
 
 namespace ui {
-class DesktopLook final : public QObject {
+class SystemTheme final : public QObject {
     Q_OBJECT
 
 public:
     /// Needs the QApplication, before it gets a palette of its own.
-    explicit DesktopLook(QObject* parent = nullptr);
+    explicit SystemTheme(QObject* parent = nullptr);
 
-    bool dark() const { return m_dark; }
+    bool usesDarkTheme() const { return m_dark; }
 
 Q_SIGNALS:
     void changed();

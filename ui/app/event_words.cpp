@@ -13,30 +13,30 @@ namespace ui {
 namespace {
 using session::Event;
 
-EventWords good(const QString& line)
+EventText good(const QString& line)
 {
     return {line, {}, Tone::Good, QStringLiteral("✓")};
 }
 
-EventWords plain(const QString& line)
+EventText plain(const QString& line)
 {
     return {line, {}, Tone::Quiet, QStringLiteral("·")};
 }
 
-EventWords warned(const QString& line)
+EventText withWarning(const QString& line)
 {
     return {line, {}, Tone::Warn, QStringLiteral("!")};
 }
 
-EventWords failed(const base::Error& error)
+EventText failed(const base::Error& error)
 {
-    const text::Description words = text::describe(error);
-    EventWords result{words.what, {}, Tone::Bad, QStringLiteral("✗")};
+    const text::Description eventText = text::describe(error);
+    EventText result{eventText.message, {}, Tone::Bad, QStringLiteral("✗")};
     if (error.code == base::ErrorCode::Stopped)
-        result = plain(words.what);
-    for (const QString& sentence : {words.cause, words.remedy}) {
+        result = plain(eventText.message);
+    for (const QString& sentence : {eventText.cause, eventText.remedy}) {
         if (!sentence.isEmpty())
-            result.more << sentence;
+            result.details << sentence;
     }
     return result;
 }
@@ -46,20 +46,20 @@ const catalog::Register* registerOf(const session::ServoEntry* servo, const QStr
     return servo != nullptr && servo->servo.profile ? servo->servo.profile->find(key) : nullptr;
 }
 
-EventWords failed(const base::Error& error, const session::ServoEntry* servo)
+EventText failed(const base::Error& error, const session::ServoEntry* servo)
 {
     return failed(withName(error, registerOf(servo, error.registerKey)));
 }
 
 /// "minimum angle limit 0 → 300, kept".
-QString changeWords(const device::WriteResult& write, const session::ServoEntry* servo)
+QString changeText(const device::WriteResult& write, const session::ServoEntry* servo)
 {
     const catalog::Register* reg = registerOf(servo, write.key);
-    const QString name = reg != nullptr ? reg->name.in(text::inChinese()) : write.key;
+    const QString name = reg != nullptr ? reg->name.in(text::isUiChinese()) : write.key;
     const QString old = write.oldRaw ? QString::number(*write.oldRaw) : QStringLiteral("–");
     return text::translate("EventWords", "%1 %2 → %3, %4")
         .arg(name, old, QString::number(write.newRaw),
-             text::outcomeWord(device::outcomeName(write.outcome)));
+             text::outcomeLabel(device::outcomeName(write.outcome)));
 }
 
 Tone toneOf(device::WriteOutcome outcome)
@@ -74,50 +74,50 @@ Tone toneOf(device::WriteOutcome outcome)
     }
 }
 
-EventWords written(const Event& event, const session::Desk& desk)
+EventText written(const Event& event, const session::Desk& desk)
 {
     const session::ServoEntry* servo = desk.servo(event.servo);
     if (event.error && !event.report)
         return failed(*event.error, servo);
-    EventWords words = good({});
+    EventText eventText = good({});
     QStringList changes;
     for (const device::WriteResult& write : event.report->writes) {
-        changes << changeWords(write, servo);
+        changes << changeText(write, servo);
         const Tone tone = toneOf(write.outcome);
-        if (words.tone != Tone::Bad && tone != Tone::Good)
-            words.tone = tone;
+        if (eventText.tone != Tone::Bad && tone != Tone::Good)
+            eventText.tone = tone;
         if (write.error)
-            words.more += failed(*write.error, servo).more;
+            eventText.details += failed(*write.error, servo).details;
     }
-    words.sign = words.tone == Tone::Good   ? QStringLiteral("✓")
-                 : words.tone == Tone::Warn ? QStringLiteral("!")
-                                            : QStringLiteral("✗");
-    words.line = text::translate("EventWords", "ID %1 · %2")
-                     .arg(event.report->id)
-                     .arg(changes.join(QStringLiteral("; ")));
-    if (event.undone)
-        words.line = text::translate("EventWords", "Taken back: %1").arg(words.line);
-    if (event.redone)
-        words.line = text::translate("EventWords", "Redone: %1").arg(words.line);
+    eventText.symbol = eventText.tone == Tone::Good   ? QStringLiteral("✓")
+                       : eventText.tone == Tone::Warn ? QStringLiteral("!")
+                                                      : QStringLiteral("✗");
+    eventText.message = text::translate("EventWords", "ID %1 · %2")
+                            .arg(event.report->id)
+                            .arg(changes.join(QStringLiteral("; ")));
+    if (event.isUndo)
+        eventText.message = text::translate("EventWords", "Taken back: %1").arg(eventText.message);
+    if (event.isRedo)
+        eventText.message = text::translate("EventWords", "Redone: %1").arg(eventText.message);
     switch (event.report->lock) {
     case device::LockState::Closed:
-        words.line += text::translate("EventWords", ", lock closed");
+        eventText.message += text::translate("EventWords", ", lock closed");
         break;
     case device::LockState::Open:
-        words.line += text::translate("EventWords", ", THE LOCK IS OPEN");
-        words.tone = Tone::Bad;
+        eventText.message += text::translate("EventWords", ", THE LOCK IS OPEN");
+        eventText.tone = Tone::Bad;
         break;
     case device::LockState::Unknown:
-        words.line += text::translate("EventWords", ", lock not proven closed");
-        words.tone = Tone::Bad;
+        eventText.message += text::translate("EventWords", ", lock not proven closed");
+        eventText.tone = Tone::Bad;
         break;
     case device::LockState::None:
         break;
     }
-    return words;
+    return eventText;
 }
 
-EventWords searchEnded(const Event& event, const session::Desk& desk)
+EventText searchEnded(const Event& event, const session::Desk& desk)
 {
     if (event.error)
         return failed(*event.error);
@@ -128,29 +128,32 @@ EventWords searchEnded(const Event& event, const session::Desk& desk)
                              .arg(report->found.size())
                              .arg(double(report->elapsed.count()) / 1e6, 0, 'f', 1);
     if (event.missing.empty())
-        return report->found.empty() ? warned(line) : good(line);
+        return report->found.empty() ? withWarning(line) : good(line);
     QStringList missing;
     for (const int id : event.missing)
         missing << QString::number(id);
-    EventWords words = warned(line + text::translate("EventWords", ". No answer: ID %1")
-                                         .arg(missing.join(QStringLiteral(", "))));
-    words.more << text::translate("EventWords", "These were expected and asked several times.");
-    return words;
+    EventText eventText = withWarning(line + text::translate("EventWords", ". No answer: ID %1")
+                                                 .arg(missing.join(QStringLiteral(", "))));
+    eventText.details << text::translate("EventWords",
+                                         "These were expected and asked several times.");
+    return eventText;
 }
 
-EventWords exchanged(const Event& event, const session::Desk& desk)
+EventText exchanged(const Event& event, const session::Desk& desk)
 {
     const session::ServoEntry* servo = desk.servo(event.servo);
     const QString model = servo != nullptr && servo->servo.profile
                               ? servo->servo.profile->modelName
                               : text::translate("EventWords", "unknown model");
-    EventWords words = warned(text::translate("EventWords", "Another servo answers under ID %1: %2")
-                                  .arg(event.id)
-                                  .arg(model));
-    words.more << text::translate("EventWords", "It takes the place of %1 in the list. Unfinished "
-                                                "writes stay noted for that servo.")
-                      .arg(event.task);
-    return words;
+    EventText eventText =
+        withWarning(text::translate("EventWords", "Another servo answers under ID %1: %2")
+                        .arg(event.id)
+                        .arg(model));
+    eventText.details << text::translate("EventWords",
+                                         "It takes the place of %1 in the list. Unfinished "
+                                         "writes stay noted for that servo.")
+                             .arg(event.task);
+    return eventText;
 }
 
 QString idsOf(const std::vector<session::ServoRef>& servos, const session::Desk& desk)
@@ -164,30 +167,30 @@ QString idsOf(const std::vector<session::ServoRef>& servos, const session::Desk&
 }
 
 /// What reading the torque switches back has shown.
-EventWords stopChecked(const Event& event, const session::Desk& desk)
+EventText stopChecked(const Event& event, const session::Desk& desk)
 {
-    const session::StopCheck& stop = event.stop;
-    const auto say = [&](const QString& words, const std::vector<session::ServoRef>& servos) {
-        return servos.empty() ? QStringList() : QStringList(words.arg(idsOf(servos, desk)));
+    const session::StopResult& stop = event.stop;
+    const auto say = [&](const QString& eventText, const std::vector<session::ServoRef>& servos) {
+        return servos.empty() ? QStringList() : QStringList(eventText.arg(idsOf(servos, desk)));
     };
     QStringList bad =
         say(text::translate("EventWords", "TORQUE IS STILL ON: ID %1"), stop.stillOn) +
         say(text::translate("EventWords", "no answer: ID %1"), stop.silent) +
-        say(text::translate("EventWords", "at another rate, not reached: ID %1"), stop.elsewhere) +
+        say(text::translate("EventWords", "at another rate, not reached: ID %1"), stop.otherBaud) +
         say(text::translate("EventWords", "a goal may still wait for its start: ID %1"),
             stop.stillHeld);
     if (bad.isEmpty())
         return good(text::translate("EventWords", "Stop checked: torque is off, ID %1")
                         .arg(idsOf(stop.off, desk)));
-    EventWords words{
+    EventText eventText{
         text::translate("EventWords", "Stop checked: %1").arg(bad.join(QStringLiteral("; "))),
         {},
         Tone::Bad,
         QStringLiteral("✗")};
     if (!stop.stillOn.empty() || !stop.silent.empty())
-        words.more << text::translate("EventWords",
-                                      "Keep clear, and switch the supply off if in doubt.");
-    return words;
+        eventText.details << text::translate("EventWords",
+                                             "Keep clear, and switch the supply off if in doubt.");
+    return eventText;
 }
 
 QString supplyOff()
@@ -195,10 +198,10 @@ QString supplyOff()
     return text::translate("EventWords", "Servos may still be moving; switch off their supply.");
 }
 
-EventWords stopSent(const Event& event)
+EventText stopSent(const Event& event)
 {
-    if (!event.owed)
-        return warned(
+    if (!event.isPending)
+        return withWarning(
             text::translate("EventWords", "Stop sent: torque off for everybody on the bus"));
     return {text::translate("EventWords", "Not sent yet: the link is lost."),
             {supplyOff(),
@@ -207,9 +210,9 @@ EventWords stopSent(const Event& event)
             QStringLiteral("✗")};
 }
 
-EventWords stopNotSent(const Event& event)
+EventText stopNotSent(const Event& event)
 {
-    if (!event.earlier)
+    if (!event.isRepeated)
         return {text::translate("EventWords", "Not sent: no port is open."),
                 {supplyOff()},
                 Tone::Bad,
@@ -221,7 +224,7 @@ EventWords stopNotSent(const Event& event)
             QStringLiteral("✗")};
 }
 
-EventWords stopUnconfirmed(const Event& event, const session::Desk& desk)
+EventText stopUnconfirmed(const Event& event, const session::Desk& desk)
 {
     return {text::translate("EventWords", "Stop sent, but not confirmed yet: ID %1")
                 .arg(idsOf(event.stop.silent, desk)),
@@ -230,7 +233,7 @@ EventWords stopUnconfirmed(const Event& event, const session::Desk& desk)
             QStringLiteral("!")};
 }
 
-EventWords notLeft(const Event& event, const session::Desk& desk)
+EventText notLeft(const Event& event, const session::Desk& desk)
 {
     if (!event.moving.empty())
         return {
@@ -247,30 +250,31 @@ EventWords notLeft(const Event& event, const session::Desk& desk)
             QStringLiteral("✗")};
 }
 
-EventWords disconnected(const Event& event, const session::Desk& desk)
+EventText disconnected(const Event& event, const session::Desk& desk)
 {
-    EventWords words = plain(text::translate("EventWords", "Port closed: %1").arg(event.task));
+    EventText eventText = plain(text::translate("EventWords", "Port closed: %1").arg(event.task));
     if (!event.halted.empty())
-        words.line +=
+        eventText.message +=
             text::translate("EventWords", ". Stopped before: ID %1").arg(idsOf(event.halted, desk));
     if (!event.moving.empty()) {
-        words = {words.line + text::translate("EventWords", ". STILL MOVING: ID %1")
-                                  .arg(idsOf(event.moving, desk)),
-                 {text::translate("EventWords", "Switch off the supply to stop it.")},
-                 Tone::Bad,
-                 QStringLiteral("✗")};
+        eventText = {eventText.message + text::translate("EventWords", ". STILL MOVING: ID %1")
+                                             .arg(idsOf(event.moving, desk)),
+                     {text::translate("EventWords", "Switch off the supply to stop it.")},
+                     Tone::Bad,
+                     QStringLiteral("✗")};
     }
     if (!event.locked.empty())
-        words.line += text::translate("EventWords", ". EPROM lock closed: ID %1")
-                          .arg(idsOf(event.locked, desk));
+        eventText.message += text::translate("EventWords", ". EPROM lock closed: ID %1")
+                                 .arg(idsOf(event.locked, desk));
     if (!event.unlocked.empty()) {
-        words.line += text::translate("EventWords", ". EPROM LOCK STILL OPEN: ID %1")
-                          .arg(idsOf(event.unlocked, desk));
-        words.more << text::translate("EventWords", "Connect again to finish or undo the write.");
-        words.tone = Tone::Bad;
-        words.sign = QStringLiteral("✗");
+        eventText.message += text::translate("EventWords", ". EPROM LOCK STILL OPEN: ID %1")
+                                 .arg(idsOf(event.unlocked, desk));
+        eventText.details << text::translate("EventWords",
+                                             "Connect again to finish or undo the write.");
+        eventText.tone = Tone::Bad;
+        eventText.symbol = QStringLiteral("✗");
     }
-    return words;
+    return eventText;
 }
 
 QString about(const Event& event, const QString& what)
@@ -280,7 +284,7 @@ QString about(const Event& event, const QString& what)
 }
 
 /// A new action takes the place of what was said of the one before.
-EventWords moved(const Event& event)
+EventText moved(const Event& event)
 {
     return plain(
         about(event, event.path.isEmpty()
@@ -288,7 +292,7 @@ EventWords moved(const Event& event)
                          : text::translate("EventWords", "goal sent: %1").arg(event.path)));
 }
 
-EventWords ended(const Event& event, const session::Desk& desk)
+EventText ended(const Event& event, const session::Desk& desk)
 {
     if (event.error && event.error->code == base::ErrorCode::Preempted)
         return {}; // the stop has been said
@@ -296,20 +300,20 @@ EventWords ended(const Event& event, const session::Desk& desk)
         return failed(*event.error, desk.servo(event.servo));
     return plain(
         event.error
-            ? text::translate("EventWords", "%1: stopped").arg(about(event, taskWord(event.task)))
-            : text::translate("EventWords", "%1: ended").arg(about(event, taskWord(event.task))));
+            ? text::translate("EventWords", "%1: stopped").arg(about(event, taskLabel(event.task)))
+            : text::translate("EventWords", "%1: ended").arg(about(event, taskLabel(event.task))));
 }
 
-EventWords sentence(const Event& event, const session::Desk& desk)
+EventText sentence(const Event& event, const session::Desk& desk)
 {
     switch (event.kind) {
     case Event::Kind::Connected:
         return good(text::translate("EventWords", "Connected: %1").arg(event.task));
     case Event::Kind::Disconnected:
         return disconnected(event, desk);
-    case Event::Kind::Exchanged:
+    case Event::Kind::Replaced:
         return exchanged(event, desk);
-    case Event::Kind::NotLeft:
+    case Event::Kind::CloseCanceled:
         return notLeft(event, desk);
     case Event::Kind::StopUnconfirmed:
         return stopUnconfirmed(event, desk);
@@ -327,30 +331,30 @@ EventWords sentence(const Event& event, const session::Desk& desk)
     case Event::Kind::Task:
         return event.error ? failed(*event.error, desk.servo(event.servo))
                            : good(text::translate("EventWords", "%1: done")
-                                      .arg(about(event, taskWord(event.task))));
-    case Event::Kind::Moved:
+                                      .arg(about(event, taskLabel(event.task))));
+    case Event::Kind::GoalSent:
         return moved(event);
-    case Event::Kind::Began:
+    case Event::Kind::Started:
         return plain(
-            text::translate("EventWords", "%1: running").arg(about(event, taskWord(event.task))));
-    case Event::Kind::Ended:
+            text::translate("EventWords", "%1: running").arg(about(event, taskLabel(event.task))));
+    case Event::Kind::Finished:
         return ended(event, desk);
     case Event::Kind::Stopped:
         return stopSent(event);
     case Event::Kind::StopNotSent:
         return stopNotSent(event);
-    case Event::Kind::StopChecked:
+    case Event::Kind::StopVerified:
         return stopChecked(event, desk);
     case Event::Kind::Failed:
-        return event.error ? failed(*event.error, desk.servo(event.servo)) : EventWords{};
+        return event.error ? failed(*event.error, desk.servo(event.servo)) : EventText{};
     }
     return {};
 }
 } // namespace
 
-QString taskWord(const QString& task)
+QString taskLabel(const QString& task)
 {
-    static const std::pair<const char*, const char*> words[] = {
+    static const std::pair<const char*, const char*> eventText[] = {
         {"center", QT_TRANSLATE_NOOP("EventWords", "centre here")},
         {"reboot", QT_TRANSLATE_NOOP("EventWords", "restart")},
         {"restore-defaults", QT_TRANSLATE_NOOP("EventWords", "restore defaults")},
@@ -370,26 +374,26 @@ QString taskWord(const QString& task)
         {"step-response", QT_TRANSLATE_NOOP("EventWords", "step response")},
         {"commission", QT_TRANSLATE_NOOP("EventWords", "commissioning")},
     };
-    for (const auto& [name, word] : words) {
+    for (const auto& [name, word] : eventText) {
         if (task == QLatin1String(name))
             return text::translate("EventWords", word);
     }
     return task;
 }
 
-EventWords describe(const Event& event, const session::Desk& desk)
+EventText describe(const Event& event, const session::Desk& desk)
 {
-    EventWords words = sentence(event, desk);
+    EventText eventText = sentence(event, desk);
     for (const base::Notice& notice : event.notices) {
         const QString about =
             notice.id >= 0 ? text::translate("EventWords", "ID %1: ").arg(notice.id) : QString();
-        words.more << about + text::describe(notice);
+        eventText.details << about + text::describe(notice);
         if (notice.code != base::NoticeCode::NotRecorded)
             continue;
-        words.line += text::translate("EventWords", ", NOT RECORDED");
-        words.sign = QStringLiteral("✗");
-        words.tone = Tone::Bad;
+        eventText.message += text::translate("EventWords", ", NOT RECORDED");
+        eventText.symbol = QStringLiteral("✗");
+        eventText.tone = Tone::Bad;
     }
-    return words;
+    return eventText;
 }
 } // namespace ui

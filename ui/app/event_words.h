@@ -9,14 +9,14 @@
 #include <QStringList>
 
 namespace ui {
-struct EventWords {
-    QString line;     ///< one sentence; empty: nothing worth a line
-    QStringList more; ///< cause, remedy, notices: one sentence each
+struct EventText {
+    QString message;     ///< one sentence; empty: nothing worth a line
+    QStringList details; ///< cause, remedy, notices: one sentence each
     Tone tone = Tone::Quiet;
-    QString sign; ///< stands beside the colour: "✓", "!", "✗", "·"
+    QString symbol; ///< stands beside the color: "✓", "!", "✗", "·"
 };
-EventWords describe(const session::Event& event, const session::Desk& desk);
+EventText describe(const session::Event& event, const session::Desk& desk);
 
 /// "set ID" for "set-id": the technical names of tasks and operations.
-QString taskWord(const QString& task);
+QString taskLabel(const QString& task);
 } // namespace ui

@@ -18,17 +18,17 @@ void LanguageSwitch::apply(const QString& language)
     initQtTranslations();
     QCoreApplication::removeTranslator(&m_qt);
     const QString chosen = text::installTranslator(language);
-    const bool inChinese = chosen == QLatin1String("zh_CN");
-    QLocale::setDefault(inChinese ? QLocale(QLocale::Chinese, QLocale::China)
-                                  : QLocale(QLocale::English, QLocale::UnitedStates));
-    if (inChinese && m_qt.load(QStringLiteral(":/i18n/qtbase_zh_CN.qm")))
+    const bool isUiChinese = chosen == QLatin1String("zh_CN");
+    QLocale::setDefault(isUiChinese ? QLocale(QLocale::Chinese, QLocale::China)
+                                    : QLocale(QLocale::English, QLocale::UnitedStates));
+    if (isUiChinese && m_qt.load(QStringLiteral(":/i18n/qtbase_zh_CN.qm")))
         QCoreApplication::installTranslator(&m_qt);
     Q_EMIT changed();
 }
 
 bool LanguageSwitch::chinese() const
 {
-    return text::inChinese();
+    return text::isUiChinese();
 }
 
 bool LanguageSwitch::canShowChinese()

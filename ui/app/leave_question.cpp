@@ -6,64 +6,64 @@
 #include <algorithm>
 
 namespace ui {
-using session::AtClose;
+using session::MotionOnClose;
 using session::MovingServo;
 
-LeaveQuestion::LeaveQuestion(session::Desk& desk, QWidget* window)
+CloseConfirmation::CloseConfirmation(session::Desk& desk, QWidget* window)
     : QObject(window)
     , m_desk(desk)
     , m_window(window)
 {
-    connect(&desk, &session::Desk::motionFound, this, &LeaveQuestion::found);
-    connect(&desk, &session::Desk::unfinishedFound, this, &LeaveQuestion::askAboutWrites);
+    connect(&desk, &session::Desk::motionDetected, this, &CloseConfirmation::handleMotion);
+    connect(&desk, &session::Desk::openWritesFound, this, &CloseConfirmation::confirmOpenWrites);
 }
 
-void LeaveQuestion::disconnectPort()
+void CloseConfirmation::disconnectPort()
 {
-    begin(Way::Disconnect);
+    requestClose(CloseTarget::Disconnect);
 }
 
-void LeaveQuestion::closeWindow()
+void CloseConfirmation::closeWindow()
 {
-    begin(Way::Close);
+    requestClose(CloseTarget::Close);
 }
 
-void LeaveQuestion::begin(Way way)
+void CloseConfirmation::requestClose(CloseTarget target)
 {
-    if (m_way) // it is being asked already
+    if (m_target) // it is being asked already
         return;
-    m_way = way;
-    m_lock = session::LockAtClose::CloseOrStay;
-    if (const auto holds = m_desk.testHolds())
-        askAboutTest(*holds);
+    m_target = target;
+    m_lock = session::LockOnClose::CloseOrKeepOpen;
+    if (const auto holds = m_desk.testHoldsTorque())
+        confirmTest(*holds);
     else
         proceed();
 }
 
-void LeaveQuestion::askAboutTest(bool holds)
+void CloseConfirmation::confirmTest(bool holds)
 {
-    const bool closes = m_way == Way::Close;
+    const bool closes = m_target == CloseTarget::Close;
     Question question;
     question.title = closes ? tr("A test is running. Stop it and close?")
                             : tr("A test is running. Stop it and disconnect?");
     question.text = holds ? tr("Its servos then hold their position with torque on.")
                           : tr("Its servos then have no torque.");
-    question.yes = closes ? tr("Stop and close") : tr("Stop and disconnect");
-    question.harmless = true;
+    question.acceptText = closes ? tr("Stop and close") : tr("Stop and disconnect");
+    question.acceptIsDefault = true;
     question.guard = this;
-    question.refused = [this] { m_way.reset(); };
+    question.rejected = [this] { m_target.reset(); };
     ask(m_window, question, [this] { proceed(); });
 }
 
-void LeaveQuestion::proceed()
+void CloseConfirmation::proceed()
 {
-    m_desk.findUnfinished();
+    m_desk.findOpenWrites();
 }
 
 /// Without them there is no question.
-void LeaveQuestion::askAboutWrites(const session::UnfinishedWrites& found)
+void CloseConfirmation::confirmOpenWrites(const session::OpenWrites& found)
 {
-    if (!m_way)
+    if (!m_target)
         return;
     QStringList ids;
     for (const int id : found.ids)
@@ -72,10 +72,10 @@ void LeaveQuestion::askAboutWrites(const session::UnfinishedWrites& found)
     for (const session::ServoRef ref : found.unlocked)
         open << QString::number(m_desk.servo(ref)->servo.id);
     if (ids.isEmpty() && open.isEmpty()) {
-        askAboutMotion();
+        confirmMotion();
         return;
     }
-    const bool closes = m_way == Way::Close;
+    const bool closes = m_target == CloseTarget::Close;
     const bool connected = m_desk.state() == session::LinkState::Open;
     Question question;
     question.title = closes ? tr("A write is unfinished. Close anyway?")
@@ -84,47 +84,48 @@ void LeaveQuestion::askAboutWrites(const session::UnfinishedWrites& found)
         question.text = tr("ID %1: the journal still holds the unfinished write. The next "
                            "connection offers to finish or undo it.")
                             .arg(ids.join(QStringLiteral(", ")));
-    question.yes = closes ? tr("Close") : tr("Disconnect");
+    question.acceptText = closes ? tr("Close") : tr("Disconnect");
     if (!open.isEmpty()) {
         const QString which = open.join(QStringLiteral(", "));
         question.risk =
             connected ? tr("The EPROM lock of ID %1 is open. It is closed first.").arg(which)
                       : tr("The EPROM lock of ID %1 is open and cannot be closed now.").arg(which);
     }
-    if (!found.openElsewhere.isEmpty()) {
+    if (!found.unlockedElsewhere.isEmpty()) {
         const QString more =
             tr("The EPROM lock of the servo with ID %1 was opened and has not been proven "
                "closed.")
-                .arg(found.openElsewhere.join(QStringLiteral(", ")));
+                .arg(found.unlockedElsewhere.join(QStringLiteral(", ")));
         question.risk += question.risk.isEmpty() ? more : QLatin1Char(' ') + more;
     }
     if (!open.isEmpty() && connected) {
-        question.yes = closes ? tr("Lock and close") : tr("Lock and disconnect");
-        question.other = tr("Leave it open");
-        question.otherTip = tr("The EPROM lock stays open: settings written by any program are "
-                               "kept at power-off.");
+        question.acceptText = closes ? tr("Lock and close") : tr("Lock and disconnect");
+        question.alternativeText = tr("Leave it open");
+        question.alternativeToolTip =
+            tr("The EPROM lock stays open: settings written by any program are "
+               "kept at power-off.");
     }
-    question.harmless = true;
+    question.acceptIsDefault = true;
     question.guard = this;
-    question.otherwise = [this] {
-        m_lock = session::LockAtClose::LeaveOpen;
-        askAboutMotion();
+    question.alternativeAction = [this] {
+        m_lock = session::LockOnClose::LeaveOpen;
+        confirmMotion();
     };
-    question.refused = [this] { m_way.reset(); };
-    ask(m_window, question, [this] { askAboutMotion(); });
+    question.rejected = [this] { m_target.reset(); };
+    ask(m_window, question, [this] { confirmMotion(); });
 }
 
-void LeaveQuestion::askAboutMotion()
+void CloseConfirmation::confirmMotion()
 {
     if (m_desk.state() == session::LinkState::Open)
-        m_desk.findMotion();
+        m_desk.detectMotion();
     else
-        go(AtClose::Stop);
+        close(MotionOnClose::Stop);
 }
 
-void LeaveQuestion::found(const std::vector<MovingServo>& moving)
+void CloseConfirmation::handleMotion(const std::vector<MovingServo>& moving)
 {
-    if (!m_way)
+    if (!m_target)
         return;
     QStringList ids;
     for (const MovingServo& one : moving) {
@@ -132,10 +133,10 @@ void LeaveQuestion::found(const std::vector<MovingServo>& moving)
             ids << QString::number(servo->servo.id);
     }
     if (ids.isEmpty()) {
-        go(AtClose::StopOrStay); // one may have begun to move since
+        close(MotionOnClose::StopOrKeepOpen); // one may have begun to move since
         return;
     }
-    const bool closes = m_way == Way::Close;
+    const bool closes = m_target == CloseTarget::Close;
     const bool one = ids.size() == 1;
     const bool endless = std::any_of(moving.begin(), moving.end(),
                                      [](const MovingServo& servo) { return servo.endless; });
@@ -154,22 +155,22 @@ void LeaveQuestion::found(const std::vector<MovingServo>& moving)
                                  "longer stop it.")
                             : tr("Left moving, it goes on to its goal, and ServoDesk can no longer "
                                  "stop it.");
-    question.yes = closes ? tr("Stop and close") : tr("Stop and disconnect");
-    question.other = one ? tr("Leave it turning") : tr("Leave them turning");
-    question.otherTip = question.risk;
-    question.harmless = true;
+    question.acceptText = closes ? tr("Stop and close") : tr("Stop and disconnect");
+    question.alternativeText = one ? tr("Leave it turning") : tr("Leave them turning");
+    question.alternativeToolTip = question.risk;
+    question.acceptIsDefault = true;
     question.guard = this;
-    question.otherwise = [this] { go(AtClose::LeaveMoving); };
-    question.refused = [this] { m_way.reset(); };
-    ask(m_window, question, [this] { go(AtClose::StopOrStay); });
+    question.alternativeAction = [this] { close(MotionOnClose::LeaveMoving); };
+    question.rejected = [this] { m_target.reset(); };
+    ask(m_window, question, [this] { close(MotionOnClose::StopOrKeepOpen); });
 }
 
-void LeaveQuestion::go(AtClose how)
+void CloseConfirmation::close(MotionOnClose how)
 {
-    const Way way = m_way.value_or(Way::Disconnect);
-    m_way.reset();
-    if (way == Way::Close)
-        m_desk.close(how, m_lock);
+    const CloseTarget target = m_target.value_or(CloseTarget::Disconnect);
+    m_target.reset();
+    if (target == CloseTarget::Close)
+        m_desk.closeForExit(how, m_lock);
     else
         m_desk.disconnectFrom(how, m_lock);
 }

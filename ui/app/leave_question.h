@@ -16,29 +16,29 @@
 class QWidget;
 
 namespace ui {
-class LeaveQuestion final : public QObject {
+class CloseConfirmation final : public QObject {
     Q_OBJECT
 
 public:
-    LeaveQuestion(session::Desk& desk, QWidget* window);
+    CloseConfirmation(session::Desk& desk, QWidget* window);
 
     void disconnectPort();
     void closeWindow();
 
 private:
-    enum class Way : std::uint8_t { Disconnect, Close };
+    enum class CloseTarget : std::uint8_t { Disconnect, Close };
 
-    void begin(Way way);
-    void askAboutTest(bool holds);
+    void requestClose(CloseTarget target);
+    void confirmTest(bool holds);
     void proceed();
-    void askAboutWrites(const session::UnfinishedWrites& found);
-    void askAboutMotion();
-    void found(const std::vector<session::MovingServo>& moving);
-    void go(session::AtClose how);
+    void confirmOpenWrites(const session::OpenWrites& found);
+    void confirmMotion();
+    void handleMotion(const std::vector<session::MovingServo>& moving);
+    void close(session::MotionOnClose how);
 
     session::Desk& m_desk;
     QWidget* m_window;
-    std::optional<Way> m_way; ///< asked for, and not decided yet
-    session::LockAtClose m_lock = session::LockAtClose::CloseOrStay;
+    std::optional<CloseTarget> m_target; ///< asked for, and not decided yet
+    session::LockOnClose m_lock = session::LockOnClose::CloseOrKeepOpen;
 };
 } // namespace ui

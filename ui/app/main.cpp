@@ -4,5 +4,5 @@
 
 int main(int argc, char* argv[])
 {
-    return session::LooseThread::exitCode(ui::runProgram(argc, argv));
+    return session::DetachableWorker::exitCode(ui::runProgram(argc, argv));
 }

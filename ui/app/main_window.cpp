@@ -38,17 +38,17 @@
 #include <utility>
 
 namespace ui {
-MainWindow::MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& theme,
+MainWindow::MainWindow(AppContext& appContext, session::Settings& settings, ThemeSwitch& theme,
                        LanguageSwitch& language, QWidget* parent)
     : QMainWindow(parent)
-    , m_bench(bench)
+    , m_context(appContext)
     , m_settings(settings)
     , m_theme(theme)
     , m_language(language)
-    , m_desk(bench.desk)
-    , m_ports(bench.ports)
-    , m_selection(bench.selection)
-    , m_commands(bench.commands)
+    , m_desk(appContext.desk)
+    , m_ports(appContext.ports)
+    , m_selection(appContext.selection)
+    , m_commands(appContext.commands)
 {
     build();
     connectCommands();
@@ -56,14 +56,14 @@ MainWindow::MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& t
     connectDesk();
     connectSwitches();
     new ServoTasks(m_desk, m_commands, m_selection, this);
-    new LinkTrouble(m_desk, m_ports, *m_connectBar, *m_banner, this);
+    new LinkErrorBanner(m_desk, m_ports, *m_connectBar, *m_banner, this);
     restoreGeometry(m_settings.windowGeometry());
     restoreState(m_settings.windowState());
     retranslate();
-    showCentre();
-    tellStartTroubles();
+    updateCenter();
+    reportStartupErrors();
     const auto server = session::historyServerChoice(m_settings);
-    m_bench.sender.setServer(server.address, server.bench);
+    m_context.historySender.setServer(server.address, server.bench);
 }
 
 /// Pages that are hidden end their polling and tell of the last readings, upon which others make
@@ -74,9 +74,9 @@ MainWindow::~MainWindow()
 }
 
 /// What could not be used of the user's own files: it costs that row, never the start.
-void MainWindow::tellStartTroubles()
+void MainWindow::reportStartupErrors()
 {
-    const auto tellError = [this](const base::Error& error) {
+    const auto showError = [this](const base::Error& error) {
         session::Event event;
         event.at = QDateTime::currentDateTime();
         event.error = error;
@@ -84,22 +84,22 @@ void MainWindow::tellStartTroubles()
         m_log->add(event);
     };
     const auto tell = [&](const QString& detail) {
-        tellError({base::ErrorCode::FileFormat, QStringLiteral("start"), detail});
+        showError({base::ErrorCode::FileFormat, QStringLiteral("start"), detail});
     };
     for (const catalog::LoadWarning& warning : m_desk.session().warnings())
         tell(QStringList{warning.file, warning.where, warning.detail}.join(QStringLiteral(": ")));
     if (!m_settings.brokenCopy().isEmpty())
         tell(m_settings.brokenCopy());
     if (const auto removed = session::removeStoredPassword(m_settings))
-        tellError(*removed);
+        showError(*removed);
 }
 
 void MainWindow::start(const Options& options)
 {
     if (options.size.isValid())
         resize(options.size);
-    m_wantedId = options.select;
-    m_desk.expect(m_wantedId);
+    m_requestedId = options.select;
+    m_desk.setExpectedId(m_requestedId);
     m_selectFirst = !options.screenshot.isEmpty() && !options.select;
     const std::map<QString, QWidget*> pages{
         {QStringLiteral("operate"), m_operate},     {QStringLiteral("memory"), m_memory},
@@ -108,9 +108,9 @@ void MainWindow::start(const Options& options)
         {QStringLiteral("history"), m_history}};
     if (const auto page = pages.find(options.page); page != pages.end())
         m_pages->setCurrentWidget(page->second);
-    m_pagesWanted = options.page == QLatin1StringView("snapshots") ||
-                    options.page == QLatin1StringView("history");
-    showCentre();
+    m_pagesRequested = options.page == QLatin1StringView("snapshots") ||
+                       options.page == QLatin1StringView("history");
+    updateCenter();
     if (options.port) {
         m_connectBar->setRequest(*options.port);
         m_desk.connectTo(*options.port);
@@ -122,7 +122,7 @@ void MainWindow::connectCommands()
     const auto on = [this](Command command, auto slot) {
         connect(m_commands.action(command), &QAction::triggered, this, slot);
     };
-    on(Command::Disconnect, [this] { m_leave->disconnectPort(); });
+    on(Command::Disconnect, [this] { m_closeConfirmation->disconnectPort(); });
     on(Command::PowerCycle, [this] {
         m_desk.powerCycle();
         m_desk.readTable(m_selection.current());
@@ -146,43 +146,43 @@ void MainWindow::connectCommands()
         help->raise();
         help->activateWindow();
     });
-    on(Command::EarlierTests, [this] {
+    on(Command::PreviousTests, [this] {
         auto* runs = findChild<RunsDialog*>(); // one is enough
-        runs = runs != nullptr ? runs : new RunsDialog(m_bench.archive, m_settings, this);
+        runs = runs != nullptr ? runs : new RunsDialog(m_context.history, m_settings, this);
         runs->show();
         runs->raise();
         runs->activateWindow();
     });
-    connect(m_sweep, &SweepPage::earlierWished, m_commands.action(Command::EarlierTests),
+    connect(m_sweep, &SweepPage::previousTestsRequested, m_commands.action(Command::PreviousTests),
             &QAction::trigger);
-    on(Command::Shortcuts, [this] { (new ShortcutList(m_commands, this))->open(); });
-    on(Command::About, [this] { (new About(this))->open(); });
+    on(Command::Shortcuts, [this] { (new ShortcutsDialog(m_commands, this))->open(); });
+    on(Command::About, [this] { (new AboutDialog(this))->open(); });
     on(Command::Quit, [this] { close(); });
     connect(m_logDock, &QDockWidget::visibilityChanged, this,
             [this] { m_commands.action(Command::MessageLog)->setChecked(!m_logDock->isHidden()); });
     connect(m_stop, &QPushButton::clicked, this, [this] { m_desk.emergencyStop(); });
-    auto* stopKey = new StopKey([this] { return m_desk.driving(); }, this);
+    auto* stopKey = new StopKey([this] { return m_desk.isMotionPossible(); }, this);
     connect(stopKey, &StopKey::pressed, this, [this] { m_desk.emergencyStop(); });
 }
 
 void MainWindow::connectDesk()
 {
-    m_leave = new LeaveQuestion(m_desk, this);
-    connect(&m_desk, &session::Desk::happened, this, &MainWindow::happened);
+    m_closeConfirmation = new CloseConfirmation(m_desk, this);
+    connect(&m_desk, &session::Desk::eventOccurred, this, &MainWindow::happened);
     connect(m_banner, &Banner::dismissed, this, [this] { m_stopShown = false; });
     connect(&m_desk, &session::Desk::linkChanged, this, &MainWindow::linkChanged);
-    connect(&m_desk, &session::Desk::servoChanged, this, &MainWindow::withdrawNotLeft);
-    connect(&m_desk, &session::Desk::servoAdded, this, &MainWindow::selectWanted);
-    connect(&m_desk, &session::Desk::servoAdded, this, [this] { showCentre(); });
+    connect(&m_desk, &session::Desk::servoChanged, this, &MainWindow::hideCloseCanceled);
+    connect(&m_desk, &session::Desk::servoAdded, this, &MainWindow::selectRequested);
+    connect(&m_desk, &session::Desk::servoAdded, this, [this] { updateCenter(); });
     connect(&m_desk, &session::Desk::searchChanged, this, [this] {
-        if (!m_desk.searching())
+        if (!m_desk.isSearching())
             searchEnded();
     });
     connect(&m_desk, &session::Desk::servoRemoved, this,
-            [this](session::ServoRef ref) { m_selection.drop(ref); });
+            [this](session::ServoRef ref) { m_selection.remove(ref); });
     connect(&m_desk, &session::Desk::servosCleared, this, [this] { m_selection.select(0); });
     connect(&m_desk, &session::Desk::closed, this, [this] {
-        m_mayClose = true;
+        m_canClose = true;
         close();
     });
 }
@@ -191,52 +191,52 @@ void MainWindow::happened(const session::Event& event)
 {
     m_message->show(event);
     m_log->add(event);
-    presentStop(event);
+    showStopBanner(event);
 }
 
 /// A stop that has not reached the servos must not be one line among others.
-void MainWindow::presentStop(const session::Event& event)
+void MainWindow::showStopBanner(const session::Event& event)
 {
     using Kind = session::Event::Kind;
     const bool stops = event.kind == Kind::Stopped || event.kind == Kind::StopNotSent;
     const bool unsent =
-        event.kind == Kind::StopNotSent || event.owed || event.kind == Kind::NotLeft;
+        event.kind == Kind::StopNotSent || event.isPending || event.kind == Kind::CloseCanceled;
     if (stops && !unsent && std::exchange(m_stopShown, false))
-        m_banner->clear();
+        m_banner->hideMessage();
     if (!unsent)
         return;
     m_stopShown = true;
     m_unlockedShown = event.moving.empty() ? event.unlocked : std::vector<session::ServoRef>{};
-    const QList<QAction*> actions = m_desk.state() == session::LinkState::Open && !event.owed
+    const QList<QAction*> actions = m_desk.state() == session::LinkState::Open && !event.isPending
                                         ? QList{m_commands.action(Command::TorqueOffAll)}
                                         : QList<QAction*>{};
-    m_banner->present(
+    m_banner->showMessage(
         [this, event] {
-            const EventWords words = describe(event, m_desk);
-            return BannerWords{Tone::Bad, words.line, {}, words.more.join(QLatin1Char(' '))};
+            const EventText words = describe(event, m_desk);
+            return BannerText{Tone::Bad, words.message, {}, words.details.join(QLatin1Char(' '))};
         },
         actions);
 }
 
 /// Once each lock that it names has been read as closed.
-void MainWindow::withdrawNotLeft()
+void MainWindow::hideCloseCanceled()
 {
     const auto isOpen = [this](session::ServoRef ref) {
         const session::ServoEntry* entry = m_desk.servo(ref);
-        return entry == nullptr || entry->lockOpen().value_or(true);
+        return entry == nullptr || entry->isLockOpen().value_or(true);
     };
     if (!m_stopShown || m_unlockedShown.empty() ||
         std::any_of(m_unlockedShown.begin(), m_unlockedShown.end(), isOpen))
         return;
     m_unlockedShown.clear();
     m_stopShown = false;
-    m_banner->clear();
+    m_banner->hideMessage();
 }
 
 /// What is changed back is shown: it may belong to another servo than the one selected.
 void MainWindow::undo()
 {
-    if (const session::UndoStep* step = m_desk.nextUndo()) {
+    if (const session::UndoStep* step = m_desk.undoStep()) {
         if (step->servo != m_selection.current())
             m_selection.select(step->servo);
         m_desk.undo();
@@ -245,7 +245,7 @@ void MainWindow::undo()
 
 void MainWindow::redoLast()
 {
-    if (const session::UndoStep* step = m_desk.nextRedo()) {
+    if (const session::UndoStep* step = m_desk.redoStep()) {
         if (step->servo != m_selection.current())
             m_selection.select(step->servo);
         redo(m_desk, this);
@@ -286,11 +286,11 @@ void MainWindow::connectSwitches()
 }
 
 /// Pages stay as long as there is a servo to show, also after the port was closed.
-void MainWindow::showCentre()
+void MainWindow::updateCenter()
 {
     const bool something = m_desk.state() == session::LinkState::Open || !m_desk.servos().empty() ||
-                           m_operate->trend()->replaying() || m_pagesWanted;
-    m_centre->setCurrentIndex(something ? 1 : 0);
+                           m_operate->trend()->isReplaying() || m_pagesRequested;
+    m_center->setCurrentIndex(something ? 1 : 0);
 }
 
 void MainWindow::linkChanged()
@@ -299,17 +299,17 @@ void MainWindow::linkChanged()
     if (open && !m_wasOpen)
         m_commands.action(Command::Search)->trigger();
     m_wasOpen = open;
-    showCentre();
+    updateCenter();
 }
 
-void MainWindow::selectWanted(session::ServoRef added)
+void MainWindow::selectRequested(session::ServoRef added)
 {
     const session::ServoEntry* servo = m_desk.servo(added);
     if (servo == nullptr || m_selection.current() != 0)
         return;
-    if (m_wantedId ? servo->servo.id == *m_wantedId : m_selectFirst) {
-        m_wantedId.reset();
-        m_desk.expect(std::nullopt);
+    if (m_requestedId ? servo->servo.id == *m_requestedId : m_selectFirst) {
+        m_requestedId.reset();
+        m_desk.setExpectedId(std::nullopt);
         m_selectFirst = false;
         m_selection.select(added);
     }
@@ -318,23 +318,23 @@ void MainWindow::selectWanted(session::ServoRef added)
 /// A servo that is alone is the one that is meant, unless another one was asked for.
 void MainWindow::searchEnded()
 {
-    if (m_selection.current() == 0 && !m_wantedId && m_desk.servos().size() == 1)
+    if (m_selection.current() == 0 && !m_requestedId && m_desk.servos().size() == 1)
         m_selection.select(m_desk.servos().front());
     const session::ServoEntry* shown = m_desk.servo(m_selection.current());
-    if (shown != nullptr && shown->servo.profile && !shown->tableRead)
+    if (shown != nullptr && shown->servo.profile && !shown->hasFullTable)
         m_desk.readTable(m_selection.current());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     m_settings.setWindow(saveGeometry(), saveState());
-    const bool nothingToAsk = m_mayClose || !m_desk.hadPort();
+    const bool nothingToAsk = m_canClose || !m_desk.hasOpenedPort();
     if (m_desk.state() == session::LinkState::Off && nothingToAsk) {
         event->accept();
         return;
     }
     event->ignore(); // closed() follows when the running write has ended and the lock is closed
-    m_leave->closeWindow();
+    m_closeConfirmation->closeWindow();
 }
 
 /// A status tip would hide the latest result behind what the pointer happens to be on.

@@ -20,7 +20,7 @@ namespace ui {
 class Banner;
 class ConnectBar;
 class LanguageSwitch;
-class LeaveQuestion;
+class CloseConfirmation;
 class MemoryPage;
 class Menus;
 class MessageLine;
@@ -37,7 +37,7 @@ class MainWindow final : public QMainWindow {
     Q_OBJECT
 
 public:
-    MainWindow(Bench& bench, session::Settings& settings, ThemeSwitch& theme,
+    MainWindow(AppContext& appContext, session::Settings& settings, ThemeSwitch& theme,
                LanguageSwitch& language, QWidget* parent = nullptr);
     ~MainWindow() override;
 
@@ -52,7 +52,7 @@ protected:
 private:
     void build();
     QWidget* buildTopBar();
-    QWidget* buildCentre();
+    QWidget* buildCenter();
     void buildDocks();
     void buildStatusBar();
     void connectCommands();
@@ -61,29 +61,29 @@ private:
     void connectDesk();
     void connectSwitches();
     void retranslate();
-    void showCentre();
+    void updateCenter();
     void linkChanged();
-    void tellStartTroubles();
+    void reportStartupErrors();
     void happened(const session::Event& event);
-    void presentStop(const session::Event& event);
-    void withdrawNotLeft();
+    void showStopBanner(const session::Event& event);
+    void hideCloseCanceled();
     void undo();
     void redoLast();
-    void selectWanted(session::ServoRef added);
+    void selectRequested(session::ServoRef added);
     void searchEnded();
 
-    Bench& m_bench;
+    AppContext& m_context;
     session::Settings& m_settings;
     ThemeSwitch& m_theme;
     LanguageSwitch& m_language;
     session::Desk& m_desk;
-    session::PortWatch& m_ports;
+    session::PortWatcher& m_ports;
     Selection& m_selection;
     Commands& m_commands;
 
     ConnectBar* m_connectBar = nullptr;
     Banner* m_banner = nullptr;
-    QStackedWidget* m_centre = nullptr;
+    QStackedWidget* m_center = nullptr;
     QTabWidget* m_pages = nullptr;
     OperatePage* m_operate = nullptr;
     MemoryPage* m_memory = nullptr;
@@ -92,7 +92,7 @@ private:
     SnapshotsPage* m_snapshots = nullptr;
     CommissionPage* m_commission = nullptr;
     HistoryPage* m_history = nullptr;
-    bool m_pagesWanted = false; ///< although no port was ever open
+    bool m_pagesRequested = false; ///< although no port was ever open
     QDockWidget* m_searchDock = nullptr;
     QDockWidget* m_logDock = nullptr;
     MessageLine* m_message = nullptr;
@@ -102,14 +102,14 @@ private:
     QToolButton* m_languageButton = nullptr;
     QToolButton* m_themeButton = nullptr;
     Menus* m_menus = nullptr;
-    LeaveQuestion* m_leave = nullptr;
+    CloseConfirmation* m_closeConfirmation = nullptr;
     bool m_stopShown = false; ///< the banner says that a stop was not sent
     /// Of a banner that says nothing but that their EPROM locks stayed open.
     std::vector<session::ServoRef> m_unlockedShown;
 
-    std::optional<int> m_wantedId; ///< of the command line; selected when it is found
-    bool m_selectFirst = false;    ///< a screenshot without a wish selects the first servo found
+    std::optional<int> m_requestedId; ///< of the command line; selected when it is found
+    bool m_selectFirst = false;       ///< a screenshot without a wish selects the first servo found
     bool m_wasOpen = false;
-    bool m_mayClose = false; ///< the desk has been closed
+    bool m_canClose = false; ///< the desk has been closed
 };
 } // namespace ui

@@ -31,7 +31,7 @@
 
 namespace ui {
 namespace {
-constexpr int undoLetters = 26;
+constexpr int maxUndoChars = 26;
 }
 
 void MainWindow::build()
@@ -46,7 +46,7 @@ void MainWindow::build()
     top->addWidget(buildTopBar());
     addToolBar(top);
     setContextMenuPolicy(Qt::NoContextMenu); // its only entry would hide the bar
-    setCentralWidget(buildCentre());
+    setCentralWidget(buildCenter());
     buildDocks();
     buildStatusBar();
     m_menus = new Menus(*menuBar(), m_commands,
@@ -72,31 +72,31 @@ QWidget* MainWindow::buildTopBar()
     return bar;
 }
 
-QWidget* MainWindow::buildCentre()
+QWidget* MainWindow::buildCenter()
 {
-    auto* centre = new QWidget(this);
-    auto* column = new QVBoxLayout(centre);
+    auto* center = new QWidget(this);
+    auto* column = new QVBoxLayout(center);
     column->setContentsMargins(6, 6, 6, 6);
-    m_banner = new Banner(centre);
-    m_pages = new QTabWidget(centre);
+    m_banner = new Banner(center);
+    m_pages = new QTabWidget(center);
     m_pages->setObjectName(QStringLiteral("pages"));
     m_pages->setDocumentMode(true);
-    m_operate = new OperatePage(m_bench, m_settings, m_pages);
+    m_operate = new OperatePage(m_context, m_settings, m_pages);
     m_memory = new MemoryPage(m_desk, m_commands, m_selection, m_settings, m_pages);
-    m_sweep = new SweepPage(m_bench, m_settings, m_pages);
-    m_step = new StepPage(m_bench, m_settings, m_pages);
-    m_snapshots = new SnapshotsPage(m_bench, m_settings, m_pages);
-    m_commission = new CommissionPage(m_bench, m_settings, m_pages);
-    m_history = new HistoryPage(m_bench, m_settings, m_pages);
+    m_sweep = new SweepPage(m_context, m_settings, m_pages);
+    m_step = new StepPage(m_context, m_settings, m_pages);
+    m_snapshots = new SnapshotsPage(m_context, m_settings, m_pages);
+    m_commission = new CommissionPage(m_context, m_settings, m_pages);
+    m_history = new HistoryPage(m_context, m_settings, m_pages);
     for (QWidget* page : std::initializer_list<QWidget*>{m_operate, m_memory, m_sweep, m_step,
                                                          m_snapshots, m_commission, m_history})
         m_pages->addTab(page, QString());
-    m_centre = new QStackedWidget(centre);
-    m_centre->addWidget(new Welcome(m_commands, m_centre));
-    m_centre->addWidget(m_pages);
-    column->addWidget(m_centre, 1);
-    new FloatOver(m_banner, centre, FloatOver::Corner::BottomRight);
-    return centre;
+    m_center = new QStackedWidget(center);
+    m_center->addWidget(new Welcome(m_commands, m_center));
+    m_center->addWidget(m_pages);
+    column->addWidget(m_center, 1);
+    new FloatingOverlay(m_banner, center, FloatingOverlay::Corner::BottomRight);
+    return center;
 }
 
 void MainWindow::buildDocks()
@@ -122,13 +122,13 @@ void MainWindow::buildStatusBar()
     m_undo->setDefaultAction(m_commands.action(Command::Undo));
     m_undo->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     // One width for all names: the button must not move under the pointer.
-    m_undo->setFixedWidth(undoLetters * m_undo->fontMetrics().averageCharWidth() +
+    m_undo->setFixedWidth(maxUndoChars * m_undo->fontMetrics().averageCharWidth() +
                           2 * m_undo->iconSize().width());
     const auto nameUndo = [this] {
         const QString name = m_commands.action(Command::Undo)->iconText();
         m_undo->setAccessibleName(name);
         m_undo->setText(m_undo->fontMetrics().elidedText(
-            name, Qt::ElideRight, undoLetters * m_undo->fontMetrics().averageCharWidth()));
+            name, Qt::ElideRight, maxUndoChars * m_undo->fontMetrics().averageCharWidth()));
     };
     connect(m_commands.action(Command::Undo), &QAction::changed, m_undo, nameUndo);
     nameUndo();

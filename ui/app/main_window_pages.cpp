@@ -29,37 +29,38 @@ void MainWindow::connectPages()
     on(Command::PageSweep, m_sweep, nothing);
     on(Command::PageStep, m_step, nothing);
     const auto withoutPort = [this] {
-        m_pagesWanted = true;
-        showCentre();
+        m_pagesRequested = true;
+        updateCenter();
     };
     on(Command::PageSnapshots, m_snapshots, withoutPort);
     on(Command::PageCommission, m_commission, nothing);
     on(Command::PageHistory, m_history, withoutPort);
-    on(Command::TakeSnapshot, m_snapshots, [this] { m_snapshots->take(); });
+    on(Command::TakeSnapshot, m_snapshots, [this] { m_snapshots->takeSnapshot(); });
     on(Command::PauseTrend, m_operate, [trend] { trend->toggleFollowing(); });
     on(Command::Record, m_operate, [trend] { trend->toggleRecording(); });
     on(Command::OpenRecording, m_operate, [trend] { trend->openRecording(); });
     connectHistory();
     // A recording can be looked at without a servo.
-    connect(trend, &TrendPanel::replayShown, this, [this] { showCentre(); });
+    connect(trend, &TrendPanel::replayShown, this, [this] { updateCenter(); });
 }
 
 /// What is found in the history is shown where it can be used; copies go to the server.
 void MainWindow::connectHistory()
 {
-    connect(m_history, &HistoryPage::snapshotWished, this, [this](std::int64_t number) {
+    connect(m_history, &HistoryPage::snapshotRequested, this, [this](std::int64_t number) {
         m_pages->setCurrentWidget(m_snapshots);
-        m_snapshots->showKept(number);
+        m_snapshots->showHistorySnapshot(number);
     });
-    connect(m_history, &HistoryPage::tableWished, this,
+    connect(m_history, &HistoryPage::tableRequested, this,
             [this](const session::SharedSnapshot& table, const QString& title) {
                 m_pages->setCurrentWidget(m_snapshots);
                 m_snapshots->showTable(table, title);
             });
-    connect(m_history, &HistoryPage::testsWished, m_commands.action(Command::EarlierTests),
-            &QAction::trigger);
-    connect(&m_bench.archive, &session::Archive::changed, &m_bench.sender,
-            &session::HistorySender::poke);
-    connect(&m_desk, &session::Desk::happened, &m_bench.sender, &session::HistorySender::poke);
+    connect(m_history, &HistoryPage::previousTestsRequested,
+            m_commands.action(Command::PreviousTests), &QAction::trigger);
+    connect(&m_context.history, &session::HistoryService::changed, &m_context.historySender,
+            &session::HistorySender::notifyChanged);
+    connect(&m_desk, &session::Desk::eventOccurred, &m_context.historySender,
+            &session::HistorySender::notifyChanged);
 }
 } // namespace ui

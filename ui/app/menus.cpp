@@ -41,7 +41,7 @@ Menus::Menus(QMenuBar& bar, const Commands& commands, const QList<QAction*>& doc
     add(*m_view, commands,
         {Command::PageOperate, Command::PageMemory, Command::PageSweep, Command::PageStep,
          Command::PageSnapshots, Command::PageCommission, Command::PageHistory, line,
-         Command::EarlierTests, Command::PauseTrend, line});
+         Command::PreviousTests, Command::PauseTrend, line});
     m_view->addActions(docks);
     m_view->addSeparator();
     m_view->addMenu(m_theme);

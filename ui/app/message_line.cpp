@@ -9,12 +9,12 @@ namespace ui {
 MessageLine::MessageLine(const session::Desk& desk, QWidget* parent)
     : QWidget(parent)
     , m_desk(desk)
-    , m_sign(new QLabel(this))
+    , m_symbol(new QLabel(this))
     , m_text(new QLabel(this))
 {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(6, 0, 0, 0);
-    row->addWidget(m_sign);
+    row->addWidget(m_symbol);
     row->addWidget(m_text, 1);
     m_text->setObjectName(QStringLiteral("messageText"));
     m_text->setTextFormat(Qt::PlainText);
@@ -25,7 +25,7 @@ MessageLine::MessageLine(const session::Desk& desk, QWidget* parent)
 
 void MessageLine::show(const session::Event& event)
 {
-    if (describe(event, m_desk).line.isEmpty())
+    if (describe(event, m_desk).message.isEmpty())
         return;
     m_event = event;
     fill();
@@ -33,12 +33,14 @@ void MessageLine::show(const session::Event& event)
 
 void MessageLine::fill()
 {
-    m_words = m_event ? describe(*m_event, m_desk) : EventWords{tr("Ready"), {}, Tone::Quiet, {}};
-    m_sign->setText(m_words.sign);
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, tone(m_words.tone, palette()));
-    m_sign->setPalette(colours);
-    m_text->setToolTip((QStringList{m_words.line} + m_words.more).join(QLatin1Char('\n')));
+    m_eventText =
+        m_event ? describe(*m_event, m_desk) : EventText{tr("Ready"), {}, Tone::Quiet, {}};
+    m_symbol->setText(m_eventText.symbol);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(m_eventText.tone, palette()));
+    m_symbol->setPalette(colors);
+    m_text->setToolTip(
+        (QStringList{m_eventText.message} + m_eventText.details).join(QLatin1Char('\n')));
     m_text->setAccessibleName(tr("Latest message"));
     m_text->setAccessibleDescription(m_text->toolTip());
     elide();
@@ -47,7 +49,8 @@ void MessageLine::fill()
 /// The remedy stands beside the sentence as far as there is room.
 void MessageLine::elide()
 {
-    const QString all = (QStringList{m_words.line} + m_words.more).join(QStringLiteral("  —  "));
+    const QString all =
+        (QStringList{m_eventText.message} + m_eventText.details).join(QStringLiteral("  —  "));
     m_text->setText(m_text->fontMetrics().elidedText(all, Qt::ElideRight, m_text->width()));
 }
 

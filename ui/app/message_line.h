@@ -29,8 +29,8 @@ private:
 
     const session::Desk& m_desk;
     std::optional<session::Event> m_event; ///< kept, so that it can be worded in another language
-    EventWords m_words;
-    QLabel* m_sign;
+    EventText m_eventText;
+    QLabel* m_symbol;
     QLabel* m_text;
 };
 } // namespace ui

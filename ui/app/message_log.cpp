@@ -7,7 +7,7 @@
 
 namespace ui {
 namespace {
-constexpr std::size_t keptEvents = 1000;
+constexpr std::size_t maxEvents = 1000;
 } // namespace
 
 MessageLog::MessageLog(const session::Desk& desk, QWidget* parent)
@@ -16,26 +16,27 @@ MessageLog::MessageLog(const session::Desk& desk, QWidget* parent)
 {
     setObjectName(QStringLiteral("messageLog"));
     setReadOnly(true);
-    setMaximumBlockCount(static_cast<int>(keptEvents) * 4);
+    setMaximumBlockCount(static_cast<int>(maxEvents) * 4);
     retranslate();
 }
 
 void MessageLog::add(const session::Event& event)
 {
     m_events.push_back(event);
-    if (m_events.size() > keptEvents)
+    if (m_events.size() > maxEvents)
         m_events.pop_front();
     write(event);
 }
 
 void MessageLog::write(const session::Event& event)
 {
-    const EventWords words = describe(event, m_desk);
-    if (words.line.isEmpty())
+    const EventText eventText = describe(event, m_desk);
+    if (eventText.message.isEmpty())
         return;
     QString text = QStringLiteral("%1  %2  %3")
-                       .arg(event.at.toString(QStringLiteral("HH:mm:ss")), words.sign, words.line);
-    for (const QString& more : words.more)
+                       .arg(event.at.toString(QStringLiteral("HH:mm:ss")), eventText.symbol,
+                            eventText.message);
+    for (const QString& more : eventText.details)
         text += QStringLiteral("\n             ") + more;
     appendPlainText(text);
 }

@@ -6,14 +6,14 @@
 #include <QLabel>
 
 namespace ui {
-void PlainTexts::install()
+void PlainTextFilter::install()
 {
-    if (qApp->findChild<PlainTexts*>(QString(), Qt::FindDirectChildrenOnly) == nullptr)
-        qApp->installEventFilter(new PlainTexts(qApp));
+    if (qApp->findChild<PlainTextFilter*>(QString(), Qt::FindDirectChildrenOnly) == nullptr)
+        qApp->installEventFilter(new PlainTextFilter(qApp));
 }
 
 /// Before a widget is first shown it is polished; tooltips are labels too.
-bool PlainTexts::eventFilter(QObject* watched, QEvent* event)
+bool PlainTextFilter::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Polish) {
         auto* label = qobject_cast<QLabel*>(watched);

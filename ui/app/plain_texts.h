@@ -7,7 +7,7 @@
 #include <QObject>
 
 namespace ui {
-class PlainTexts final : public QObject {
+class PlainTextFilter final : public QObject {
     Q_OBJECT
 
 public:

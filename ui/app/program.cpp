@@ -78,7 +78,7 @@ void initProgram()
     text::setFrontEnd(text::FrontEnd::Window);
     QIcon::setThemeSearchPaths(QIcon::themeSearchPaths() << QStringLiteral(":/icons"));
     QIcon::setFallbackThemeName(QStringLiteral("breeze"));
-    PlainTexts::install();
+    PlainTextFilter::install();
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/servodesk.svg")));
     useOwnFont();
 }
@@ -109,8 +109,8 @@ int runProgram(int argc, char* argv[])
     ThemeSwitch theme;
     theme.apply(options.theme.value_or(settings.theme()));
     session::Session session;
-    Bench bench(session);
-    MainWindow window(bench, settings, theme, language);
+    AppContext appContext(session);
+    MainWindow window(appContext, settings, theme, language);
     window.show();
     window.start(options);
     screenshotLater(window, options);

@@ -11,7 +11,7 @@ std::vector<Question> questionsOf(const session::Desk& desk, const session::Undo
     const session::ServoEntry* entry = desk.servo(step.servo);
     if (entry == nullptr || !entry->servo.profile)
         return all;
-    for (const device::WriteItem& item : step.after) {
+    for (const device::WriteItem& item : step.newItems) {
         const catalog::Register* reg = entry->servo.profile->find(item.key);
         if (reg == nullptr)
             continue;
@@ -26,14 +26,14 @@ bool sameStep(const session::UndoStep& a, const session::UndoStep& b)
     const auto same = [](const device::WriteItem& one, const device::WriteItem& other) {
         return one.key == other.key && one.raw == other.raw;
     };
-    return a.servo == b.servo &&
-           std::equal(a.after.begin(), a.after.end(), b.after.begin(), b.after.end(), same);
+    return a.servo == b.servo && std::equal(a.newItems.begin(), a.newItems.end(),
+                                            b.newItems.begin(), b.newItems.end(), same);
 }
 
-void askFrom(session::Desk& desk, QWidget* parent, const session::UndoStep& step,
-             std::vector<Question> questions)
+void confirmFrom(session::Desk& desk, QWidget* parent, const session::UndoStep& step,
+                 std::vector<Question> questions)
 {
-    const session::UndoStep* next = desk.nextRedo();
+    const session::UndoStep* next = desk.redoStep();
     if (next == nullptr || !sameStep(*next, step))
         return;
     if (questions.empty()) {
@@ -44,20 +44,20 @@ void askFrom(session::Desk& desk, QWidget* parent, const session::UndoStep& step
     questions.erase(questions.begin());
     first.guard = parent;
     ask(parent, first, [&desk, parent, step, questions = std::move(questions)] {
-        askFrom(desk, parent, step, questions);
+        confirmFrom(desk, parent, step, questions);
     });
 }
 } // namespace
 
 void redo(session::Desk& desk, QWidget* parent)
 {
-    const session::UndoStep* next = desk.nextRedo();
+    const session::UndoStep* next = desk.redoStep();
     if (next == nullptr)
         return;
     const std::vector<Question> questions = questionsOf(desk, *next);
     if (questions.empty())
         desk.redo(); // dangerous rows it does not know of are refused
     else
-        askFrom(desk, parent, *next, questions);
+        confirmFrom(desk, parent, *next, questions);
 }
 } // namespace ui

@@ -22,37 +22,37 @@ public:
     session::ServoRef current() const { return m_current; } ///< 0: none
     void select(session::ServoRef ref)
     {
-        choose(ref != 0 ? std::vector{ref} : std::vector<session::ServoRef>{});
+        setSelected(ref != 0 ? std::vector{ref} : std::vector<session::ServoRef>{});
     }
 
     /// All that are to move together, the current one first.
-    const std::vector<session::ServoRef>& chosen() const { return m_chosen; }
-    void choose(std::vector<session::ServoRef> chosen)
+    const std::vector<session::ServoRef>& selected() const { return m_selected; }
+    void setSelected(std::vector<session::ServoRef> chosen)
     {
-        if (chosen == m_chosen)
+        if (chosen == m_selected)
             return;
-        m_chosen = std::move(chosen);
-        const session::ServoRef first = m_chosen.empty() ? 0 : m_chosen.front();
+        m_selected = std::move(chosen);
+        const session::ServoRef first = m_selected.empty() ? 0 : m_selected.front();
         if (std::exchange(m_current, first) != first)
             Q_EMIT changed(first);
-        Q_EMIT chosenChanged();
+        Q_EMIT selectedServosChanged();
     }
     /// It is gone. With the current one all are let go: nothing is to move in its place.
-    void drop(session::ServoRef ref)
+    void remove(session::ServoRef ref)
     {
         if (ref == m_current)
-            return choose({});
-        std::vector<session::ServoRef> left = m_chosen;
-        left.erase(std::remove(left.begin(), left.end(), ref), left.end());
-        choose(std::move(left));
+            return setSelected({});
+        std::vector<session::ServoRef> remaining = m_selected;
+        remaining.erase(std::remove(remaining.begin(), remaining.end(), ref), remaining.end());
+        setSelected(std::move(remaining));
     }
 
 Q_SIGNALS:
     void changed(session::ServoRef ref); ///< the current one
-    void chosenChanged();                ///< any of them
+    void selectedServosChanged();        ///< any of them
 
 private:
     session::ServoRef m_current = 0;
-    std::vector<session::ServoRef> m_chosen;
+    std::vector<session::ServoRef> m_selected;
 };
 } // namespace ui

@@ -25,11 +25,11 @@ bool inCellEditor(const QWidget* focus)
 }
 
 /// `asked`: who got the key.
-bool menuOrDialog(const QWidget& asked)
+bool menuOrDialog(const QWidget& target)
 {
     return QApplication::activePopupWidget() != nullptr ||
            QApplication::activeModalWidget() != nullptr ||
-           qobject_cast<QDialog*>(asked.window()) != nullptr;
+           qobject_cast<QDialog*>(target.window()) != nullptr;
 }
 } // namespace
 
@@ -49,34 +49,34 @@ bool StopKey::eventFilter(QObject* watched, QEvent* event)
     case QEvent::KeyPress:
         return filterKey(*static_cast<QKeyEvent*>(event), *static_cast<QWidget*>(watched));
     case QEvent::KeyRelease:
-        m_passing = nullptr; // the next press may have this one's address
+        m_forwarded = nullptr; // the next press may have this one's address
         return false;
     case QEvent::MouseButtonPress:
-        m_cancelled = false;
+        m_canceled = false;
         return false;
     default:
         return false;
     }
 }
 
-bool StopKey::filterKey(const QKeyEvent& event, const QWidget& asked)
+bool StopKey::filterKey(const QKeyEvent& event, const QWidget& target)
 {
     if (event.key() != Qt::Key_Escape) {
         if (event.key() != Qt::Key_Shift)
-            m_cancelled = false;
+            m_canceled = false;
         return false;
     }
-    if (&event == m_passing) // the same press, at the next parent
+    if (&event == m_forwarded) // the same press, at the next parent
         return false;
     if (event.isAutoRepeat())
         return true;
     const bool always = event.modifiers().testFlag(Qt::ShiftModifier);
     const bool editing = inCellEditor(QApplication::focusWidget());
-    const bool cancels = !always && !m_cancelled && (editing || menuOrDialog(asked));
+    const bool cancels = !always && !m_canceled && (editing || menuOrDialog(target));
     const bool stops = !cancels || (!editing && m_driving());
-    m_cancelled = !stops;
+    m_canceled = !stops;
     if (cancels)
-        passOn(event);
+        forwardKey(event);
     if (stops)
         Q_EMIT pressed();
     return !cancels;
@@ -84,10 +84,10 @@ bool StopKey::filterKey(const QKeyEvent& event, const QWidget& asked)
 
 /// It reaches each parent in turn; the address may be another event's once this one has been dealt
 /// with.
-void StopKey::passOn(const QKeyEvent& event)
+void StopKey::forwardKey(const QKeyEvent& event)
 {
-    m_passing = &event;
+    m_forwarded = &event;
     QMetaObject::invokeMethod(
-        this, [this] { m_passing = nullptr; }, Qt::QueuedConnection);
+        this, [this] { m_forwarded = nullptr; }, Qt::QueuedConnection);
 }
 } // namespace ui

@@ -29,11 +29,11 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    bool filterKey(const QKeyEvent& event, const QWidget& asked);
-    void passOn(const QKeyEvent& event);
+    bool filterKey(const QKeyEvent& event, const QWidget& target);
+    void forwardKey(const QKeyEvent& event);
 
     std::function<bool()> m_driving;
-    bool m_cancelled = false;        ///< the latest Esc was left to an editor, menu or dialog
-    const void* m_passing = nullptr; ///< an event on its way up through parents
+    bool m_canceled = false;           ///< the latest Esc was left to an editor, menu or dialog
+    const void* m_forwarded = nullptr; ///< an event on its way up through parents
 };
 } // namespace ui

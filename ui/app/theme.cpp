@@ -11,23 +11,23 @@
 
 namespace ui {
 namespace {
-struct Colours {
+struct Colors {
     QRgb window, base, alternate, text, quiet, button, line, accent, onAccent, tip;
 };
-constexpr Colours lightColours{0xfff3f4f6, 0xffffffff, 0xfff8f9fb, 0xff1f2430, 0xff5d6675,
-                               0xffffffff, 0xffc9ced6, 0xff1d6ee6, 0xffffffff, 0xffffffff};
-constexpr Colours darkColours{0xff26292f, 0xff2d3138, 0xff31353d, 0xffe6e8ec, 0xffa3abb8,
-                              0xff353a43, 0xff4b515c, 0xff3d82ea, 0xffffffff, 0xff3a3f49};
+constexpr Colors lightColors{0xfff3f4f6, 0xffffffff, 0xfff8f9fb, 0xff1f2430, 0xff5d6675,
+                             0xffffffff, 0xffc9ced6, 0xff1d6ee6, 0xffffffff, 0xffffffff};
+constexpr Colors darkColors{0xff26292f, 0xff2d3138, 0xff31353d, 0xffe6e8ec, 0xffa3abb8,
+                            0xff353a43, 0xff4b515c, 0xff3d82ea, 0xffffffff, 0xff3a3f49};
 
 /// What cannot be used now: still to be read, but not taken for something that can.
-QColor faintText(const Colours& c)
+QColor faintText(const Colors& c)
 {
     QColor faint(c.text);
     faint.setAlphaF(0.5F);
     return faint;
 }
 
-QPalette paletteOf(const Colours& c)
+QPalette paletteOf(const Colors& c)
 {
     QPalette palette;
     const auto set = [&](QPalette::ColorRole role, QRgb rgb) {
@@ -86,9 +86,9 @@ QHeaderView::section {
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { padding: 2px 4px; min-height: 20px; }
 )";
 /// Fusion outlines a tick box a little darker than the window, which nobody sees on a dark one.
-class ClearBoxes final : public QProxyStyle {
+class CheckBoxStyle final : public QProxyStyle {
 public:
-    ClearBoxes()
+    CheckBoxStyle()
         : QProxyStyle(QStringLiteral("Fusion"))
     {}
 
@@ -134,9 +134,9 @@ QColor tone(Tone tone, const QPalette& palette)
 
 ThemeSwitch::ThemeSwitch(QObject* parent)
     : QObject(parent)
-    , m_desktop(new DesktopLook(this))
+    , m_desktop(new SystemTheme(this))
 {
-    connect(m_desktop, &DesktopLook::changed, this, [this] {
+    connect(m_desktop, &SystemTheme::changed, this, [this] {
         if (m_theme == session::Theme::System)
             show();
     });
@@ -148,17 +148,17 @@ void ThemeSwitch::apply(session::Theme theme)
     show();
 }
 
-bool ThemeSwitch::dark() const
+bool ThemeSwitch::usesDarkTheme() const
 {
     return m_theme == session::Theme::Dark ||
-           (m_theme == session::Theme::System && m_desktop->dark());
+           (m_theme == session::Theme::System && m_desktop->usesDarkTheme());
 }
 
 void ThemeSwitch::show()
 {
     // Every widget of every page is polished anew: a third of a second that nobody waits for when
     // "system" and the theme in use look alike.
-    if (m_shownDark != dark())
+    if (m_shownDark != usesDarkTheme())
         paint();
     Q_EMIT changed();
 }
@@ -166,13 +166,13 @@ void ThemeSwitch::show()
 void ThemeSwitch::paint()
 {
     if (!m_shownDark)
-        QApplication::setStyle(new ClearBoxes);
-    m_shownDark = dark();
-    QIcon::setThemeName(dark() ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));
-    const Colours& colours = dark() ? darkColours : lightColours;
-    QApplication::setPalette(paletteOf(colours));
+        QApplication::setStyle(new CheckBoxStyle);
+    m_shownDark = usesDarkTheme();
+    QIcon::setThemeName(usesDarkTheme() ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));
+    const Colors& colors = usesDarkTheme() ? darkColors : lightColors;
+    QApplication::setPalette(paletteOf(colors));
     // Set anew each time: rules with palette(...) are resolved when they are set.
-    const QColor faint = faintText(colours);
+    const QColor faint = faintText(colors);
     qApp->setStyleSheet(QString::fromLatin1(styleRules)
                             .replace(QLatin1String("@faint"), QStringLiteral("rgba(%1,%2,%3,%4)")
                                                                   .arg(faint.red())

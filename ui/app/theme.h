@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Light and dark: the program's palette, the few style rules above Fusion, the icons that fit, and
-// the colours that carry a meaning. Switchable while the program runs; "system" follows the
+// the colors that carry a meaning. Switchable while the program runs; "system" follows the
 // desktop. Main thread. Colours are asked for when painting, never kept.
 #pragma once
 
@@ -15,11 +15,11 @@
 namespace ui {
 enum class Tone : std::uint8_t { Good, Warn, Bad, Quiet, Accent };
 
-/// Readable on the base and window colours of this palette. Never the only sign of anything.
+/// Readable on the base and window colors of this palette. Never the only sign of anything.
 QColor tone(Tone tone, const QPalette& palette);
 bool isDark(const QPalette& palette);
 
-class DesktopLook;
+class SystemTheme;
 
 class ThemeSwitch final : public QObject {
     Q_OBJECT
@@ -37,10 +37,10 @@ Q_SIGNALS:
 private:
     void show();
     void paint();
-    bool dark() const;
+    bool usesDarkTheme() const;
 
     session::Theme m_theme = session::Theme::System;
-    DesktopLook* m_desktop;
+    SystemTheme* m_desktop;
     std::optional<bool> m_shownDark; ///< nothing before the first time
 };
 } // namespace ui

@@ -8,57 +8,57 @@ namespace {
 constexpr double margin = 0.025; ///< of the height, above and below
 }
 
-void AutoRange::take(double min, double max, base::Duration now)
+void AutoRange::update(double min, double max, base::Duration now)
 {
     if (m_fixed || !std::isfinite(min) || !std::isfinite(max) || min > max)
         return;
-    const AxisRange wanted = roundRange(min, max, m_unit);
+    const AxisRange required = roundRange(min, max, m_unit);
     const bool outside = min < m_range.low || max > m_range.high;
     if (!m_known || outside) {
-        m_range = wanted;
+        m_range = required;
         m_known = true;
-        m_tooTallSince.reset();
+        m_oversizedSince.reset();
         return;
     }
-    if (wanted.size() > m_range.size() / 2) {
-        m_tooTallSince.reset();
+    if (required.size() > m_range.size() / 2) {
+        m_oversizedSince.reset();
         return;
     }
-    if (!m_tooTallSince)
-        m_tooTallSince = now;
-    if (now - *m_tooTallSince < patience)
+    if (!m_oversizedSince)
+        m_oversizedSince = now;
+    if (now - *m_oversizedSince < shrinkDelay)
         return;
-    m_range = wanted;
-    m_tooTallSince.reset();
+    m_range = required;
+    m_oversizedSince.reset();
 }
 
-void AutoRange::settle(double min, double max)
+void AutoRange::setNow(double min, double max)
 {
     if (m_fixed || !std::isfinite(min) || !std::isfinite(max) || min > max)
         return;
     m_range = roundRange(min, max, m_unit);
     m_known = true;
-    m_tooTallSince.reset();
+    m_oversizedSince.reset();
 }
 
-void AutoRange::fix(const AxisRange& range)
+void AutoRange::setFixed(const AxisRange& range)
 {
-    const double least = 1e-9 * std::max(1.0, std::abs(range.low));
-    if (!std::isfinite(range.low) || !std::isfinite(range.high) || range.size() < least ||
+    const double minSize = 1e-9 * std::max(1.0, std::abs(range.low));
+    if (!std::isfinite(range.low) || !std::isfinite(range.high) || range.size() < minSize ||
         range.size() > 1e15)
         return;
     m_range = range;
     m_fixed = m_known = true;
-    m_tooTallSince.reset();
+    m_oversizedSince.reset();
 }
 
-void AutoRange::release()
+void AutoRange::setAutomatic()
 {
     m_known = m_known && !m_fixed;
     m_fixed = false;
 }
 
-AxisRange AutoRange::shown() const
+AxisRange AutoRange::paddedRange() const
 {
     if (m_fixed)
         return m_range;

@@ -12,24 +12,24 @@
 namespace ui {
 class AutoRange {
 public:
-    static constexpr base::Duration patience = std::chrono::seconds(2);
+    static constexpr base::Duration shrinkDelay = std::chrono::seconds(2);
 
     explicit AutoRange(QString unit = {})
         : m_unit(std::move(unit))
     {}
 
     /// What is in view now; `now` only ever grows. Nothing is done while it is fixed.
-    void take(double min, double max, base::Duration now);
+    void update(double min, double max, base::Duration now);
     /// As take(), but without patience: another view was asked for.
-    void settle(double min, double max);
+    void setNow(double min, double max);
 
-    void fix(const AxisRange& range);
-    void release();
-    bool fixed() const { return m_fixed; }
+    void setFixed(const AxisRange& range);
+    void setAutomatic();
+    bool isFixed() const { return m_fixed; }
 
     const QString& unit() const { return m_unit; }
     /// A little more than round, so that no curve runs on the edge.
-    AxisRange shown() const;
+    AxisRange paddedRange() const;
     /// Between the lines of the grid, for a plot of this height.
     double step(bool tall) const;
 
@@ -38,6 +38,6 @@ private:
     AxisRange m_range; ///< round, unless fixed
     bool m_known = false;
     bool m_fixed = false;
-    std::optional<base::Duration> m_tooTallSince;
+    std::optional<base::Duration> m_oversizedSince;
 };
 } // namespace ui

@@ -11,20 +11,20 @@ constexpr double minute = 60;
 constexpr double hour = 3600;
 constexpr double tiny = 1e-9;
 
-double decimalStep(double least)
+double decimalStep(double minStep)
 {
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    const double power = std::pow(10.0, std::floor(std::log10(minStep)));
     for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
-        if (factor * power >= least * (1 - tiny))
+        if (factor * power >= minStep * (1 - tiny))
             return factor * power;
     }
     return 10 * power;
 }
 
 template <std::size_t N>
-double listedStep(const std::array<double, N>& steps, double least)
+double listedStep(const std::array<double, N>& steps, double minStep)
 {
-    const auto found = std::lower_bound(steps.begin(), steps.end(), least * (1 - tiny));
+    const auto found = std::lower_bound(steps.begin(), steps.end(), minStep * (1 - tiny));
     return found != steps.end() ? *found : 0;
 }
 
@@ -59,7 +59,7 @@ QString clockText(double seconds, int decimals)
 }
 
 /// The least height of an axis. A signal that is constant shows as a line, its noise as little.
-double leastHeight(const QString& unit, double middle)
+double minHeight(const QString& unit, double middle)
 {
     if (unit == QLatin1String("V"))
         return 2;
@@ -73,25 +73,25 @@ double leastHeight(const QString& unit, double middle)
 }
 } // namespace
 
-double valueStep(double span, int most, const QString& unit)
+double valueStep(double span, int maxParts, const QString& unit)
 {
     if (!std::isfinite(span) || span <= 0)
         return 1;
-    const double least = span / std::max(most, 1);
+    const double minStep = span / std::max(maxParts, 1);
     const double listed =
-        unit == QStringLiteral("°") && least > 2 ? listedStep(angleSteps, least) : 0;
-    return listed > 0 ? listed : decimalStep(least);
+        unit == QStringLiteral("°") && minStep > 2 ? listedStep(angleSteps, minStep) : 0;
+    return listed > 0 ? listed : decimalStep(minStep);
 }
 
-double timeStep(double seconds, int most)
+double timeStep(double seconds, int maxParts)
 {
     if (!std::isfinite(seconds) || seconds <= 0)
         return 1;
-    const double least = seconds / std::max(most, 1);
-    if (least <= 0.5)
-        return decimalStep(least);
-    const double listed = listedStep(clockSteps, least);
-    return listed > 0 ? listed : std::ceil(least / (24 * hour)) * 24 * hour;
+    const double minStep = seconds / std::max(maxParts, 1);
+    if (minStep <= 0.5)
+        return decimalStep(minStep);
+    const double listed = listedStep(clockSteps, minStep);
+    return listed > 0 ? listed : std::ceil(minStep / (24 * hour)) * 24 * hour;
 }
 
 std::vector<double> ticks(const AxisRange& range, double step)
@@ -145,10 +145,10 @@ QString spanText(double seconds)
 AxisRange roundRange(double min, double max, const QString& unit)
 {
     const double middle = (min + max) / 2;
-    const double least = leastHeight(unit, middle);
-    if (max - min < least / 2) {
-        min = middle - least / 4;
-        max = middle + least / 4;
+    const double minStep = minHeight(unit, middle);
+    if (max - min < minStep / 2) {
+        min = middle - minStep / 4;
+        max = middle + minStep / 4;
     }
     double step = valueStep(max - min, axisDivisions, unit);
     for (int tries = 0; tries < 8; ++tries) {

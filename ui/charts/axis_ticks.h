@@ -16,9 +16,9 @@ struct AxisRange {
 };
 
 /// The smallest round step that divides `span` into at most `most` parts. Angles like 15, 30, 45.
-double valueStep(double span, int most, const QString& unit);
+double valueStep(double span, int maxParts, const QString& unit);
 /// As above, on the clock: 10 ms, 1 s, 15 s, 5 min, 2 h …
-double timeStep(double seconds, int most);
+double timeStep(double seconds, int maxParts);
 /// The multiples of `step` within the range; a hundred at most.
 std::vector<double> ticks(const AxisRange& range, double step);
 

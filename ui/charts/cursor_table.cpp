@@ -29,10 +29,10 @@ double sizeOf(const CursorReading& reading)
     return std::max(span, height * 1e-3);
 }
 
-QIcon chip(const QColor& colour)
+QIcon chip(const QColor& color)
 {
     QPixmap pixmap(10, 10);
-    pixmap.fill(colour);
+    pixmap.fill(color);
     return QIcon(pixmap);
 }
 } // namespace
@@ -93,8 +93,8 @@ void CursorTable::retranslate()
 /// As high as its rows, but no more than a few.
 void CursorTable::fitHeight()
 {
-    constexpr int mostRows = 6;
-    const int rows = std::clamp(m_table->rowCount(), 1, mostRows);
+    constexpr int maxRows = 6;
+    const int rows = std::clamp(m_table->rowCount(), 1, maxRows);
     m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() +
                             rows * m_table->verticalHeader()->defaultSectionSize() + 4);
 }
@@ -163,8 +163,8 @@ void CursorTable::fillRow(int row, const TrendChannel& channel, const CursorRead
         if (item->text() != texts[column])
             item->setText(texts[column]);
     }
-    const QColor ground = palette().color(QPalette::Base);
-    m_table->item(row, Name)->setIcon(chip(trendColourOn(channel.colour, ground)));
+    const QColor background = palette().color(QPalette::Base);
+    m_table->item(row, Name)->setIcon(chip(trendColorOn(channel.color, background)));
 }
 
 QString CursorTable::text() const

@@ -7,13 +7,13 @@
 
 namespace ui {
 namespace {
-constexpr double leastContrast = 3.0;
+constexpr double minContrast = 3.0;
 
-struct Twins {
+struct ColorPair {
     QRgb onLight, onDark;
 };
 // Blue, orange, green, purple, sky, vermilion, yellow, grey.
-constexpr std::array<Twins, trendColourCount> colours{{
+constexpr std::array<ColorPair, trendColorCount> colors{{
     {0xff0a62c4, 0xff4c9bff},
     {0xffb06f00, 0xffe9a52b},
     {0xff008060, 0xff2fbf95},
@@ -24,19 +24,19 @@ constexpr std::array<Twins, trendColourCount> colours{{
     {0xff5d6675, 0xffa9b1bd},
 }};
 
-bool isDarkGround(const QColor& ground)
+bool isDarkBackground(const QColor& background)
 {
-    return contrast(ground, Qt::white) > contrast(ground, Qt::black);
+    return contrast(background, Qt::white) > contrast(background, Qt::black);
 }
 
-double luminance(const QColor& colour)
+double luminance(const QColor& color)
 {
     const auto linear = [](float part) {
         const double v = double(part);
         return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
     };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
-           0.0722 * linear(colour.blueF());
+    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+           0.0722 * linear(color.blueF());
 }
 } // namespace
 
@@ -47,25 +47,26 @@ double contrast(const QColor& one, const QColor& other)
     return std::max(a, b) / std::min(a, b);
 }
 
-QColor trendColour(int index, const QColor& ground)
+QColor trendColor(int index, const QColor& background)
 {
-    const int place = ((index % trendColourCount) + trendColourCount) % trendColourCount;
-    const Twins& twins = colours[std::size_t(place)];
-    return QColor(isDarkGround(ground) ? twins.onDark : twins.onLight);
+    const int slot = ((index % trendColorCount) + trendColorCount) % trendColorCount;
+    const ColorPair& pair = colors[std::size_t(slot)];
+    return QColor(isDarkBackground(background) ? pair.onDark : pair.onLight);
 }
 
-QColor trendColourOn(const QColor& wanted, const QColor& ground)
+QColor trendColorOn(const QColor& requested, const QColor& background)
 {
-    for (int i = 0; i < trendColourCount; ++i) {
-        const Twins& twins = colours[std::size_t(i)];
-        if (wanted.rgb() == twins.onLight || wanted.rgb() == twins.onDark)
-            return trendColour(i, ground);
+    for (int i = 0; i < trendColorCount; ++i) {
+        const ColorPair& pair = colors[std::size_t(i)];
+        if (requested.rgb() == pair.onLight || requested.rgb() == pair.onDark)
+            return trendColor(i, background);
     }
-    QColor shown = wanted.isValid() ? wanted.toRgb() : trendColour(0, ground);
-    const QColor end = isDarkGround(ground) ? Qt::white : Qt::black;
-    for (int percent = 5; contrast(shown, ground) < leastContrast && percent <= 100; percent += 5) {
+    QColor shown = requested.isValid() ? requested.toRgb() : trendColor(0, background);
+    const QColor end = isDarkBackground(background) ? Qt::white : Qt::black;
+    for (int percent = 5; contrast(shown, background) < minContrast && percent <= 100;
+         percent += 5) {
         const auto mix = [&](int from, int to) { return from + (to - from) * percent / 100; };
-        const QColor from = wanted.toRgb();
+        const QColor from = requested.toRgb();
         shown = QColor(mix(from.red(), end.red()), mix(from.green(), end.green()),
                        mix(from.blue(), end.blue()));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colours of curves that stay apart for colour-blind eyes (after Okabe and Ito) and stand out from
+// Colours of curves that stay apart for color-blind eyes (after Okabe and Ito) and stand out from
 // the plot's ground by at least 3:1, on light and on dark. Pure functions; ask when painting, since
 // the theme may change at any time.
 #pragma once
@@ -7,14 +7,14 @@
 #include <QColor>
 
 namespace ui {
-constexpr int trendColourCount = 8; ///< 7 is the grey one, for goals and other company
+constexpr int trendColorCount = 8; ///< 7 is the grey one, for goals and other company
 
 /// Any number; after the last comes the first again.
-QColor trendColour(int index, const QColor& ground);
+QColor trendColor(int index, const QColor& background);
 
 /// What to draw `wanted` with on this ground: one of ours becomes its twin of the right theme, any
 /// other is made lighter or darker until it is seen.
-QColor trendColourOn(const QColor& wanted, const QColor& ground);
+QColor trendColorOn(const QColor& requested, const QColor& background);
 
 /// As WCAG counts it, 1 … 21.
 double contrast(const QColor& one, const QColor& other);

@@ -11,13 +11,13 @@ bool TimeView::advance(Duration now)
     m_now = now;
     if (!m_following)
         return false;
-    const Duration wide = width();
+    const Duration clampedWidth = width();
     const record::TimeSpan before = m_span;
-    m_span = {now - wide, now};
+    m_span = {now - clampedWidth, now};
     return !(m_span == before);
 }
 
-void TimeView::follow(bool on)
+void TimeView::setFollowing(bool on)
 {
     m_following = on;
     if (on)
@@ -29,49 +29,54 @@ void TimeView::show(record::TimeSpan span)
     m_following = false;
     if (span.to < span.from)
         std::swap(span.from, span.to);
-    const Duration wanted = span.to - span.from;
-    const Duration wide = std::clamp(wanted, narrowest, widest);
-    const Duration middle = span.from + wanted / 2;
-    m_span = wanted == wide ? span : record::TimeSpan{middle - wide / 2, middle - wide / 2 + wide};
+    const Duration requested = span.to - span.from;
+    const Duration clampedWidth = std::clamp(requested, minWidth, maxWidth);
+    const Duration middle = span.from + requested / 2;
+    m_span = requested == clampedWidth ? span
+                                       : record::TimeSpan{middle - clampedWidth / 2,
+                                                          middle - clampedWidth / 2 + clampedWidth};
 }
 
-void TimeView::setWidth(Duration wanted)
+void TimeView::setWidth(Duration requested)
 {
-    const Duration wide = std::clamp(wanted, narrowest, widest);
-    const Duration from = m_following ? m_span.to - wide : m_span.from + (width() - wide) / 2;
-    m_span = {from, from + wide};
+    const Duration clampedWidth = std::clamp(requested, minWidth, maxWidth);
+    const Duration from =
+        m_following ? m_span.to - clampedWidth : m_span.from + (width() - clampedWidth) / 2;
+    m_span = {from, from + clampedWidth};
 }
 
 void TimeView::zoom(double factor, double place)
 {
-    const double pinned = m_following ? 1 : place;
-    const auto wanted = Duration(std::int64_t(double(width().count()) * factor));
-    const Duration wide = std::clamp(wanted, narrowest, widest);
-    const Duration still = at(pinned);
-    const Duration from = still - Duration(std::int64_t(double(wide.count()) * pinned));
-    m_span = {m_following ? m_span.to - wide : from, m_following ? m_span.to : from + wide};
+    const double fixedFraction = m_following ? 1 : place;
+    const auto requested = Duration(std::int64_t(double(width().count()) * factor));
+    const Duration clampedWidth = std::clamp(requested, minWidth, maxWidth);
+    const Duration still = timeAt(fixedFraction);
+    const Duration from =
+        still - Duration(std::int64_t(double(clampedWidth.count()) * fixedFraction));
+    m_span = {m_following ? m_span.to - clampedWidth : from,
+              m_following ? m_span.to : from + clampedWidth};
 }
 
-void TimeView::panBy(Duration by, const std::optional<record::TimeSpan>& kept)
+void TimeView::panBy(Duration by, const std::optional<record::TimeSpan>& bounds)
 {
     m_following = false;
-    const Duration wide = width();
+    const Duration clampedWidth = width();
     Duration from = m_span.from + by;
-    if (kept) {
-        const Duration least = wide / 10;
-        const Duration earliest = std::min(kept->from + least - wide, m_span.from);
-        const Duration latest = std::max(kept->to - least, m_span.from);
+    if (bounds) {
+        const Duration least = clampedWidth / 10;
+        const Duration earliest = std::min(bounds->from + least - clampedWidth, m_span.from);
+        const Duration latest = std::max(bounds->to - least, m_span.from);
         from = std::clamp(from, earliest, latest);
     }
-    m_span = {from, from + wide};
+    m_span = {from, from + clampedWidth};
 }
 
-Duration TimeView::at(double place) const
+Duration TimeView::timeAt(double place) const
 {
     return m_span.from + Duration(std::int64_t(double(width().count()) * place));
 }
 
-double TimeView::place(Duration at) const
+double TimeView::fractionOf(Duration at) const
 {
     return double((at - m_span.from).count()) / double(width().count());
 }

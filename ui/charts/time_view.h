@@ -8,10 +8,10 @@
 namespace ui {
 class TimeView {
 public:
-    static constexpr base::Duration narrowest = std::chrono::milliseconds(1);
-    static constexpr base::Duration widest = std::chrono::hours(24 * 30);
+    static constexpr base::Duration minWidth = std::chrono::milliseconds(1);
+    static constexpr base::Duration maxWidth = std::chrono::hours(24 * 30);
 
-    bool following() const { return m_following; }
+    bool isFollowing() const { return m_following; }
     base::Duration now() const { return m_now; }
     base::Duration width() const { return m_span.to - m_span.from; }
     const record::TimeSpan& span() const { return m_span; }
@@ -19,7 +19,7 @@ public:
     /// True when what is shown has changed.
     bool advance(base::Duration now);
     /// Off: the picture stays as it is.
-    void follow(bool on);
+    void setFollowing(bool on);
     /// Stops following.
     void show(record::TimeSpan span);
     /// The right edge stays while following, otherwise the middle.
@@ -28,10 +28,10 @@ public:
     /// edge.
     void zoom(double factor, double place);
     /// Stops following. The picture keeps at least a tenth of `kept` (what there is to be seen).
-    void panBy(base::Duration by, const std::optional<record::TimeSpan>& kept);
+    void panBy(base::Duration by, const std::optional<record::TimeSpan>& bounds);
 
-    base::Duration at(double place) const;
-    double place(base::Duration at) const;
+    base::Duration timeAt(double place) const;
+    double fractionOf(base::Duration at) const;
 
 private:
     bool m_following = true;

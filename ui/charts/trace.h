@@ -24,22 +24,22 @@ struct TraceFrame {
     double y(double value) const { return (high - value) * height / (high - low); }
 };
 
-struct TraceLook {
+struct TraceStyle {
     record::ChannelId id = -1;
-    QRgb colour = 0xff000000;
+    QRgb color = 0xff000000;
     bool steps = false;
     double scale = 1;
     double offset = 0;
     double low = 0; ///< of its axis
     double high = 1;
-    bool operator==(const TraceLook&) const = default;
+    bool operator==(const TraceStyle&) const = default;
 
     double shown(double value) const { return value * scale + offset; }
 };
 
 /// Its min/max columns in a stretch of time.
 struct Trace {
-    TraceLook look;
+    TraceStyle style;
     std::vector<record::SampleColumn> columns;
 };
 } // namespace ui

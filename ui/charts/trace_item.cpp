@@ -12,7 +12,7 @@ namespace {
 constexpr double penWidth = 1.5; ///< logical pixels
 constexpr int partWidth = 768;   ///< device pixels made anew in one go while there is haste
 constexpr int coarseColumn = 2;  ///< pixels
-constexpr int wide = TraceRaster::reach + 1;
+constexpr int wide = TraceRaster::neighborColumns + 1;
 
 /// Moves the picture, to the left if positive. What comes in is empty.
 void scrollImage(QImage& image, int by)
@@ -43,9 +43,9 @@ std::optional<QLineF> clipped(const QLineF& line, const QRectF& frame)
 }
 
 /// The pieces of a curve between its gaps and the plot's edges, as lines on the paper.
-class LineMaker {
+class LineBuilder {
 public:
-    LineMaker(QPainter* painter, const Trace& trace, const TraceFrame& frame)
+    LineBuilder(QPainter* painter, const Trace& trace, const TraceFrame& frame)
         : m_painter(painter)
         , m_trace(trace)
         , m_frame(frame)
@@ -57,17 +57,17 @@ public:
             const bool known = std::isfinite(column.min) && std::isfinite(column.max) &&
                                std::isfinite(column.first) && std::isfinite(column.last);
             if (column.gapBefore || !known)
-                leave();
+                finishLine();
             if (known)
                 add(column);
         }
-        leave();
+        finishLine();
     }
 
 private:
     void add(const record::SampleColumn& column)
     {
-        if (m_trace.look.steps && m_at)
+        if (m_trace.style.steps && m_at)
             point(column.from, m_last);
         point(column.from, column.first);
         const base::Duration middle = column.from + (column.to - column.from) / 2;
@@ -81,7 +81,7 @@ private:
 
     void point(base::Duration at, double value)
     {
-        const QPointF place(m_frame.x(at), m_frame.y(m_trace.look.shown(value)));
+        const QPointF place(m_frame.x(at), m_frame.y(m_trace.style.shown(value)));
         const QRectF paper(0, 0, m_frame.width, m_frame.height);
         const std::optional<QLineF> seen = clipped(QLineF(m_at.value_or(place), place), paper);
         m_at = place;
@@ -95,7 +95,7 @@ private:
             m_points << seen->p2();
     }
 
-    void leave()
+    void finishLine()
     {
         finish();
         m_at.reset();
@@ -134,7 +134,7 @@ void TraceItem::setPlot(const QRectF& plot)
     m_plot = plot;
 }
 
-void TraceItem::forget()
+void TraceItem::clear()
 {
     m_image.pixels = {};
     m_image.valid = {};
@@ -143,33 +143,33 @@ void TraceItem::forget()
     update();
 }
 
-void TraceItem::show(const record::SampleStore* store, const std::vector<TraceLook>& looks,
-                     const record::TimeSpan& span, double ratio, bool hasty)
+void TraceItem::show(const record::SampleStore* store, const std::vector<TraceStyle>& styles,
+                     const record::TimeSpan& span, double ratio, bool coarseUpdates)
 {
     m_span = span;
     m_ratio = ratio;
-    m_traces.resize(looks.size());
-    for (std::size_t i = 0; i < looks.size(); ++i)
-        m_traces[i].look = looks[i];
+    m_traces.resize(styles.size());
+    for (std::size_t i = 0; i < styles.size(); ++i)
+        m_traces[i].style = styles[i];
     update();
     const QSize size = (m_plot.size() * ratio).toSize();
     if (store == nullptr || size.isEmpty() || span.to <= span.from) {
-        forget();
+        clear();
         return;
     }
     if (m_paper) {
         fetch(*store, span, m_plot.width());
         return;
     }
-    shift(*store, looks, span, size);
-    m_coarse = (hasty || m_coarse) && m_image.missing() > partWidth / 4;
+    shift(*store, styles, span, size);
+    m_coarse = (coarseUpdates || m_coarse) && m_image.missing() > partWidth / 4;
     if (m_coarse)
         paintCoarse(*store);
     else
         complete(*store, size.width());
 }
 
-void TraceItem::sharpen(const record::SampleStore& store)
+void TraceItem::refine(const record::SampleStore& store)
 {
     complete(store, partWidth);
     m_coarse = m_image.missing() > 0;
@@ -183,7 +183,7 @@ base::Duration TraceItem::Image::at(int x) const
 }
 
 /// Moves what has been painted to its place and sees how much of it still holds.
-void TraceItem::shift(const record::SampleStore& store, const std::vector<TraceLook>& looks,
+void TraceItem::shift(const record::SampleStore& store, const std::vector<TraceStyle>& styles,
                       const record::TimeSpan& span, const QSize& size)
 {
     const int width = size.width();
@@ -195,15 +195,15 @@ void TraceItem::shift(const record::SampleStore& store, const std::vector<TraceL
     const std::int64_t first = std::int64_t(std::ceil(double(span.to.count()) / perPixel)) - width;
     const std::int64_t by = first - m_image.first;
     PixelRange& valid = m_image.valid;
-    if (m_image.perPixel != perPixel || m_image.looks != looks || std::abs(by) >= width)
+    if (m_image.perPixel != perPixel || m_image.styles != styles || std::abs(by) >= width)
         valid = {};
     m_image.first = first;
     m_image.perPixel = perPixel;
-    m_image.looks = looks;
+    m_image.styles = styles;
     if (!valid.empty() && by != 0) {
         scrollImage(m_image.pixels, int(by));
-        const int from = by < 0 ? TraceRaster::reach : 0; // its neighbours were not known
-        const int to = by > 0 ? width - TraceRaster::reach : width;
+        const int from = by < 0 ? TraceRaster::neighborColumns : 0; // its neighbors were not known
+        const int to = by > 0 ? width - TraceRaster::neighborColumns : width;
         valid = {std::max(valid.from, from) - int(by), std::min(valid.to, to) - int(by)};
         valid = {std::max(valid.from, 0), std::min(valid.to, width)};
     }
@@ -211,9 +211,9 @@ void TraceItem::shift(const record::SampleStore& store, const std::vector<TraceL
         valid.to = std::min(valid.to, upToDate(store));
     if (valid.empty())
         valid = {width, width};
-    m_image.latest.resize(looks.size());
-    for (std::size_t i = 0; i < looks.size(); ++i)
-        m_image.latest[i] = store.latest(looks[i].id);
+    m_image.latest.resize(styles.size());
+    for (std::size_t i = 0; i < styles.size(); ++i)
+        m_image.latest[i] = store.latest(styles[i].id);
 }
 
 /// The pixels before the sample that was the latest of its channel when the picture was made.
@@ -221,14 +221,14 @@ int TraceItem::upToDate(const record::SampleStore& store) const
 {
     const int width = m_image.pixels.width();
     int to = width;
-    for (std::size_t i = 0; i < m_image.looks.size(); ++i) {
-        const auto latest = store.latest(m_image.looks[i].id);
+    for (std::size_t i = 0; i < m_image.styles.size(); ++i) {
+        const auto latest = store.latest(m_image.styles[i].id);
         const auto& before = m_image.latest[i];
         if (latest == before)
             continue;
         const double from = before && latest && latest->at >= before->at
                                 ? double(before->at.count()) / m_image.perPixel -
-                                      double(m_image.first) - TraceRaster::reach
+                                      double(m_image.first) - TraceRaster::neighborColumns
                                 : 0;
         to = std::min(to, int(std::clamp(from, 0.0, double(width))));
     }
@@ -236,14 +236,14 @@ int TraceItem::upToDate(const record::SampleStore& store) const
 }
 
 /// What is missing at the right, where time goes on, and then at the left.
-void TraceItem::complete(const record::SampleStore& store, int most)
+void TraceItem::complete(const record::SampleStore& store, int maxColumns)
 {
     const int width = m_image.pixels.width();
     PixelRange& valid = m_image.valid;
-    const int right = std::min(width - valid.to, most);
+    const int right = std::min(width - valid.to, maxColumns);
     paintPart(store, {valid.to, valid.to + right});
     valid.to += right;
-    const int left = std::min(valid.from, most - right);
+    const int left = std::min(valid.from, maxColumns - right);
     paintPart(store, {valid.from - left, valid.from});
     valid.from -= left;
 }
@@ -279,7 +279,7 @@ void TraceItem::paintCoarse(const record::SampleStore& store)
 void TraceItem::fetch(const record::SampleStore& store, const record::TimeSpan& span, double pixels)
 {
     for (Trace& trace : m_traces)
-        store.columns(trace.look.id, span, std::max(int(std::ceil(pixels)), 2), trace.columns);
+        store.columns(trace.style.id, span, std::max(int(std::ceil(pixels)), 2), trace.columns);
 }
 
 void TraceItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*)
@@ -306,9 +306,9 @@ void TraceItem::paintLines(QPainter* painter) const
     painter->setRenderHint(QPainter::Antialiasing);
     for (const Trace& trace : m_traces) {
         painter->setPen(
-            QPen(QColor(trace.look.colour), penWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        LineMaker(painter, trace,
-                  {m_span, trace.look.low, trace.look.high, m_plot.width(), m_plot.height()})
+            QPen(QColor(trace.style.color), penWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        LineBuilder(painter, trace,
+                    {m_span, trace.style.low, trace.style.high, m_plot.width(), m_plot.height()})
             .paint();
     }
     painter->restore();

@@ -17,16 +17,16 @@ public:
 
     void setPlot(const QRectF& plot);
     void setPaper(bool on) { m_paper = on; } ///< lines instead of an image
-    void forget();                           ///< another store: nothing is kept
+    void clear();                            ///< another store: nothing is kept
 
     /// Looks into the store. `ratio`: device pixels a logical one. `hasty`: the next change is
     /// expected at once.
-    void show(const record::SampleStore* store, const std::vector<TraceLook>& looks,
-              const record::TimeSpan& span, double ratio, bool hasty);
+    void show(const record::SampleStore* store, const std::vector<TraceStyle>& styles,
+              const record::TimeSpan& span, double ratio, bool coarseUpdates);
     /// What is seen is the coarse image; sharpen() is wanted.
-    bool coarse() const { return m_coarse; }
+    bool isCoarse() const { return m_coarse; }
     /// Makes a part of the fine image, of the samples and the view of the latest show().
-    void sharpen(const record::SampleStore& store);
+    void refine(const record::SampleStore& store);
 
     QRectF boundingRect() const override { return m_plot; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -37,17 +37,17 @@ private:
         PixelRange valid;       ///< painted, and as the samples are
         double perPixel = 0;    ///< µs
         std::int64_t first = 0; ///< pixel at its left, counted from instant 0
-        std::vector<TraceLook> looks;
+        std::vector<TraceStyle> styles;
         std::vector<std::optional<record::SamplePoint>> latest; ///< when it was painted
 
         int missing() const { return pixels.width() - (valid.to - valid.from); }
         base::Duration at(int x) const;
     };
 
-    void shift(const record::SampleStore& store, const std::vector<TraceLook>& looks,
+    void shift(const record::SampleStore& store, const std::vector<TraceStyle>& styles,
                const record::TimeSpan& span, const QSize& size);
     int upToDate(const record::SampleStore& store) const;
-    void complete(const record::SampleStore& store, int most);
+    void complete(const record::SampleStore& store, int maxColumns);
     void paintPart(const record::SampleStore& store, PixelRange part);
     void paintCoarse(const record::SampleStore& store);
     void fetch(const record::SampleStore& store, const record::TimeSpan& span, double pixels);

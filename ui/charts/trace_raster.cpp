@@ -34,28 +34,29 @@ void TraceRaster::paint(QImage& image, const std::vector<Trace>& traces,
                         const record::TimeSpan& span, Pen pen, PixelRange part)
 {
     m_part = {std::max(part.from, 0), std::min(part.to, image.width())};
-    m_wide = {std::max(m_part.from - reach, 0), std::min(m_part.to + reach, image.width())};
+    m_wide = {std::max(m_part.from - neighborColumns, 0),
+              std::min(m_part.to + neighborColumns, image.width())};
     if (m_part.empty())
         return;
     m_runs.resize(std::max(m_runs.size(), traces.size()));
     for (std::size_t i = 0; i < traces.size(); ++i) {
-        const TraceLook& look = traces[i].look;
+        const TraceStyle& look = traces[i].style;
         reset(m_runs[i]);
         collect(m_runs[i], traces[i],
                 {span, look.low, look.high, double(image.width()), double(image.height())});
         widen(m_runs[i], int(pen.width - 1) / 2);
         roundOff(m_runs[i], pen, image.height());
     }
-    coverUp(traces.size());
+    updateCover(traces.size());
     clear(image);
     for (int from = m_part.from; from < m_part.to; from += block) {
         const PixelRange range{from, std::min(from + block, m_part.to)};
         for (std::size_t i = 0; i < traces.size(); ++i) {
-            const QRgb colour = traces[i].look.colour;
+            const QRgb color = traces[i].style.color;
             if (pen.smooth)
-                blendEnds(image, colour, m_runs[i], range);
-            fill(image, colour, m_runs[i].upper, range);
-            fill(image, colour, m_runs[i].lower, range);
+                blendEnds(image, color, m_runs[i], range);
+            fill(image, color, m_runs[i].upper, range);
+            fill(image, color, m_runs[i].lower, range);
         }
     }
 }
@@ -82,7 +83,7 @@ void TraceRaster::reset(Runs& runs) const
 void TraceRaster::collect(Runs& runs, const Trace& trace, const TraceFrame& frame) const
 {
     const auto y = [&](double value) {
-        return std::clamp(frame.y(trace.look.shown(value)), -farAway, farAway);
+        return std::clamp(frame.y(trace.style.shown(value)), -farAway, farAway);
     };
     const auto x = [&](base::Duration at) { return frame.x(at) - m_wide.from; };
     const record::SampleColumn* before = nullptr;
@@ -96,14 +97,14 @@ void TraceRaster::collect(Runs& runs, const Trace& trace, const TraceFrame& fram
         const double right = x(column.to);
         if (before != nullptr && !column.gapBefore) {
             const double fromY = y(before->last);
-            line(runs, x(before->to), fromY, left, trace.look.steps ? fromY : y(column.first));
-            if (trace.look.steps)
+            line(runs, x(before->to), fromY, left, trace.style.steps ? fromY : y(column.first));
+            if (trace.style.steps)
                 run(runs, left, left, fromY, y(column.first));
         } else if (i + 1 == trace.columns.size() || trace.columns[i + 1].gapBefore) {
             run(runs, left - 1, left + 1, y(column.first), y(column.first)); // alone: a dot
         }
         const auto [low, high] = std::minmax(column.first, column.last);
-        if (!trace.look.steps && column.min >= low && column.max <= high) // smooth, where it is
+        if (!trace.style.steps && column.min >= low && column.max <= high) // smooth, where it is
             line(runs, left, y(column.first), right, y(column.last));
         else
             run(runs, left, right, y(column.max), y(column.min));
@@ -180,7 +181,7 @@ void TraceRaster::roundOff(Runs& runs, Pen pen, int height)
 }
 
 /// Takes away what curves in front will cover, as far as that is one stretch; two pieces may stay.
-void TraceRaster::coverUp(std::size_t count)
+void TraceRaster::updateCover(std::size_t count)
 {
     const auto width = std::size_t(m_wide.to - m_wide.from);
     m_cover.first.assign(width, 0);
@@ -217,7 +218,7 @@ void TraceRaster::coverUp(std::size_t count)
 }
 
 /// Row by row, which the memory likes, unless there is little to fill.
-void TraceRaster::fill(QImage& image, QRgb colour, const Rows& rows, PixelRange range) const
+void TraceRaster::fill(QImage& image, QRgb color, const Rows& rows, PixelRange range) const
 {
     std::array<int, block> first;
     std::array<int, block> end;
@@ -251,20 +252,20 @@ void TraceRaster::fill(QImage& image, QRgb colour, const Rows& rows, PixelRange 
     if (covered * 6 < (bottom - top) * width) {
         for (int i = 0; i < width; ++i) {
             for (int y = first[std::size_t(i)]; y < end[std::size_t(i)]; ++y)
-                pixels[y * stride + i] = colour;
+                pixels[y * stride + i] = color;
         }
         return;
     }
     if (innerTop >= innerBottom)
         innerTop = innerBottom = bottom;
     std::array<QRgb, block> whole;
-    whole.fill(colour);
+    whole.fill(color);
     const auto ragged = [&](int from, int to) {
         for (int y = from; y < to; ++y) {
             std::array<QRgb, block> row; // of fixed length, for the compiler to work on in parallel
             std::memcpy(row.data(), pixels + y * stride, std::size_t(width) * sizeof(QRgb));
             for (std::size_t i = 0; i < block; ++i)
-                row[i] = (y >= first[i]) & (y < end[i]) ? colour : row[i];
+                row[i] = (y >= first[i]) & (y < end[i]) ? color : row[i];
             std::memcpy(pixels + y * stride, row.data(), std::size_t(width) * sizeof(QRgb));
         }
     };
@@ -274,7 +275,7 @@ void TraceRaster::fill(QImage& image, QRgb colour, const Rows& rows, PixelRange 
     ragged(innerBottom, bottom);
 }
 
-void TraceRaster::blendEnds(QImage& image, QRgb colour, const Runs& runs, PixelRange range) const
+void TraceRaster::blendEnds(QImage& image, QRgb color, const Runs& runs, PixelRange range) const
 {
     const auto stride = image.bytesPerLine() / qsizetype(sizeof(QRgb));
     auto* const pixels = reinterpret_cast<QRgb*>(image.bits());
@@ -282,7 +283,7 @@ void TraceRaster::blendEnds(QImage& image, QRgb colour, const Runs& runs, PixelR
         if (y < 0 || y >= image.height() || coverage <= 0)
             return;
         QRgb& pixel = pixels[y * stride + x];
-        pixel = blend(pixel, colour, int(coverage * 256));
+        pixel = blend(pixel, color, int(coverage * 256));
     };
     for (int x = range.from; x < range.to; ++x) {
         const auto i = std::size_t(x - m_wide.from);

@@ -18,8 +18,8 @@ struct PixelRange {
 
 class TraceRaster {
 public:
-    /// Columns of pixels that the neighbours of a part must be known for.
-    static constexpr int reach = 4;
+    /// Columns of pixels that the neighbors of a part must be known for.
+    static constexpr int neighborColumns = 4;
 
     struct Pen {
         double width = 1;   ///< pixels of the image
@@ -50,10 +50,10 @@ private:
     static void extend(Runs& runs, int x, double y0, double y1);
     void widen(Runs& runs, int by);
     static void roundOff(Runs& runs, Pen pen, int height);
-    void coverUp(std::size_t count);
+    void updateCover(std::size_t count);
     void clear(QImage& image) const;
-    void fill(QImage& image, QRgb colour, const Rows& rows, PixelRange range) const;
-    void blendEnds(QImage& image, QRgb colour, const Runs& runs, PixelRange range) const;
+    void fill(QImage& image, QRgb color, const Rows& rows, PixelRange range) const;
+    void blendEnds(QImage& image, QRgb color, const Runs& runs, PixelRange range) const;
 
     std::vector<Runs> m_runs;
     Rows m_cover;

@@ -53,10 +53,10 @@ TrendAxes::TrendAxes(QChart* chart)
     setZValue(5);
 }
 
-void TrendAxes::setColours(const TrendColours& colours)
+void TrendAxes::setColors(const TrendColors& colors)
 {
-    m_colours = colours;
-    const QPen grid(colours.grid, 1);
+    m_colors = colors;
+    const QPen grid(colors.grid, 1);
     m_timeAxis->setGridLinePen(grid);
     for (const ValueAxis& axis : m_values)
         axis.axis->setGridLinePen(grid);
@@ -78,7 +78,7 @@ TrendAxes::ValueAxis& TrendAxes::axisOf(const QString& unit)
     ValueAxis& made = m_values.emplace_back();
     made.range = AutoRange(unit);
     made.axis = makeAxis(m_chart, Qt::AlignLeft);
-    made.axis->setGridLinePen(QPen(m_colours.grid, 1));
+    made.axis->setGridLinePen(QPen(m_colors.grid, 1));
     made.axis->setVisible(false);
     return made;
 }
@@ -94,7 +94,7 @@ double TrendAxes::textWidth(const ValueAxis& axis) const
     const QFontMetricsF metrics(m_font);
     double widest = metrics.horizontalAdvance(axis.range.unit());
     const double step = axis.range.step(tall());
-    for (const double value : ticks(axis.range.shown(), step))
+    for (const double value : ticks(axis.range.paddedRange(), step))
         widest = std::max(widest, metrics.horizontalAdvance(valueText(value, step)));
     return std::ceil(widest / widthStep) * widthStep;
 }
@@ -150,7 +150,7 @@ void TrendAxes::show(const TimeView& view, base::Duration origin)
 
 void TrendAxes::showTime(const TimeView& view, base::Duration origin)
 {
-    const base::Duration zero = view.following() ? view.span().to : origin;
+    const base::Duration zero = view.isFollowing() ? view.span().to : origin;
     const auto seconds = [&](base::Duration at) { return double((at - zero).count()) / 1e6; };
     const AxisRange range{seconds(view.span().from), seconds(view.span().to)};
     const QFontMetricsF metrics(m_font);
@@ -176,7 +176,7 @@ void TrendAxes::showTime(const TimeView& view, base::Duration origin)
 void TrendAxes::showValues()
 {
     for (ValueAxis& axis : m_values) {
-        const AxisRange range = axis.range.shown();
+        const AxisRange range = axis.range.paddedRange();
         if (std::exchange(axis.painted, range) != range)
             update();
         if (axis.axis->isVisible())
@@ -197,13 +197,13 @@ void TrendAxes::chooseGrid()
     }
 }
 
-TrendAxes::ValueAxis* TrendAxes::axisAt(const QPointF& place)
+TrendAxes::ValueAxis* TrendAxes::axisAt(const QPointF& position)
 {
-    if (place.y() < m_plot.top() - 2 * gap || place.y() > m_plot.bottom() + gap)
+    if (position.y() < m_plot.top() - 2 * gap || position.y() > m_plot.bottom() + gap)
         return nullptr;
     for (ValueAxis& axis : m_values) {
-        if (axis.used && place.x() >= axis.edge - columnGap / 2 &&
-            place.x() <= axis.edge + axis.width + columnGap / 2)
+        if (axis.used && position.x() >= axis.edge - columnGap / 2 &&
+            position.x() <= axis.edge + axis.width + columnGap / 2)
             return &axis;
     }
     return nullptr;
@@ -222,7 +222,7 @@ void TrendAxes::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
 void TrendAxes::paintTime(QPainter* painter) const
 {
     const QFontMetricsF metrics(m_font);
-    painter->setPen(m_colours.quiet);
+    painter->setPen(m_colors.muted);
     const double baseline = m_plot.bottom() + gap + metrics.ascent();
     for (const double at : ticks(m_time, m_timeStep)) {
         const QString text = timeText(at, m_time, m_timeStep);
@@ -234,13 +234,13 @@ void TrendAxes::paintTime(QPainter* painter) const
 void TrendAxes::paintValues(QPainter* painter, const ValueAxis& axis) const
 {
     const QFontMetricsF metrics(m_font);
-    const AxisRange range = axis.range.shown();
+    const AxisRange range = axis.range.paddedRange();
     const double step = axis.range.step(tall());
     const auto write = [&](const QString& text, double baseline) {
         const double slack = axis.width - metrics.horizontalAdvance(text);
         painter->drawText(QPointF(axis.edge + (axis.left ? slack : 0), baseline), text);
     };
-    painter->setPen(axis.colour.isValid() ? axis.colour : m_colours.quiet);
+    painter->setPen(axis.color.isValid() ? axis.color : m_colors.muted);
     for (const double value : ticks(range, step)) {
         const double y = m_plot.bottom() - (value - range.low) / range.size() * m_plot.height();
         write(valueText(value, step), y + metrics.capHeight() / 2);

@@ -26,7 +26,7 @@ public:
         QValueAxis* axis = nullptr;
         bool left = true;
         bool used = false; ///< a visible channel is on it
-        QColor colour{};   ///< of its only channel; invalid: several
+        QColor color{};    ///< of its only channel; invalid: several
         double edge = 0;   ///< where its texts begin, next to the plot or outside of the one before
         double width = 0;
         AxisRange painted{};
@@ -34,7 +34,7 @@ public:
 
     explicit TrendAxes(QChart* chart);
 
-    void setColours(const TrendColours& colours);
+    void setColors(const TrendColors& colors);
     void setFont(const QFont& font);
     const QFont& font() const { return m_font; }
 
@@ -51,7 +51,7 @@ public:
     const AxisRange& time() const { return m_time; }
 
     /// The used axis whose texts are under this place.
-    ValueAxis* axisAt(const QPointF& place);
+    ValueAxis* axisAt(const QPointF& position);
 
     QRectF boundingRect() const override { return m_room; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -68,7 +68,7 @@ private:
     QChart* m_chart;
     QValueAxis* m_timeAxis;
     std::deque<ValueAxis> m_values;
-    TrendColours m_colours;
+    TrendColors m_colors;
     QFont m_font;
     QRectF m_room;
     QRectF m_plot;

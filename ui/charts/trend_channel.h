@@ -15,7 +15,7 @@ struct TrendChannel {
     QString key;  ///< stable, for presets: "1/present_position"; "error" rows: "1/error"
     QString name; ///< translated: "ID 1 · Present position"
     QString unit; ///< channels of one unit share an axis: "°", "rpm", "V" …; empty: plain number
-    QColor colour;
+    QColor color;
     bool visible = true;
     bool steps = false; ///< holds its value until the next sample: goals, flags
     double scale = 1.0; ///< drawn as value × scale + offset; cursors show the value itself
@@ -23,5 +23,5 @@ struct TrendChannel {
 };
 
 /// What a chart writes beside a mark, in the language of the moment.
-using MarkWords = std::function<QString(const record::Mark&)>;
+using MarkTextFunction = std::function<QString(const record::Mark&)>;
 } // namespace ui

@@ -23,7 +23,7 @@ TrendChart::TrendChart(QWidget* parent)
     layout->addWidget(m_private->overview);
     setFocusProxy(m_private->plot);
     m_private->connectAll();
-    m_private->takeColours();
+    m_private->updateColors();
     retranslate();
 }
 
@@ -32,10 +32,10 @@ TrendChart::~TrendChart() = default;
 void TrendChart::setStore(const record::SampleStore* store)
 {
     m_private->state().store = store;
-    m_private->control.forgetBack();
-    m_private->plot->picture().storeChanged();
+    m_private->control.clearViewHistory();
+    m_private->plot->picture().clearTraces();
     m_private->channelsChanged();
-    if (cursorsShown())
+    if (areCursorsVisible())
         Q_EMIT cursorsChanged();
 }
 
@@ -44,7 +44,7 @@ void TrendChart::setChannels(std::vector<TrendChannel> channels)
     m_private->state().channels = std::move(channels);
     m_private->channelsChanged();
     Q_EMIT channelsChanged();
-    if (cursorsShown())
+    if (areCursorsVisible())
         Q_EMIT cursorsChanged();
 }
 
@@ -56,28 +56,28 @@ const std::vector<TrendChannel>& TrendChart::channels() const
 void TrendChart::setMarks(const std::vector<record::Mark>* marks)
 {
     m_private->state().marks = marks;
-    m_private->frameSoon();
+    m_private->scheduleFrame();
 }
 
-void TrendChart::setMarkWords(MarkWords words)
+void TrendChart::setMarkTextFunction(MarkTextFunction words)
 {
-    m_private->state().markWords = std::move(words);
-    m_private->frameSoon();
+    m_private->state().markTextFunction = std::move(words);
+    m_private->scheduleFrame();
 }
 
 void TrendChart::setOrigin(Duration instant)
 {
     m_private->state().origin = instant;
-    m_private->frameSoon();
+    m_private->scheduleFrame();
 }
 
 void TrendChart::advance(Duration now)
 {
     if (m_private->state().view.advance(now))
-        m_private->frameSoon();
-    else if (isVisible() && !following())
+        m_private->scheduleFrame();
+    else if (isVisible() && !isFollowing())
         m_private->advanceOverview(); // recording goes on
-    m_private->cursorsGrow();
+    m_private->updateCursorReadings();
 }
 
 void TrendChart::flush()
@@ -85,9 +85,9 @@ void TrendChart::flush()
     m_private->flush();
 }
 
-bool TrendChart::following() const
+bool TrendChart::isFollowing() const
 {
-    return m_private->state().view.following();
+    return m_private->state().view.isFollowing();
 }
 
 Duration TrendChart::width() const
@@ -100,7 +100,7 @@ TimeSpan TrendChart::shown() const
     return m_private->state().view.span();
 }
 
-bool TrendChart::cursorsShown() const
+bool TrendChart::areCursorsVisible() const
 {
     return m_private->state().cursors.has_value();
 }
@@ -118,7 +118,7 @@ std::optional<std::pair<Duration, Duration>> TrendChart::cursorTimes() const
     const TrendState& state = m_private->state();
     if (!state.cursors)
         return {};
-    const Duration zero = following() ? shown().to : state.origin;
+    const Duration zero = isFollowing() ? shown().to : state.origin;
     return std::pair(state.cursors->first - zero, state.cursors->second - zero);
 }
 
@@ -146,12 +146,12 @@ std::vector<CursorReading> TrendChart::cursorReadings() const
 void TrendChart::setLive(bool live)
 {
     m_private->state().live = live;
-    m_private->control.forgetViews();
+    m_private->control.clearViewHistory();
     if (!live)
-        m_private->state().view.follow(false);
+        m_private->state().view.setFollowing(false);
 }
 
-void TrendChart::look(const TimeSpan& span)
+void TrendChart::setShownSpan(const TimeSpan& span)
 {
     m_private->control.drag(span);
 }
@@ -171,14 +171,14 @@ void TrendChart::show(const TimeSpan& span)
     m_private->control.show(span);
 }
 
-void TrendChart::fit()
+void TrendChart::zoomToFit()
 {
-    m_private->control.fit();
+    m_private->control.zoomToFit();
 }
 
 void TrendChart::zoomBack()
 {
-    m_private->control.back();
+    m_private->control.goBack();
 }
 
 void TrendChart::setCursorsShown(bool on)
@@ -213,7 +213,7 @@ void TrendChart::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange)
         retranslate();
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        m_private->takeColours();
+        m_private->updateColors();
     QWidget::changeEvent(event);
 }
 

@@ -34,7 +34,7 @@ public:
     void setChannels(std::vector<TrendChannel> channels);
     const std::vector<TrendChannel>& channels() const;
     void setMarks(const std::vector<record::Mark>* marks); ///< borrowed, in time order
-    void setMarkWords(MarkWords words);                    ///< without: the mark's own text
+    void setMarkTextFunction(MarkTextFunction words);      ///< without: the mark's own text
     /// Times on the axis count from here: 0 s is `instant` while not following; while following the
     /// right edge is 0 s.
     void setOrigin(base::Duration instant);
@@ -48,32 +48,32 @@ public:
     /// changed curves are painted coarsely, all extremes in, and fine ones follow a moment later.
     void flush();
 
-    bool following() const;
+    bool isFollowing() const;
     base::Duration width() const; ///< of time shown
     record::TimeSpan shown() const;
-    bool cursorsShown() const;
+    bool areCursorsVisible() const;
     std::optional<record::TimeSpan> cursors() const; ///< A … B, in order of time
     /// A and B as they stand on the time axis: from the origin, or from now while following.
     std::optional<std::pair<base::Duration, base::Duration>> cursorTimes() const;
     std::vector<CursorReading> cursorReadings() const; ///< of the visible channels
 
-    bool savePng(const QString& path, QSize size, QString* trouble) const; ///< with legend
-    bool saveSvg(const QString& path, QSize size, QString* trouble) const;
+    bool savePng(const QString& path, QSize size, QString* errorMessage) const; ///< with legend
+    bool saveSvg(const QString& path, QSize size, QString* errorMessage) const;
 
 public Q_SLOTS:
     void setFollowing(bool on); ///< false: pause; the store goes on growing
     void setWidth(base::Duration width);
-    void show(const record::TimeSpan& span); ///< stops following
-    void look(const record::TimeSpan& span); ///< the same, without a step back
-    void fit();                              ///< everything there is; y too
-    void zoomBack();                         ///< the view before the last zoom
+    void show(const record::TimeSpan& span);         ///< stops following
+    void setShownSpan(const record::TimeSpan& span); ///< the same, without a step back
+    void zoomToFit();                                ///< everything there is; y too
+    void zoomBack();                                 ///< the view before the last zoom
     void setCursorsShown(bool on);
     void setCursors(base::Duration a, base::Duration b);
     void setChannelVisible(int index, bool visible);
     void setChannelScale(int index, double scale, double offset); ///< scale is not 0
 
 Q_SIGNALS:
-    void playWished();      ///< Space, while not live
+    void playRequested();   ///< Space, while not live
     void viewChanged();     ///< shown(), following(), width()
     void cursorsChanged();  ///< places, or what is read at them
     void channelsChanged(); ///< others, or their looks: legend, keys, list

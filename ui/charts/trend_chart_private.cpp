@@ -9,7 +9,7 @@
 namespace ui {
 namespace {
 constexpr int frameMs = 33;
-constexpr int leisureMs = 120;  ///< after the last change of the view the picture becomes fine
+constexpr int idleMs = 120;     ///< after the last change of the view the picture becomes fine
 constexpr int partMs = 10;      ///< between its parts
 constexpr int readingsMs = 400; ///< of cursors whose stretch still fills
 } // namespace
@@ -23,28 +23,28 @@ TrendChart::Private::Private(TrendChart* chart)
     control.setAxes(&plot->picture().axes());
     plot->setObjectName(QStringLiteral("trendPlot"));
     overview->setObjectName(QStringLiteral("trendOverview"));
-    m_later.setSingleShot(true);
-    m_later.setTimerType(Qt::PreciseTimer);
-    m_leisure.setSingleShot(true);
+    m_frameTimer.setSingleShot(true);
+    m_frameTimer.setTimerType(Qt::PreciseTimer);
+    m_idleTimer.setSingleShot(true);
 }
 
 void TrendChart::Private::connectAll()
 {
-    QObject::connect(&m_later, &QTimer::timeout, q, [this] { frame(); });
-    QObject::connect(&m_leisure, &QTimer::timeout, q, [this] { sharpen(); });
+    QObject::connect(&m_frameTimer, &QTimer::timeout, q, [this] { frame(); });
+    QObject::connect(&m_idleTimer, &QTimer::timeout, q, [this] { sharpen(); });
     QObject::connect(&control, &TrendControl::viewChanged, q, [this] {
-        m_atOnce = m_hasty = true;
-        frameSoon();
+        m_rangeImmediately = m_coarseUpdates = true;
+        scheduleFrame();
         Q_EMIT q->viewChanged();
     });
     QObject::connect(&control, &TrendControl::cursorsChanged, q, [this] {
         plot->picture().refreshOverlay();
         Q_EMIT q->cursorsChanged();
     });
-    QObject::connect(overview, &TrendOverview::wished, &control,
+    QObject::connect(overview, &TrendOverview::spanRequested, &control,
                      [this](const record::TimeSpan& span) { control.drag(span); });
-    QObject::connect(overview, &TrendOverview::grabbed, &control,
-                     [this] { control.rememberView(); });
+    QObject::connect(overview, &TrendOverview::dragStarted, &control,
+                     [this] { control.pushView(); });
     connectPlot();
 }
 
@@ -53,27 +53,27 @@ void TrendChart::Private::connectPlot()
     TrendControl* const c = &control;
     QObject::connect(plot, &TrendPlot::resized, q, [this] {
         plot->picture().layOut();
-        m_atOnce = true;
+        m_rangeImmediately = true;
         frame();
     });
-    QObject::connect(plot, &TrendPlot::boxed, c, &TrendControl::box);
+    QObject::connect(plot, &TrendPlot::boxDrawn, c, &TrendControl::zoomToBox);
     QObject::connect(plot, &TrendPlot::panned, c,
                      [c](double x, double y) { c->pan(x, y, x == 0); });
     QObject::connect(plot, &TrendPlot::zoomed, c, &TrendControl::zoom);
     QObject::connect(plot, &TrendPlot::valuesZoomed, c, &TrendControl::zoomValues);
-    QObject::connect(plot, &TrendPlot::backWished, c, &TrendControl::back);
-    QObject::connect(plot, &TrendPlot::fitWished, c, &TrendControl::fit);
-    QObject::connect(plot, &TrendPlot::endWished, c, &TrendControl::goToEnd);
-    QObject::connect(plot, &TrendPlot::pauseWished, c, [this] {
+    QObject::connect(plot, &TrendPlot::backRequested, c, &TrendControl::goBack);
+    QObject::connect(plot, &TrendPlot::fitRequested, c, &TrendControl::zoomToFit);
+    QObject::connect(plot, &TrendPlot::endRequested, c, &TrendControl::showEnd);
+    QObject::connect(plot, &TrendPlot::pauseRequested, c, [this] {
         if (state().live)
-            control.follow(!state().view.following());
+            control.follow(!state().view.isFollowing());
         else
-            Q_EMIT q->playWished();
+            Q_EMIT q->playRequested();
     });
-    QObject::connect(plot, &TrendPlot::cursorsWished, c,
+    QObject::connect(plot, &TrendPlot::cursorsRequested, c,
                      [this] { control.showCursors(!state().cursors); });
     QObject::connect(plot, &TrendPlot::cursorMoved, c, [this](Cursor which, double place) {
-        control.moveCursor(which, state().view.at(place));
+        control.moveCursor(which, state().view.timeAt(place));
     });
     QObject::connect(plot, &TrendPlot::cursorNudged, c,
                      [this](Cursor which, double pixels) { nudge(which, pixels); });
@@ -82,9 +82,9 @@ void TrendChart::Private::connectPlot()
         if (std::size_t(index) < channels.size())
             q->setChannelVisible(index, !channels[std::size_t(index)].visible);
     };
-    QObject::connect(plot, &TrendPlot::channelWished, q, toggle);
-    QObject::connect(&plot->picture(), &TrendPicture::legendClicked, q, toggle);
-    QObject::connect(plot, &TrendPlot::tipWished, q,
+    QObject::connect(plot, &TrendPlot::channelToggleRequested, q, toggle);
+    QObject::connect(&plot->picture(), &TrendScene::legendClicked, q, toggle);
+    QObject::connect(plot, &TrendPlot::toolTipRequested, q,
                      [this](const QPointF& scene, const QPoint& at) { showTip(scene, at); });
 }
 
@@ -98,16 +98,16 @@ void TrendChart::Private::nudge(Cursor which, double pixels)
     control.moveCursor(which, from + base::Duration(std::llround(pixels * step)));
 }
 
-void TrendChart::Private::takeColours()
+void TrendChart::Private::updateColors()
 {
-    const TrendColours colours = TrendColours::of(q->palette());
-    plot->setBackgroundBrush(colours.ground);
+    const TrendColors colors = TrendColors::of(q->palette());
+    plot->setBackgroundBrush(colors.background);
     plot->picture().setFont(q->font());
-    plot->picture().setColours(colours);
-    overview->setColours(colours);
+    plot->picture().setColors(colors);
+    overview->setColors(colors);
     plot->picture().layOut();
-    m_atOnce = true;
-    frameSoon();
+    m_rangeImmediately = true;
+    scheduleFrame();
 }
 
 void TrendChart::Private::channelsChanged()
@@ -116,8 +116,8 @@ void TrendChart::Private::channelsChanged()
     plot->picture().layOut();
     overview->rebuild();
     showNotice();
-    m_atOnce = true;
-    frameSoon();
+    m_rangeImmediately = true;
+    scheduleFrame();
 }
 
 void TrendChart::Private::changeChannel(int index, const std::function<bool(TrendChannel&)>& change)
@@ -141,51 +141,52 @@ void TrendChart::Private::showNotice()
                                                : TrendChart::tr("All channels are hidden"));
 }
 
-void TrendChart::Private::frameSoon()
+void TrendChart::Private::scheduleFrame()
 {
-    if (!q->isVisible() || m_later.isActive())
+    if (!q->isVisible() || m_frameTimer.isActive())
         return;
     const qint64 passed = m_sinceFrame.isValid() ? m_sinceFrame.elapsed() : frameMs;
     if (passed >= frameMs)
         frame();
     else
-        m_later.start(int(frameMs - passed));
+        m_frameTimer.start(int(frameMs - passed));
 }
 
 void TrendChart::Private::frame()
 {
-    m_later.stop();
+    m_frameTimer.stop();
     m_sinceFrame.start();
-    plot->picture().refresh(m_atOnce ? TrendPicture::Axes::AtOnce : TrendPicture::Axes::Calm,
-                            plot->devicePixelRatioF(), m_hasty);
-    if (m_hasty || (plot->picture().coarse() && !m_leisure.isActive()))
-        m_leisure.start(leisureMs);
+    plot->picture().refresh(m_rangeImmediately ? TrendScene::Axes::Immediate
+                                               : TrendScene::Axes::Smooth,
+                            plot->devicePixelRatioF(), m_coarseUpdates);
+    if (m_coarseUpdates || (plot->picture().isCoarse() && !m_idleTimer.isActive()))
+        m_idleTimer.start(idleMs);
     advanceOverview();
-    m_atOnce = m_hasty = false;
+    m_rangeImmediately = m_coarseUpdates = false;
 }
 
 void TrendChart::Private::advanceOverview()
 {
-    overview->advance(m_leisure.isActive());
+    overview->advance(m_idleTimer.isActive());
 }
 
 void TrendChart::Private::sharpen()
 {
-    plot->picture().sharpen();
-    if (plot->picture().coarse())
-        m_leisure.start(partMs);
+    plot->picture().refine();
+    if (plot->picture().isCoarse())
+        m_idleTimer.start(partMs);
 }
 
 void TrendChart::Private::flush()
 {
-    if (m_later.isActive())
+    if (m_frameTimer.isActive())
         frame();
-    while (plot->picture().coarse())
-        plot->picture().sharpen();
+    while (plot->picture().isCoarse())
+        plot->picture().refine();
 }
 
 /// What is read between the cursors changes while samples still come in there.
-void TrendChart::Private::cursorsGrow()
+void TrendChart::Private::updateCursorReadings()
 {
     const auto places = q->cursors();
     if (!places || state().store == nullptr || places->to < state().view.now())
@@ -209,13 +210,13 @@ void TrendChart::Private::showTip(const QPointF& scene, const QPoint& screen)
         return;
     }
     const double place = (scene.x() - area.left()) / area.width();
-    QToolTip::showText(screen, valuesAt(state().view.at(place)), plot);
+    QToolTip::showText(screen, valuesAt(state().view.timeAt(place)), plot);
 }
 
 QString TrendChart::Private::valuesAt(base::Duration at) const
 {
     const TrendState& shown = control.state();
-    const base::Duration zero = shown.view.following() ? shown.view.span().to : shown.origin;
+    const base::Duration zero = shown.view.isFollowing() ? shown.view.span().to : shown.origin;
     QStringList lines{spanText(double((at - zero).count()) / 1e6)};
     for (const TrendChannel& channel : shown.channels) {
         const auto point =

@@ -19,18 +19,18 @@ public:
 
     TrendState& state() { return control.state(); }
     void connectAll();
-    void takeColours();
+    void updateColors();
     void channelsChanged();
     void changeChannel(int index, const std::function<bool(TrendChannel&)>& change);
     void showNotice();
 
     /// Now if the last one is long enough ago, otherwise as soon as it is.
-    void frameSoon();
+    void scheduleFrame();
     void frame();
     /// What waits for its turn, and the fine picture, now.
     void flush();
     void advanceOverview(); ///< it can wait while somebody zooms or pans
-    void cursorsGrow();
+    void updateCursorReadings();
 
     TrendChart* const q;
     TrendControl control;
@@ -44,11 +44,11 @@ private:
     void nudge(Cursor which, double pixels);
     QString valuesAt(base::Duration at) const;
 
-    QTimer m_later;
-    QTimer m_leisure; ///< the view has not been changed for a moment
+    QTimer m_frameTimer;
+    QTimer m_idleTimer; ///< the view has not been changed for a moment
     QElapsedTimer m_sinceFrame;
     QElapsedTimer m_sinceReadings;
-    bool m_atOnce = true; ///< the next frame ranges the axes without patience
-    bool m_hasty = false; ///< somebody zooms or pans
+    bool m_rangeImmediately = true; ///< the next frame ranges the axes without patience
+    bool m_coarseUpdates = false;   ///< somebody zooms or pans
 };
 } // namespace ui

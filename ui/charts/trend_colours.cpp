@@ -13,22 +13,22 @@ QColor between(const QColor& one, const QColor& other, double share)
 }
 } // namespace
 
-TrendColours TrendColours::of(const QPalette& palette)
+TrendColors TrendColors::of(const QPalette& palette)
 {
-    const QColor ground = palette.color(QPalette::Base);
+    const QColor background = palette.color(QPalette::Base);
     const QColor text = palette.color(QPalette::Text);
-    return {.ground = ground,
-            .grid = between(ground, text, isDark(palette) ? 0.13 : 0.11),
+    return {.background = background,
+            .grid = between(background, text, isDark(palette) ? 0.13 : 0.11),
             .text = text,
-            .quiet = between(text, ground, 0.30),
+            .muted = between(text, background, 0.30),
             .accent = tone(Tone::Accent, palette),
-            .onAccent = ground,
+            .onAccent = background,
             .good = tone(Tone::Good, palette),
             .warn = tone(Tone::Warn, palette),
             .bad = tone(Tone::Bad, palette)};
 }
 
-TrendColours TrendColours::ofPaper()
+TrendColors TrendColors::ofPaper()
 {
     QPalette paper;
     paper.setColor(QPalette::Window, Qt::white);

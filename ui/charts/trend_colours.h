@@ -7,18 +7,18 @@
 #include <QPalette>
 
 namespace ui {
-struct TrendColours {
-    QColor ground;
+struct TrendColors {
+    QColor background;
     QColor grid;
     QColor text;
-    QColor quiet;
+    QColor muted;
     QColor accent;
     QColor onAccent;
     QColor good;
     QColor warn;
     QColor bad;
 
-    static TrendColours of(const QPalette& palette);
-    static TrendColours ofPaper();
+    static TrendColors of(const QPalette& palette);
+    static TrendColors ofPaper();
 };
 } // namespace ui

@@ -8,7 +8,7 @@ using base::Duration;
 using record::TimeSpan;
 
 namespace {
-constexpr std::size_t mostBefore = 50;
+constexpr std::size_t maxStoredViews = 50;
 constexpr qint64 oneTurn = 800; ///< ms; a turn of the wheel is many steps, but one zoom
 constexpr double fitMargin = 0.02;
 } // namespace
@@ -25,25 +25,25 @@ void TrendControl::remember(Kind kind)
     m_sinceZoom.start();
     if (same)
         return;
-    View view{m_state.view.following(), m_state.view.span(), {}};
+    View view{m_state.view.isFollowing(), m_state.view.span(), {}};
     for (const TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
-        if (axis.range.fixed())
-            view.fixed.emplace_back(axis.range.unit(), axis.range.shown());
+        if (axis.range.isFixed())
+            view.fixed.emplace_back(axis.range.unit(), axis.range.paddedRange());
     }
-    m_before.push_back(std::move(view));
-    if (m_before.size() > mostBefore)
-        m_before.erase(m_before.begin());
+    m_previousViews.push_back(std::move(view));
+    if (m_previousViews.size() > maxStoredViews)
+        m_previousViews.erase(m_previousViews.begin());
 }
 
-void TrendControl::back()
+void TrendControl::goBack()
 {
-    if (m_before.empty())
+    if (m_previousViews.empty())
         return;
-    const View view = std::move(m_before.back());
-    m_before.pop_back();
+    const View view = std::move(m_previousViews.back());
+    m_previousViews.pop_back();
     m_sinceZoom.invalidate();
     if (view.following && m_state.live) {
-        m_state.view.follow(true);
+        m_state.view.setFollowing(true);
         m_state.view.setWidth(view.span.to - view.span.from);
     } else {
         m_state.view.show(view.span);
@@ -52,18 +52,18 @@ void TrendControl::back()
         const auto found =
             std::find_if(view.fixed.begin(), view.fixed.end(),
                          [&](const auto& fixed) { return fixed.first == axis.range.unit(); });
-        axis.range.release();
+        axis.range.setAutomatic();
         if (found != view.fixed.end())
-            axis.range.fix(found->second);
+            axis.range.setFixed(found->second);
     }
     Q_EMIT viewChanged();
 }
 
 void TrendControl::follow(bool on)
 {
-    if (on == m_state.view.following() || (on && !m_state.live))
+    if (on == m_state.view.isFollowing() || (on && !m_state.live))
         return;
-    m_state.view.follow(on);
+    m_state.view.setFollowing(on);
     Q_EMIT viewChanged();
 }
 
@@ -87,7 +87,7 @@ void TrendControl::drag(const TimeSpan& span)
     Q_EMIT viewChanged();
 }
 
-void TrendControl::fit()
+void TrendControl::zoomToFit()
 {
     remember(Kind::Single);
     const auto all = m_state.store != nullptr ? m_state.store->span() : std::nullopt;
@@ -96,7 +96,7 @@ void TrendControl::fit()
         m_state.view.show({all->from - more, all->to + more});
     }
     for (TrendAxes::ValueAxis& axis : m_axes->valueAxes())
-        axis.range.release();
+        axis.range.setAutomatic();
     Q_EMIT viewChanged();
 }
 
@@ -105,17 +105,17 @@ void TrendControl::changeAxes(const QString* unit, Change change)
 {
     for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
         if (axis.used && (unit == nullptr || axis.range.unit() == *unit))
-            axis.range.fix(change(axis.range.shown()));
+            axis.range.setFixed(change(axis.range.paddedRange()));
     }
 }
 
-void TrendControl::box(const QRectF& shares)
+void TrendControl::zoomToBox(const QRectF& shares)
 {
     remember(Kind::Single);
     const TimeView& view = m_state.view;
     const double low = std::min(shares.top(), shares.bottom());
     const double high = std::max(shares.top(), shares.bottom());
-    m_state.view.show({view.at(shares.left()), view.at(shares.right())});
+    m_state.view.show({view.timeAt(shares.left()), view.timeAt(shares.right())});
     if (low > 0.001 || high < 0.999) {
         changeAxes(nullptr, [&](const AxisRange& range) {
             return AxisRange{range.low + low * range.size(), range.low + high * range.size()};
@@ -132,9 +132,9 @@ void TrendControl::pan(double x, double y, bool values)
     }
     if (y != 0) {
         for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
-            const AxisRange range = axis.range.shown();
-            if (axis.used && (values || axis.range.fixed()))
-                axis.range.fix({range.low - y * range.size(), range.high - y * range.size()});
+            const AxisRange range = axis.range.paddedRange();
+            if (axis.used && (values || axis.range.isFixed()))
+                axis.range.setFixed({range.low - y * range.size(), range.high - y * range.size()});
         }
     }
     Q_EMIT viewChanged();
@@ -158,7 +158,7 @@ void TrendControl::zoomValues(const QString* unit, double factor, double place)
     Q_EMIT viewChanged();
 }
 
-void TrendControl::goToEnd(bool newest)
+void TrendControl::showEnd(bool newest)
 {
     if (newest && m_state.live) {
         follow(true);
@@ -178,7 +178,7 @@ void TrendControl::showCursors(bool on)
     if (on == m_state.cursors.has_value())
         return;
     if (on)
-        m_state.cursors = {m_state.view.at(1.0 / 3), m_state.view.at(2.0 / 3)};
+        m_state.cursors = {m_state.view.timeAt(1.0 / 3), m_state.view.timeAt(2.0 / 3)};
     else
         m_state.cursors.reset();
     Q_EMIT cursorsChanged();

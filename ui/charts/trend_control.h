@@ -21,19 +21,18 @@ public:
     void follow(bool on);
     void setWidth(base::Duration width);
     void show(const record::TimeSpan& span);
-    void fit();
-    void back();
-    void forgetBack() { m_before.clear(); }
+    void zoomToFit();
+    void goBack();
+    void clearViewHistory() { m_previousViews.clear(); }
 
-    void forgetViews() { m_before.clear(); }
-    void rememberView() { remember(Kind::Single); }
+    void pushView() { remember(Kind::Single); }
     void drag(const record::TimeSpan& span); ///< show() without a way back of its own
-    void box(const QRectF& shares);
+    void zoomToBox(const QRectF& shares);
     /// `values` also where an axis still ranges by itself.
     void pan(double x, double y, bool values);
     void zoom(double factor, double place);
     void zoomValues(const QString* unit, double factor, double place);
-    void goToEnd(bool newest);
+    void showEnd(bool newest);
 
     void showCursors(bool on);
     void setCursors(base::Duration a, base::Duration b);
@@ -57,7 +56,7 @@ private:
 
     TrendState m_state;
     TrendAxes* m_axes = nullptr;
-    std::vector<View> m_before;
+    std::vector<View> m_previousViews;
     Kind m_lastKind = Kind::Single;
     QElapsedTimer m_sinceZoom;
 };

@@ -16,7 +16,7 @@
 namespace ui {
 namespace {
 constexpr double border = 12;
-constexpr QSize leastSize(320, 240);
+constexpr QSize minImageSize(320, 240);
 
 /// The same view, axes as they stand, on paper.
 void paintOnPaper(QPainter* painter, const TrendState& state, const TrendAxes& axes,
@@ -26,15 +26,15 @@ void paintOnPaper(QPainter* painter, const TrendState& state, const TrendAxes& a
     auto* const chart = new QChart;
     scene.addItem(chart);
     chart->resize(size - QSizeF(2 * border, 2 * border));
-    TrendPicture picture(chart, state, nullptr);
+    TrendScene picture(chart, state, nullptr);
     picture.setPaper(true);
     picture.setFont(font);
-    picture.setColours(TrendColours::ofPaper());
+    picture.setColors(TrendColors::ofPaper());
     picture.layOut();
-    picture.refresh(TrendPicture::Axes::AtOnce, 1);
+    picture.refresh(TrendScene::Axes::Immediate, 1);
     for (const TrendAxes::ValueAxis& axis : axes.valueAxes())
         picture.axes().axisOf(axis.range.unit()).range = axis.range;
-    picture.refresh(TrendPicture::Axes::Calm, 1);
+    picture.refresh(TrendScene::Axes::Smooth, 1);
     chart->layout()->activate(); // nobody's event loop will
     painter->fillRect(QRectF(QPointF(0, 0), size), Qt::white);
     const QRectF paper(QPointF(border, border), chart->size());
@@ -57,23 +57,23 @@ QString writeFile(const QString& path, const QByteArray& bytes)
     return good ? QString() : file.errorString();
 }
 
-bool write(const QString& path, const QByteArray& bytes, QString* trouble)
+bool write(const QString& path, const QByteArray& bytes, QString* errorMessage)
 {
     QString why;
     if (path.isEmpty())
         why = TrendChart::tr("No file name was given.");
     else if (const QString system = writeFile(path, bytes); !system.isEmpty())
         why = TrendChart::tr("%1 could not be written: %2").arg(path, system);
-    if (!why.isEmpty() && trouble != nullptr)
-        *trouble = why;
+    if (!why.isEmpty() && errorMessage != nullptr)
+        *errorMessage = why;
     return why.isEmpty();
 }
 } // namespace
 
-bool TrendChart::savePng(const QString& path, QSize size, QString* trouble) const
+bool TrendChart::savePng(const QString& path, QSize size, QString* errorMessage) const
 {
     const double ratio = devicePixelRatioF();
-    const QSize logical = size.expandedTo(leastSize);
+    const QSize logical = size.expandedTo(minImageSize);
     QImage image(logical * ratio, QImage::Format_RGB32);
     image.setDevicePixelRatio(ratio);
     image.fill(Qt::white);
@@ -86,12 +86,12 @@ bool TrendChart::savePng(const QString& path, QSize size, QString* trouble) cons
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     image.save(&buffer, "PNG");
-    return write(path, bytes, trouble);
+    return write(path, bytes, errorMessage);
 }
 
-bool TrendChart::saveSvg(const QString& path, QSize size, QString* trouble) const
+bool TrendChart::saveSvg(const QString& path, QSize size, QString* errorMessage) const
 {
-    const QSize logical = size.expandedTo(leastSize);
+    const QSize logical = size.expandedTo(minImageSize);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -105,6 +105,6 @@ bool TrendChart::saveSvg(const QString& path, QSize size, QString* trouble) cons
         paintOnPaper(&painter, m_private->state(), m_private->plot->picture().axes(), font(),
                      logical);
     }
-    return write(path, bytes, trouble);
+    return write(path, bytes, errorMessage);
 }
 } // namespace ui

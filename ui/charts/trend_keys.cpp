@@ -14,7 +14,7 @@ constexpr double farNudge = 10; ///< pixels
 void TrendPlot::keyPressEvent(QKeyEvent* event)
 {
     const Qt::KeyboardModifiers with = event->modifiers() & ~Qt::KeypadModifier;
-    m_picture->overlay().setFocused(true);
+    m_scene->overlay().setFocused(true);
     if (cursorKey(event->key(), event->text(), with) || moveKey(event->key(), with) ||
         zoomKey(event->key(), with) ||
         ((with & ~Qt::ShiftModifier) == Qt::NoModifier && plainKey(event->key())))
@@ -101,29 +101,29 @@ bool TrendPlot::plainKey(int key)
 {
     switch (key) {
     case Qt::Key_Home:
-        Q_EMIT endWished(false);
+        Q_EMIT endRequested(false);
         return true;
     case Qt::Key_End:
-        Q_EMIT endWished(true);
+        Q_EMIT endRequested(true);
         return true;
     case Qt::Key_Space:
-        Q_EMIT pauseWished();
+        Q_EMIT pauseRequested();
         return true;
     case Qt::Key_Backspace:
-        Q_EMIT backWished();
+        Q_EMIT backRequested();
         return true;
     case Qt::Key_F:
-        Q_EMIT fitWished();
+        Q_EMIT fitRequested();
         return true;
     case Qt::Key_C:
-        Q_EMIT cursorsWished();
+        Q_EMIT cursorsRequested();
         return true;
     default:
         break;
     }
     if (key < Qt::Key_1 || key > Qt::Key_9)
         return false;
-    Q_EMIT channelWished(key - Qt::Key_1);
+    Q_EMIT channelToggleRequested(key - Qt::Key_1);
     return true;
 }
 } // namespace ui

@@ -13,25 +13,25 @@ using record::MarkKind;
 
 namespace {
 constexpr double flagSize = 16;
-constexpr double apart = 20;           ///< marks closer than this share a flag
-constexpr double textSpace = 5;        ///< beside a flag
-constexpr double leastText = 24;       ///< less is not worth writing
-constexpr double reach = 6;            ///< of the mouse
-constexpr std::size_t mostLooked = 64; ///< marks of a group that are looked at for the gravest
-constexpr int mostListed = 12;
+constexpr double apart = 20;                ///< marks closer than this share a flag
+constexpr double textSpace = 5;             ///< beside a flag
+constexpr double minTextWidth = 24;         ///< less is not worth writing
+constexpr double reach = 6;                 ///< of the mouse
+constexpr std::size_t maxCheckedMarks = 64; ///< marks of a group that are looked at for the gravest
+constexpr int maxListedMarks = 12;
 
-QString signOf(MarkKind kind)
+QString symbolFor(MarkKind kind)
 {
     switch (kind) {
     case MarkKind::Write:
         return QStringLiteral("W");
     case MarkKind::Fault:
         return QStringLiteral("!");
-    case MarkKind::FaultOver:
+    case MarkKind::FaultCleared:
         return QStringLiteral("\u2713");
     case MarkKind::LinkError:
         return QStringLiteral("\u00d7");
-    case MarkKind::LinkBack:
+    case MarkKind::LinkRestored:
         return QStringLiteral("+");
     case MarkKind::Move:
         return QStringLiteral("M");
@@ -43,7 +43,7 @@ QString signOf(MarkKind kind)
     return QStringLiteral("i");
 }
 
-int gravity(MarkKind kind)
+int severity(MarkKind kind)
 {
     switch (kind) {
     case MarkKind::Stop:
@@ -54,8 +54,8 @@ int gravity(MarkKind kind)
         return 3;
     case MarkKind::Write:
         return 2;
-    case MarkKind::FaultOver:
-    case MarkKind::LinkBack:
+    case MarkKind::FaultCleared:
+    case MarkKind::LinkRestored:
     case MarkKind::Move:
         return 1;
     case MarkKind::Note:
@@ -80,9 +80,9 @@ void TrendOverlay::setPlot(const QRectF& plot)
     m_plot = plot;
 }
 
-void TrendOverlay::setColours(const TrendColours& colours)
+void TrendOverlay::setColors(const TrendColors& colors)
 {
-    m_colours = colours;
+    m_colors = colors;
     m_flags.clear();
     update();
 }
@@ -100,17 +100,17 @@ void TrendOverlay::setView(const TimeView& view)
     update();
 }
 
-void TrendOverlay::setMarks(const std::vector<Mark>* marks, const MarkWords& words)
+void TrendOverlay::setMarks(const std::vector<Mark>* marks, const MarkTextFunction& markText)
 {
     m_marks = marks;
-    m_words = words;
+    m_text = markText;
     update();
 }
 
-QString TrendOverlay::words(std::size_t mark) const
+QString TrendOverlay::markText(std::size_t mark) const
 {
     const Mark& one = (*m_marks)[mark];
-    return m_words ? m_words(one) : one.text;
+    return m_text ? m_text(one) : one.text;
 }
 
 void TrendOverlay::setCursors(const std::optional<std::pair<base::Duration, base::Duration>>& pair)
@@ -157,7 +157,7 @@ std::optional<Cursor> TrendOverlay::cursorAt(const QPointF& place) const
     if (!m_cursors || !boundingRect().contains(place))
         return {};
     const auto distance = [&](base::Duration at) {
-        return std::abs(m_plot.left() + m_view.place(at) * m_plot.width() - place.x());
+        return std::abs(m_plot.left() + m_view.fractionOf(at) * m_plot.width() - place.x());
     };
     const double a = distance(m_cursors->first);
     const double b = distance(m_cursors->second);
@@ -181,14 +181,14 @@ std::vector<MarkGroup> TrendOverlay::groups() const
     for (std::size_t i = after(m_view.span().from); i < end;) {
         MarkGroup group;
         group.first = i;
-        group.x = m_view.place((*m_marks)[i].at) * m_plot.width();
+        group.x = m_view.fractionOf((*m_marks)[i].at) * m_plot.width();
         const std::size_t next =
-            std::clamp(after(m_view.at((group.x + apart) / m_plot.width())), i + 1, end);
+            std::clamp(after(m_view.timeAt((group.x + apart) / m_plot.width())), i + 1, end);
         group.count = next - i;
-        group.gravest = (*m_marks)[i].kind;
-        for (std::size_t k = i; k < std::min(next, i + mostLooked); ++k) {
-            if (gravity((*m_marks)[k].kind) > gravity(group.gravest))
-                group.gravest = (*m_marks)[k].kind;
+        group.highestSeverity = (*m_marks)[i].kind;
+        for (std::size_t k = i; k < std::min(next, i + maxCheckedMarks); ++k) {
+            if (severity((*m_marks)[k].kind) > severity(group.highestSeverity))
+                group.highestSeverity = (*m_marks)[k].kind;
         }
         found.push_back(group);
         i = next;
@@ -205,32 +205,32 @@ QString TrendOverlay::marksAt(const QPointF& place) const
     for (const MarkGroup& group : groups()) {
         if (x < group.x - reach || x > group.x + (group.count > 1 ? apart : flagSize))
             continue;
-        for (std::size_t i = 0; i < group.count && lines.size() < mostListed; ++i)
-            lines << words(group.first + i);
-        if (group.count > mostListed)
-            lines << QStringLiteral("\u2026 +%1").arg(group.count - mostListed);
+        for (std::size_t i = 0; i < group.count && lines.size() < maxListedMarks; ++i)
+            lines << markText(group.first + i);
+        if (group.count > maxListedMarks)
+            lines << QStringLiteral("\u2026 +%1").arg(group.count - maxListedMarks);
     }
     return lines.join(QLatin1Char('\n'));
 }
 
-QColor TrendOverlay::colourOf(MarkKind kind) const
+QColor TrendOverlay::colorOf(MarkKind kind) const
 {
     switch (kind) {
     case MarkKind::Write:
-        return m_colours.accent;
+        return m_colors.accent;
     case MarkKind::Fault:
     case MarkKind::Stop:
-        return m_colours.bad;
+        return m_colors.bad;
     case MarkKind::LinkError:
-        return m_colours.warn;
-    case MarkKind::FaultOver:
-    case MarkKind::LinkBack:
-        return m_colours.good;
+        return m_colors.warn;
+    case MarkKind::FaultCleared:
+    case MarkKind::LinkRestored:
+        return m_colors.good;
     case MarkKind::Move:
     case MarkKind::Note:
         break;
     }
-    return m_colours.quiet;
+    return m_colors.muted;
 }
 
 void TrendOverlay::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*)
@@ -244,19 +244,19 @@ void TrendOverlay::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
         paintCursor(painter, Cursor::B, m_cursors->second);
     }
     if (!m_box.isEmpty()) {
-        QColor inside = m_colours.accent;
+        QColor inside = m_colors.accent;
         inside.setAlphaF(0.15F);
-        painter->setPen(QPen(m_colours.accent, 1));
+        painter->setPen(QPen(m_colors.accent, 1));
         painter->setBrush(inside);
         painter->drawRect(m_box);
     }
     if (!m_notice.isEmpty()) {
-        painter->setPen(m_colours.quiet);
+        painter->setPen(m_colors.muted);
         painter->drawText(m_plot, Qt::AlignCenter | Qt::TextWordWrap, m_notice);
     }
     painter->setBrush(Qt::NoBrush);
     if (m_focused) {
-        painter->setPen(QPen(m_colours.accent, 2));
+        painter->setPen(QPen(m_colors.accent, 2));
         painter->drawRect(m_plot);
     }
 }
@@ -290,52 +290,52 @@ void TrendOverlay::paintFlag(QPainter* painter, const QRectF& place, MarkKind ki
 {
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(Qt::NoPen);
-    painter->setBrush(colourOf(kind));
+    painter->setBrush(colorOf(kind));
     painter->drawRoundedRect(place, 3, 3);
     painter->setRenderHint(QPainter::Antialiasing, false);
-    painter->setPen(m_colours.ground);
-    painter->drawText(place, Qt::AlignCenter, signOf(kind));
+    painter->setPen(m_colors.background);
+    painter->drawText(place, Qt::AlignCenter, symbolFor(kind));
 }
 
 void TrendOverlay::paintMark(QPainter* painter, const MarkGroup& group, double room) const
 {
-    const QColor colour = colourOf(group.gravest);
+    const QColor color = colorOf(group.highestSeverity);
     const double x = m_plot.left() + std::round(group.x);
-    painter->setPen(QPen(colour, 1));
+    painter->setPen(QPen(color, 1));
     painter->drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
     const QRectF flag(x - flagSize / 2, m_plot.top() - flagSize, flagSize, flagSize);
     if (painter->paintEngine()->type() == QPaintEngine::Raster)
-        painter->drawPixmap(flag.topLeft(), flagOf(group.gravest, *painter));
+        painter->drawPixmap(flag.topLeft(), flagOf(group.highestSeverity, *painter));
     else
-        paintFlag(painter, flag, group.gravest);
-    if (room < leastText && group.count == 1)
+        paintFlag(painter, flag, group.highestSeverity);
+    if (room < minTextWidth && group.count == 1)
         return; // words do not fit; measuring them for each mark would take its time
     const QFontMetricsF metrics(m_font);
     const QString text =
-        group.count > 1 ? QStringLiteral("+%1").arg(group.count - 1) : words(group.first);
+        group.count > 1 ? QStringLiteral("+%1").arg(group.count - 1) : markText(group.first);
     const bool fits = metrics.horizontalAdvance(text) <= room;
-    if (!fits && room < leastText)
+    if (!fits && room < minTextWidth)
         return;
-    painter->setPen(colour);
+    painter->setPen(color);
     painter->drawText(QPointF(flag.right() + textSpace, m_plot.top() - textSpace),
                       fits ? text : metrics.elidedText(text, Qt::ElideRight, room));
 }
 
 void TrendOverlay::paintCursor(QPainter* painter, Cursor which, base::Duration at) const
 {
-    const double place = m_view.place(at);
+    const double place = m_view.fractionOf(at);
     if (place < 0 || place > 1)
         return;
     const double x = m_plot.left() + std::round(place * m_plot.width());
-    painter->setPen(QPen(m_colours.accent, m_active == which ? 2 : 1, Qt::DashLine));
+    painter->setPen(QPen(m_colors.accent, m_active == which ? 2 : 1, Qt::DashLine));
     painter->drawLine(QPointF(x, m_plot.top()), QPointF(x, m_plot.bottom()));
     const QRectF flag(x - flagSize / 2, m_plot.top() + 1, flagSize, flagSize);
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(Qt::NoPen);
-    painter->setBrush(m_colours.accent);
+    painter->setBrush(m_colors.accent);
     painter->drawRoundedRect(flag, 3, 3);
     painter->setRenderHint(QPainter::Antialiasing, false);
-    painter->setPen(m_colours.onAccent);
+    painter->setPen(m_colors.onAccent);
     painter->drawText(flag, Qt::AlignCenter,
                       which == Cursor::A ? QStringLiteral("A") : QStringLiteral("B"));
 }

@@ -21,7 +21,7 @@ struct MarkGroup {
     double x = 0;          ///< of the first, from the left of the plot
     std::size_t first = 0; ///< index
     std::size_t count = 1;
-    record::MarkKind gravest = record::MarkKind::Note;
+    record::MarkKind highestSeverity = record::MarkKind::Note;
 };
 
 class TrendOverlay final : public QGraphicsItem {
@@ -29,10 +29,11 @@ public:
     explicit TrendOverlay(QGraphicsItem* parent);
 
     void setPlot(const QRectF& plot);
-    void setColours(const TrendColours& colours);
+    void setColors(const TrendColors& colors);
     void setFont(const QFont& font);
     void setView(const TimeView& view);
-    void setMarks(const std::vector<record::Mark>* marks, const MarkWords& words); ///< borrowed
+    void setMarks(const std::vector<record::Mark>* marks,
+                  const MarkTextFunction& words); ///< borrowed
     void setCursors(const std::optional<std::pair<base::Duration, base::Duration>>& cursors);
     void setActive(std::optional<Cursor> cursor); ///< held by the mouse, or under it
     void setBox(const QRectF& box);               ///< empty: none
@@ -48,20 +49,20 @@ public:
 
 private:
     std::vector<MarkGroup> groups() const;
-    QString words(std::size_t mark) const;
+    QString markText(std::size_t mark) const;
     void paintMarks(QPainter* painter) const;
     void paintMark(QPainter* painter, const MarkGroup& group, double room) const;
     const QPixmap& flagOf(record::MarkKind kind, const QPainter& painter) const;
     void paintFlag(QPainter* painter, const QRectF& place, record::MarkKind kind) const;
     void paintCursor(QPainter* painter, Cursor which, base::Duration at) const;
-    QColor colourOf(record::MarkKind kind) const;
+    QColor colorOf(record::MarkKind kind) const;
 
     QRectF m_plot;
-    TrendColours m_colours;
+    TrendColors m_colors;
     QFont m_font;
     TimeView m_view;
     const std::vector<record::Mark>* m_marks = nullptr;
-    MarkWords m_words;
+    MarkTextFunction m_text;
     std::optional<std::pair<base::Duration, base::Duration>> m_cursors;
     std::optional<Cursor> m_active;
     QRectF m_box;

@@ -15,10 +15,10 @@ using record::TimeSpan;
 
 namespace {
 constexpr int stripHeight = 40;
-constexpr double border = 3;       ///< above and below the curves
-constexpr double grip = 6;         ///< pixels around an edge of the handle
-constexpr double leastHandle = 6;  ///< pixels painted at least
-constexpr qint64 renewEvery = 700; ///< ms
+constexpr double border = 3;          ///< above and below the curves
+constexpr double handleTolerance = 6; ///< pixels around an edge of the handle
+constexpr double minHandleWidth = 6;  ///< pixels painted at least
+constexpr qint64 renewInterval = 700; ///< ms
 
 /// Each curve as high as the strip: it is for recognising, not for reading.
 void fillHeight(Trace& trace)
@@ -34,8 +34,8 @@ void fillHeight(Trace& trace)
         any = true;
     }
     const double more = std::max((high - low) * 0.03, std::abs(high) * 1e-3 + 1e-9);
-    trace.look.low = low - more;
-    trace.look.high = high + more;
+    trace.style.low = low - more;
+    trace.style.high = high + more;
 }
 } // namespace
 
@@ -53,9 +53,9 @@ QSize TrendOverview::sizeHint() const
     return {300, stripHeight};
 }
 
-void TrendOverview::setColours(const TrendColours& colours)
+void TrendOverview::setColors(const TrendColors& colors)
 {
-    m_colours = colours;
+    m_colors = colors;
     rebuild();
 }
 
@@ -69,7 +69,7 @@ void TrendOverview::rebuild()
 std::optional<TimeSpan> TrendOverview::history() const
 {
     auto all = m_state.store != nullptr ? m_state.store->span() : std::nullopt;
-    if (all && m_state.view.following())
+    if (all && m_state.view.isFollowing())
         all->to = std::max(all->to, m_state.view.now());
     if (all && all->to <= all->from)
         all->to = all->from + Duration(1);
@@ -79,7 +79,7 @@ std::optional<TimeSpan> TrendOverview::history() const
 /// One channel a call; when all are there, the picture changes at once.
 void TrendOverview::advance(bool busy)
 {
-    const bool due = !m_sinceImage.isValid() || m_sinceImage.elapsed() > renewEvery;
+    const bool due = !m_sinceImage.isValid() || m_sinceImage.elapsed() > renewInterval;
     if (m_stale || (!m_shownHistory && history())) {
         if (begin()) { // at once: something else is to be seen
             while (m_fetching)
@@ -116,11 +116,11 @@ bool TrendOverview::begin()
 
 void TrendOverview::fetchNext()
 {
-    const auto wanted = [](const TrendChannel& channel) {
+    const auto isDrawn = [](const TrendChannel& channel) {
         return channel.visible && channel.id >= 0;
     };
     const auto& channels = m_state.channels;
-    while (m_nextChannel < channels.size() && !wanted(channels[m_nextChannel]))
+    while (m_nextChannel < channels.size() && !isDrawn(channels[m_nextChannel]))
         ++m_nextChannel;
     if (m_nextChannel >= channels.size() || m_state.store == nullptr) {
         finish();
@@ -128,8 +128,8 @@ void TrendOverview::fetchNext()
     }
     const TrendChannel& channel = channels[m_nextChannel++];
     Trace trace;
-    trace.look.colour = trendColourOn(channel.colour, m_colours.ground).rgb();
-    trace.look.steps = channel.steps;
+    trace.style.color = trendColorOn(channel.color, m_colors.background).rgb();
+    trace.style.steps = channel.steps;
     m_state.store->columns(channel.id, m_nextHistory, width(), trace.columns);
     m_traces.push_back(std::move(trace));
 }
@@ -167,9 +167,9 @@ QRectF TrendOverview::handle() const
         return {};
     double left = std::round(std::clamp(xOf(m_state.view.span().from), 0.0, double(width())));
     double right = std::round(std::clamp(xOf(m_state.view.span().to), 0.0, double(width())));
-    if (right - left < leastHandle) {
-        left = std::clamp((left + right - leastHandle) / 2, 0.0, width() - leastHandle);
-        right = left + leastHandle;
+    if (right - left < minHandleWidth) {
+        left = std::clamp((left + right - minHandleWidth) / 2, 0.0, width() - minHandleWidth);
+        right = left + minHandleWidth;
     }
     return QRectF(std::floor(left), 0, right - std::floor(left), height()).adjusted(0, 0, -1, -1);
 }
@@ -177,8 +177,8 @@ QRectF TrendOverview::handle() const
 void TrendOverview::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    painter.fillRect(rect(), m_colours.ground);
-    QColor veil = m_colours.grid;
+    painter.fillRect(rect(), m_colors.background);
+    QColor veil = m_colors.grid;
     m_paintedHandle = handle();
     if (!m_image.isNull())
         painter.drawImage(QPointF(0, border), m_image);
@@ -187,14 +187,14 @@ void TrendOverview::paintEvent(QPaintEvent*)
         painter.fillRect(QRectF(0, 0, m_paintedHandle.left(), height()), veil);
         painter.fillRect(QRectF(m_paintedHandle.right(), 0, width(), height()), veil);
     }
-    painter.setPen(QPen(m_colours.grid, 1));
+    painter.setPen(QPen(m_colors.grid, 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
     if (!m_shownHistory)
         return;
-    painter.setPen(QPen(m_colours.accent, 1));
+    painter.setPen(QPen(m_colors.accent, 1));
     painter.drawRect(m_paintedHandle);
     for (const double x : {m_paintedHandle.left(), m_paintedHandle.right()})
-        painter.fillRect(QRectF(x - 1, height() / 2.0 - 7, 3, 14), m_colours.accent);
+        painter.fillRect(QRectF(x - 1, height() / 2.0 - 7, 3, 14), m_colors.accent);
 }
 
 void TrendOverview::resizeEvent(QResizeEvent*)
@@ -202,17 +202,19 @@ void TrendOverview::resizeEvent(QResizeEvent*)
     rebuild();
 }
 
-TrendOverview::Grip TrendOverview::gripAt(double x) const
+TrendOverview::Handle TrendOverview::handleAt(double x) const
 {
     if (!m_shownHistory)
-        return Grip::None;
+        return Handle::None;
     const QRectF shown = handle();
-    const double reach = std::min(grip, shown.width() / 3);
-    if (std::abs(x - shown.left()) <= reach || (x < shown.left() && x > shown.left() - grip))
-        return Grip::Left;
-    if (std::abs(x - shown.right()) <= reach || (x > shown.right() && x < shown.right() + grip))
-        return Grip::Right;
-    return shown.contains(QPointF(x, 1)) ? Grip::Whole : Grip::None;
+    const double reach = std::min(handleTolerance, shown.width() / 3);
+    if (std::abs(x - shown.left()) <= reach ||
+        (x < shown.left() && x > shown.left() - handleTolerance))
+        return Handle::Left;
+    if (std::abs(x - shown.right()) <= reach ||
+        (x > shown.right() && x < shown.right() + handleTolerance))
+        return Handle::Right;
+    return shown.contains(QPointF(x, 1)) ? Handle::Whole : Handle::None;
 }
 
 void TrendOverview::mousePressEvent(QMouseEvent* event)
@@ -220,43 +222,43 @@ void TrendOverview::mousePressEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton || !m_shownHistory)
         return;
     const double x = event->position().x();
-    m_grip = gripAt(x);
-    Q_EMIT grabbed();
+    m_handle = handleAt(x);
+    Q_EMIT dragStarted();
     m_pressedAt = x;
     m_pressedSpan = m_state.view.span();
-    if (m_grip == Grip::None) { // go there
+    if (m_handle == Handle::None) { // go there
         const Duration half = m_state.view.width() / 2;
         m_pressedSpan = {timeAt(x) - half, timeAt(x) - half + m_state.view.width()};
-        m_grip = Grip::Whole;
-        Q_EMIT wished(m_pressedSpan);
+        m_handle = Handle::Whole;
+        Q_EMIT spanRequested(m_pressedSpan);
     }
 }
 
 void TrendOverview::mouseMoveEvent(QMouseEvent* event)
 {
     const double x = event->position().x();
-    if (m_grip == Grip::None) {
-        const Grip under = gripAt(x);
-        setCursor(under == Grip::Whole                          ? Qt::OpenHandCursor
-                  : under == Grip::Left || under == Grip::Right ? Qt::SizeHorCursor
-                                                                : Qt::ArrowCursor);
+    if (m_handle == Handle::None) {
+        const Handle under = handleAt(x);
+        setCursor(under == Handle::Whole                            ? Qt::OpenHandCursor
+                  : under == Handle::Left || under == Handle::Right ? Qt::SizeHorCursor
+                                                                    : Qt::ArrowCursor);
         return;
     }
     const Duration by = timeAt(x) - timeAt(m_pressedAt);
     TimeSpan span = m_pressedSpan;
-    if (m_grip != Grip::Right)
+    if (m_handle != Handle::Right)
         span.from += by;
-    if (m_grip != Grip::Left)
+    if (m_handle != Handle::Left)
         span.to += by;
-    if (m_grip == Grip::Left)
-        span.from = std::min(span.from, span.to - TimeView::narrowest);
-    if (m_grip == Grip::Right)
-        span.to = std::max(span.to, span.from + TimeView::narrowest);
-    Q_EMIT wished(span);
+    if (m_handle == Handle::Left)
+        span.from = std::min(span.from, span.to - TimeView::minWidth);
+    if (m_handle == Handle::Right)
+        span.to = std::max(span.to, span.from + TimeView::minWidth);
+    Q_EMIT spanRequested(span);
 }
 
 void TrendOverview::mouseReleaseEvent(QMouseEvent*)
 {
-    m_grip = Grip::None;
+    m_handle = Handle::None;
 }
 } // namespace ui

@@ -18,7 +18,7 @@ class TrendOverview final : public QWidget {
 public:
     TrendOverview(const TrendState& state, QWidget* parent);
 
-    void setColours(const TrendColours& colours);
+    void setColors(const TrendColors& colors);
     void rebuild();                  ///< other channels, another store
     void advance(bool busy = false); ///< once a frame; busy: another time, if it can wait
     QRectF handle() const;
@@ -27,8 +27,8 @@ public:
     QSize sizeHint() const override;
 
 Q_SIGNALS:
-    void grabbed(); ///< a drag begins
-    void wished(const record::TimeSpan& span);
+    void dragStarted(); ///< a drag begins
+    void spanRequested(const record::TimeSpan& span);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -38,17 +38,17 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
-    enum class Grip : std::uint8_t { None, Left, Right, Whole };
+    enum class Handle : std::uint8_t { None, Left, Right, Whole };
 
     void fetchNext();
     bool begin();
     void finish();
-    Grip gripAt(double x) const;
+    Handle handleAt(double x) const;
     double xOf(base::Duration at) const;
     base::Duration timeAt(double x) const;
 
     const TrendState& m_state;
-    TrendColours m_colours;
+    TrendColors m_colors;
     TraceRaster m_raster;
     std::optional<record::TimeSpan> m_shownHistory; ///< of m_image
     record::TimeSpan m_nextHistory;
@@ -59,7 +59,7 @@ private:
     QImage m_image;
     QElapsedTimer m_sinceImage;
     QRectF m_paintedHandle;
-    Grip m_grip = Grip::None;
+    Handle m_handle = Handle::None;
     double m_pressedAt = 0;
     record::TimeSpan m_pressedSpan;
 };

@@ -14,7 +14,7 @@
 namespace ui {
 namespace {
 constexpr double legendSpace = 4;
-constexpr double leastPlot = 40;
+constexpr double minPlotSize = 40;
 
 bool hasTrace(const TrendChannel& channel)
 {
@@ -35,7 +35,7 @@ std::optional<AxisRange> extremes(const TrendState& state, const TrendChannel& c
 }
 } // namespace
 
-TrendPicture::TrendPicture(QChart* chart, const TrendState& state, QObject* parent)
+TrendScene::TrendScene(QChart* chart, const TrendState& state, QObject* parent)
     : QObject(parent)
     , m_chart(chart)
     , m_state(state)
@@ -54,27 +54,27 @@ TrendPicture::TrendPicture(QChart* chart, const TrendState& state, QObject* pare
     chart->legend()->setContentsMargins(0, 0, 0, 0);
 }
 
-void TrendPicture::setColours(const TrendColours& colours)
+void TrendScene::setColors(const TrendColors& colors)
 {
-    m_colours = colours;
-    m_axes->setColours(colours);
-    m_overlay->setColours(colours);
+    m_colors = colors;
+    m_axes->setColors(colors);
+    m_overlay->setColors(colors);
     channelsChanged();
 }
 
-void TrendPicture::setFont(const QFont& font)
+void TrendScene::setFont(const QFont& font)
 {
     m_chart->legend()->setFont(font);
     m_axes->setFont(font);
     m_overlay->setFont(font);
 }
 
-void TrendPicture::channelsChanged()
+void TrendScene::channelsChanged()
 {
     rebuildSeries();
     for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
         axis.used = false;
-        axis.colour = {};
+        axis.color = {};
     }
     std::vector<QString> units;
     for (std::size_t i = 0; i < m_state.channels.size(); ++i) {
@@ -82,14 +82,14 @@ void TrendPicture::channelsChanged()
         TrendAxes::ValueAxis& axis = m_axes->axisOf(channel.unit);
         if (!channel.visible)
             continue;
-        axis.colour = axis.used ? QColor() : trendColourOn(channel.colour, m_colours.ground);
+        axis.color = axis.used ? QColor() : trendColorOn(channel.color, m_colors.background);
         axis.used = true;
     }
     styleLegend();
 }
 
 /// Qt Charts' own objects for each channel, made anew only when there are others.
-void TrendPicture::rebuildSeries()
+void TrendScene::rebuildSeries()
 {
     bool same = m_series.size() == m_state.channels.size();
     for (std::size_t i = 0; same && i < m_series.size(); ++i)
@@ -114,24 +114,24 @@ void TrendPicture::rebuildSeries()
     }
 }
 
-void TrendPicture::styleLegend()
+void TrendScene::styleLegend()
 {
-    m_chart->legend()->setLabelColor(m_colours.text);
+    m_chart->legend()->setLabelColor(m_colors.text);
     for (std::size_t i = 0; i < m_series.size(); ++i) {
         const TrendChannel& channel = m_state.channels[i];
-        const QColor colour = trendColourOn(channel.colour, m_colours.ground);
+        const QColor color = trendColorOn(channel.color, m_colors.background);
         m_series[i]->setName(channel.name.toHtmlEscaped());
         m_series[i]->setVisible(channel.visible);
         for (QLegendMarker* marker : m_chart->legend()->markers(m_series[i])) {
             marker->setVisible(true);
-            marker->setPen(QPen(channel.visible ? colour : m_colours.quiet, 1));
-            marker->setBrush(channel.visible ? QBrush(colour) : QBrush(Qt::NoBrush));
-            marker->setLabelBrush(channel.visible ? m_colours.text : m_colours.quiet);
+            marker->setPen(QPen(channel.visible ? color : m_colors.muted, 1));
+            marker->setBrush(channel.visible ? QBrush(color) : QBrush(Qt::NoBrush));
+            marker->setLabelBrush(channel.visible ? m_colors.text : m_colors.muted);
         }
     }
 }
 
-double TrendPicture::layOutLegend(double width)
+double TrendScene::layOutLegend(double width)
 {
     QLegend* const legend = m_chart->legend();
     if (m_series.empty())
@@ -147,18 +147,18 @@ double TrendPicture::layOutLegend(double width)
     return std::ceil(bottom) + legendSpace;
 }
 
-void TrendPicture::layOut()
+void TrendScene::layOut()
 {
     m_legendHeight = layOutLegend(m_chart->size().width());
     layOutPlot();
 }
 
-bool TrendPicture::layOutPlot()
+bool TrendScene::layOutPlot()
 {
     QRectF room(QPointF(0, 0), m_chart->size());
     room.setTop(m_legendHeight);
     QRectF plot = m_axes->layOut(room);
-    if (plot.width() < leastPlot || plot.height() < leastPlot)
+    if (plot.width() < minPlotSize || plot.height() < minPlotSize)
         plot = {};
     if (plot == m_plot)
         return false;
@@ -170,19 +170,19 @@ bool TrendPicture::layOutPlot()
     return true;
 }
 
-void TrendPicture::refresh(Axes axes, double ratio, bool hasty)
+void TrendScene::refresh(Axes axes, double ratio, bool coarseUpdates)
 {
     rangeAxes(axes);
     layOutPlot(); // the texts may have become longer
     m_axes->show(m_state.view, m_state.origin);
-    showTraces(ratio, hasty);
+    showTraces(ratio, coarseUpdates);
     refreshOverlay();
 }
 
-void TrendPicture::rangeAxes(Axes how)
+void TrendScene::rangeAxes(Axes how)
 {
     for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
-        if (m_state.store == nullptr || !axis.used || axis.range.fixed())
+        if (m_state.store == nullptr || !axis.used || axis.range.isFixed())
             continue;
         std::optional<AxisRange> range;
         for (const TrendChannel& channel : m_state.channels) {
@@ -195,36 +195,36 @@ void TrendPicture::rangeAxes(Axes how)
         }
         if (!range)
             continue;
-        if (how == Axes::AtOnce)
-            axis.range.settle(range->low, range->high);
+        if (how == Axes::Immediate)
+            axis.range.setNow(range->low, range->high);
         else
-            axis.range.take(range->low, range->high, m_state.view.now());
+            axis.range.update(range->low, range->high, m_state.view.now());
     }
 }
 
-void TrendPicture::showTraces(double ratio, bool hasty)
+void TrendScene::showTraces(double ratio, bool coarseUpdates)
 {
-    std::vector<TraceLook> looks;
+    std::vector<TraceStyle> looks;
     for (const TrendChannel& channel : m_state.channels) {
         if (!hasTrace(channel))
             continue;
-        const AxisRange range = m_axes->axisOf(channel.unit).range.shown();
-        looks.push_back({channel.id, trendColourOn(channel.colour, m_colours.ground).rgb(),
+        const AxisRange range = m_axes->axisOf(channel.unit).range.paddedRange();
+        looks.push_back({channel.id, trendColorOn(channel.color, m_colors.background).rgb(),
                          channel.steps, channel.scale, channel.offset, range.low, range.high});
     }
-    m_traces->show(m_state.store, looks, m_state.view.span(), ratio, hasty);
+    m_traces->show(m_state.store, looks, m_state.view.span(), ratio, coarseUpdates);
 }
 
-void TrendPicture::sharpen()
+void TrendScene::refine()
 {
-    if (m_state.store != nullptr && coarse())
-        m_traces->sharpen(*m_state.store);
+    if (m_state.store != nullptr && isCoarse())
+        m_traces->refine(*m_state.store);
 }
 
-void TrendPicture::refreshOverlay()
+void TrendScene::refreshOverlay()
 {
     m_overlay->setView(m_state.view);
-    m_overlay->setMarks(m_state.marks, m_state.markWords);
+    m_overlay->setMarks(m_state.marks, m_state.markTextFunction);
     m_overlay->setCursors(m_state.cursors);
 }
 } // namespace ui

@@ -19,7 +19,7 @@ namespace ui {
 struct TrendState {
     const record::SampleStore* store = nullptr;
     const std::vector<record::Mark>* marks = nullptr;
-    MarkWords markWords{};
+    MarkTextFunction markTextFunction{};
     std::vector<TrendChannel> channels{};
     TimeView view{};
     bool live = true; ///< "now" goes on; else a recording stands there
@@ -27,28 +27,28 @@ struct TrendState {
     std::optional<std::pair<base::Duration, base::Duration>> cursors{};
 };
 
-class TrendPicture final : public QObject {
+class TrendScene final : public QObject {
     Q_OBJECT
 
 public:
     /// Calm: axes shrink with patience. AtOnce: the user has asked for another view.
-    enum class Axes : std::uint8_t { Calm, AtOnce };
+    enum class Axes : std::uint8_t { Smooth, Immediate };
 
-    TrendPicture(QChart* chart, const TrendState& state, QObject* parent);
+    TrendScene(QChart* chart, const TrendState& state, QObject* parent);
 
-    void setColours(const TrendColours& colours);
+    void setColors(const TrendColors& colors);
     void setFont(const QFont& font);
     void setPaper(bool on) { m_traces->setPaper(on); }
     void setNotice(const QString& text) { m_overlay->setNotice(text); }
 
-    void storeChanged() { m_traces->forget(); }
-    void channelsChanged(); ///< other ones, or other names, colours, visibility
+    void clearTraces() { m_traces->clear(); }
+    void channelsChanged(); ///< other ones, or other names, colors, visibility
     void layOut();          ///< the chart's size has changed
     /// Fetches what is in view; `ratio`: device pixels a logical one. `hasty`: curves may be
     /// coarse, as the next change is expected at once.
-    void refresh(Axes axes, double ratio, bool hasty = false);
-    bool coarse() const { return m_traces->coarse(); }
-    void sharpen(); ///< a part at a time, while coarse()
+    void refresh(Axes axes, double ratio, bool coarseUpdates = false);
+    bool isCoarse() const { return m_traces->isCoarse(); }
+    void refine(); ///< a part at a time, while coarse()
     /// Marks and cursors only.
     void refreshOverlay();
 
@@ -64,7 +64,7 @@ private:
     void styleLegend();
     double layOutLegend(double width);
     void rangeAxes(Axes axes);
-    void showTraces(double ratio, bool hasty);
+    void showTraces(double ratio, bool coarseUpdates);
     bool layOutPlot();
 
     QChart* m_chart;
@@ -73,7 +73,7 @@ private:
     TraceItem* m_traces;
     TrendOverlay* m_overlay;
     std::vector<QLineSeries*> m_series; ///< empty ones; they give legend and axes their entries
-    TrendColours m_colours;
+    TrendColors m_colors;
     QRectF m_plot;
     double m_legendHeight = 0;
 };

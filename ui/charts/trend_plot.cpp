@@ -11,15 +11,15 @@
 
 namespace ui {
 namespace {
-constexpr double leastBox = 6; ///< pixels; less was a click
-constexpr double flatBox = 14; ///< lower than this means time only
-constexpr double notch = 0.8;  ///< of the wheel: what is left of the stretch
+constexpr double minBoxSize = 6; ///< pixels; less was a click
+constexpr double flatBox = 14;   ///< lower than this means time only
+constexpr double notch = 0.8;    ///< of the wheel: what is left of the stretch
 constexpr double wheelUnit = 120;
 } // namespace
 
 TrendPlot::TrendPlot(const TrendState& state, QWidget* parent)
     : QChartView(parent)
-    , m_picture(new TrendPicture(chart(), state, this))
+    , m_scene(new TrendScene(chart(), state, this))
 {
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::StrongFocus);
@@ -35,9 +35,9 @@ TrendPlot::TrendPlot(const TrendState& state, QWidget* parent)
     viewport()->grabGesture(Qt::PinchGesture);
 }
 
-QPointF TrendPlot::share(const QPointF& scene) const
+QPointF TrendPlot::fraction(const QPointF& scene) const
 {
-    const QRectF& plot = m_picture->plot();
+    const QRectF& plot = m_scene->plot();
     if (plot.isEmpty())
         return {};
     return {(scene.x() - plot.left()) / plot.width(), (plot.bottom() - scene.y()) / plot.height()};
@@ -52,7 +52,7 @@ void TrendPlot::resizeEvent(QResizeEvent* event)
 void TrendPlot::mousePressEvent(QMouseEvent* event)
 {
     const QPointF place = mapToScene(event->position().toPoint());
-    if (!m_picture->plot().adjusted(0, -18, 0, 0).contains(place)) {
+    if (!m_scene->plot().adjusted(0, -18, 0, 0).contains(place)) {
         QChartView::mousePressEvent(event); // the legend
         return;
     }
@@ -61,38 +61,39 @@ void TrendPlot::mousePressEvent(QMouseEvent* event)
     const bool pan =
         event->button() == Qt::MiddleButton ||
         (event->button() == Qt::LeftButton && event->modifiers().testFlag(Qt::ControlModifier));
-    const std::optional<Cursor> cursor = m_picture->overlay().cursorAt(place);
+    const std::optional<Cursor> cursor = m_scene->overlay().cursorAt(place);
     if (pan)
-        m_hold = Hold::Pan;
+        m_dragMode = DragMode::Pan;
     else if (event->button() != Qt::LeftButton)
         return;
     else if (cursor)
-        m_hold = *cursor == Cursor::A ? Hold::CursorA : Hold::CursorB;
+        m_dragMode = *cursor == Cursor::A ? DragMode::CursorA : DragMode::CursorB;
     else
-        m_hold = Hold::Box;
-    if (m_hold == Hold::Pan)
+        m_dragMode = DragMode::Box;
+    if (m_dragMode == DragMode::Pan)
         viewport()->setCursor(Qt::ClosedHandCursor);
 }
 
 void TrendPlot::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF place = mapToScene(event->position().toPoint());
-    const QRectF& plot = m_picture->plot();
-    switch (m_hold) {
-    case Hold::Nothing:
+    const QRectF& plot = m_scene->plot();
+    switch (m_dragMode) {
+    case DragMode::Nothing:
         hover(place);
         QChartView::mouseMoveEvent(event);
         return;
-    case Hold::Box:
-        m_picture->overlay().setBox(boxTo(place));
+    case DragMode::Box:
+        m_scene->overlay().setBox(boxTo(place));
         break;
-    case Hold::Pan:
+    case DragMode::Pan:
         Q_EMIT panned((place.x() - m_last.x()) / plot.width(),
                       (m_last.y() - place.y()) / plot.height());
         break;
-    case Hold::CursorA:
-    case Hold::CursorB:
-        Q_EMIT cursorMoved(m_hold == Hold::CursorA ? Cursor::A : Cursor::B, share(place).x());
+    case DragMode::CursorA:
+    case DragMode::CursorB:
+        Q_EMIT cursorMoved(m_dragMode == DragMode::CursorA ? Cursor::A : Cursor::B,
+                           fraction(place).x());
         break;
     }
     m_last = place;
@@ -101,32 +102,32 @@ void TrendPlot::mouseMoveEvent(QMouseEvent* event)
 
 void TrendPlot::mouseReleaseEvent(QMouseEvent* event)
 {
-    const Hold held = std::exchange(m_hold, Hold::Nothing);
-    if (held == Hold::Nothing) {
+    const DragMode held = std::exchange(m_dragMode, DragMode::Nothing);
+    if (held == DragMode::Nothing) {
         QChartView::mouseReleaseEvent(event);
         return;
     }
     event->accept();
     viewport()->unsetCursor();
-    if (held == Hold::Pan)
+    if (held == DragMode::Pan)
         Q_EMIT panEnded();
-    if (held != Hold::Box)
+    if (held != DragMode::Box)
         return;
-    m_picture->overlay().setBox({});
+    m_scene->overlay().setBox({});
     const QRectF box = boxTo(mapToScene(event->position().toPoint()));
-    const QPointF low = share(box.bottomLeft());
-    const QPointF high = share(box.topRight());
+    const QPointF low = fraction(box.bottomLeft());
+    const QPointF high = fraction(box.topRight());
     if (!box.isEmpty())
-        Q_EMIT boxed(QRectF(low, high));
+        Q_EMIT boxDrawn(QRectF(low, high));
 }
 
 void TrendPlot::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    if (m_picture->plot().contains(mapToScene(event->position().toPoint())) &&
+    if (m_scene->plot().contains(mapToScene(event->position().toPoint())) &&
         event->button() == Qt::LeftButton) {
-        m_hold = Hold::Nothing;
+        m_dragMode = DragMode::Nothing;
         event->accept();
-        Q_EMIT backWished();
+        Q_EMIT backRequested();
     } else {
         mousePressEvent(event);
     }
@@ -135,13 +136,13 @@ void TrendPlot::mouseDoubleClickEvent(QMouseEvent* event)
 /// From where the button went down; a flat one as high as the plot. Empty: nothing was drawn.
 QRectF TrendPlot::boxTo(const QPointF& scene) const
 {
-    const QRectF& plot = m_picture->plot();
+    const QRectF& plot = m_scene->plot();
     const auto inside = [&](const QPointF& p) {
         return QPointF(std::clamp(p.x(), plot.left(), plot.right()),
                        std::clamp(p.y(), plot.top(), plot.bottom()));
     };
     QRectF box = QRectF(inside(m_pressed), inside(scene)).normalized();
-    if (box.width() < leastBox)
+    if (box.width() < minBoxSize)
         return {};
     if (box.height() < flatBox) {
         box.setTop(plot.top());
@@ -152,11 +153,11 @@ QRectF TrendPlot::boxTo(const QPointF& scene) const
 
 void TrendPlot::hover(const QPointF& scene)
 {
-    const std::optional<Cursor> cursor = m_picture->overlay().cursorAt(scene);
-    m_picture->overlay().setActive(cursor);
+    const std::optional<Cursor> cursor = m_scene->overlay().cursorAt(scene);
+    m_scene->overlay().setActive(cursor);
     if (cursor)
         viewport()->setCursor(Qt::SplitHCursor);
-    else if (m_picture->plot().contains(scene))
+    else if (m_scene->plot().contains(scene))
         viewport()->setCursor(Qt::CrossCursor);
     else
         viewport()->unsetCursor();
@@ -166,13 +167,13 @@ void TrendPlot::wheelEvent(QWheelEvent* event)
 {
     event->accept();
     const QPointF scene = mapToScene(event->position().toPoint());
-    const QPointF place = share(scene);
+    const QPointF place = fraction(scene);
     QPoint turn = event->angleDelta();
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
     if (event->modifiers().testFlag(Qt::AltModifier) || (shift && turn.y() == 0))
         turn = {0, turn.x() + turn.y()}; // some systems turn the wheel sideways with these
     const double factor = std::pow(notch, turn.y() / wheelUnit);
-    const TrendAxes::ValueAxis* const axis = m_picture->axes().axisAt(scene);
+    const TrendAxes::ValueAxis* const axis = m_scene->axes().axisAt(scene);
     if (shift || axis != nullptr) {
         const QString unit = axis != nullptr ? axis->range.unit() : QString();
         if (turn.y() != 0)
@@ -197,16 +198,16 @@ bool TrendPlot::viewportEvent(QEvent* event)
         if (native->gestureType() != Qt::ZoomNativeGesture || native->value() <= -1)
             break;
         Q_EMIT zoomed(1 / (1 + native->value()),
-                      share(mapToScene(native->position().toPoint())).x());
+                      fraction(mapToScene(native->position().toPoint())).x());
         return true;
     }
     case QEvent::ToolTip: {
         const auto* const help = static_cast<QHelpEvent*>(event);
-        Q_EMIT tipWished(mapToScene(help->pos()), help->globalPos());
+        Q_EMIT toolTipRequested(mapToScene(help->pos()), help->globalPos());
         return true;
     }
     case QEvent::Leave:
-        m_picture->overlay().setActive({});
+        m_scene->overlay().setActive({});
         break;
     default:
         break;
@@ -220,16 +221,16 @@ bool TrendPlot::pinched(QGestureEvent* event)
     if (pinch == nullptr)
         return false;
     event->accept(pinch);
-    m_hold = Hold::Nothing; // the finger that came first is taken for the mouse
-    m_picture->overlay().setBox({});
-    const QPointF centre = viewport()->mapFromGlobal(pinch->centerPoint());
+    m_dragMode = DragMode::Nothing; // the finger that came first is taken for the mouse
+    m_scene->overlay().setBox({});
+    const QPointF center = viewport()->mapFromGlobal(pinch->centerPoint());
     if (pinch->changeFlags().testFlag(QPinchGesture::ScaleFactorChanged) &&
         pinch->scaleFactor() > 0)
-        Q_EMIT zoomed(1 / pinch->scaleFactor(), share(mapToScene(centre.toPoint())).x());
+        Q_EMIT zoomed(1 / pinch->scaleFactor(), fraction(mapToScene(center.toPoint())).x());
     if (pinch->changeFlags().testFlag(QPinchGesture::CenterPointChanged)) {
         const double by = pinch->centerPoint().x() - pinch->lastCenterPoint().x();
-        if (std::abs(by) >= 1 && !m_picture->plot().isEmpty())
-            Q_EMIT panned(by / m_picture->plot().width(), 0);
+        if (std::abs(by) >= 1 && !m_scene->plot().isEmpty())
+            Q_EMIT panned(by / m_scene->plot().width(), 0);
     }
     if (pinch->state() == Qt::GestureFinished)
         Q_EMIT panEnded();
@@ -240,14 +241,14 @@ void TrendPlot::focusInEvent(QFocusEvent* event)
 {
     // Only for who came by keyboard; keyPressEvent() shows it too.
     const Qt::FocusReason why = event->reason();
-    m_picture->overlay().setFocused(why == Qt::TabFocusReason || why == Qt::BacktabFocusReason ||
-                                    why == Qt::ShortcutFocusReason);
+    m_scene->overlay().setFocused(why == Qt::TabFocusReason || why == Qt::BacktabFocusReason ||
+                                  why == Qt::ShortcutFocusReason);
     QChartView::focusInEvent(event);
 }
 
 void TrendPlot::focusOutEvent(QFocusEvent* event)
 {
-    m_picture->overlay().setFocused(false);
+    m_scene->overlay().setFocused(false);
     QChartView::focusOutEvent(event);
 }
 } // namespace ui

@@ -16,25 +16,25 @@ class TrendPlot final : public QChartView {
 public:
     TrendPlot(const TrendState& state, QWidget* parent);
 
-    TrendPicture& picture() { return *m_picture; }
+    TrendScene& picture() { return *m_scene; }
 
 Q_SIGNALS:
     void resized();
-    void boxed(const QRectF& shares); ///< x and y from the lower left; whole height: time only
-    void panned(double x, double y);  ///< by shares, since the last one
+    void boxDrawn(const QRectF& shares); ///< x and y from the lower left; whole height: time only
+    void panned(double x, double y);     ///< by shares, since the last one
     void panEnded();
     void zoomed(double factor, double place);
     /// axis: unit, or null for all
     void valuesZoomed(const QString* unit, double factor, double place);
-    void backWished();
-    void fitWished();
-    void pauseWished();
-    void endWished(bool newest); ///< the oldest, or the newest there is
+    void backRequested();
+    void fitRequested();
+    void pauseRequested();
+    void endRequested(bool newest); ///< the oldest, or the newest there is
     void cursorMoved(ui::Cursor which, double place);
     void cursorNudged(ui::Cursor which, double pixels);
-    void cursorsWished();
-    void channelWished(int index);
-    void tipWished(const QPointF& scenePlace, const QPoint& screenPlace);
+    void cursorsRequested();
+    void channelToggleRequested(int index);
+    void toolTipRequested(const QPointF& scenePlace, const QPoint& screenPlace);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -49,9 +49,9 @@ protected:
     bool viewportEvent(QEvent* event) override;
 
 private:
-    enum class Hold : std::uint8_t { Nothing, Box, Pan, CursorA, CursorB };
+    enum class DragMode : std::uint8_t { Nothing, Box, Pan, CursorA, CursorB };
 
-    QPointF share(const QPointF& scene) const;
+    QPointF fraction(const QPointF& scene) const;
     QRectF boxTo(const QPointF& scene) const;
     bool pinched(QGestureEvent* event);
     void hover(const QPointF& scene);
@@ -60,8 +60,8 @@ private:
     bool cursorKey(int key, const QString& text, Qt::KeyboardModifiers with);
     bool plainKey(int key);
 
-    TrendPicture* m_picture;
-    Hold m_hold = Hold::Nothing;
+    TrendScene* m_scene;
+    DragMode m_dragMode = DragMode::Nothing;
     QPointF m_pressed; ///< scene
     QPointF m_last;
 };

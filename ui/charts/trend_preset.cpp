@@ -9,30 +9,31 @@
 
 namespace ui {
 namespace {
-const QString place = QStringLiteral("trend/presets"); // one text: { name: preset }
+const QString settingsKey = QStringLiteral("trend/presets"); // one text: { name: preset }
 constexpr double longest = 30.0 * 24 * 3600 * 1e6;
 
 QJsonObject all(const session::Settings& settings)
 {
-    return QJsonDocument::fromJson(settings.choice(place, QString()).toString().toUtf8()).object();
+    return QJsonDocument::fromJson(settings.pageValue(settingsKey, QString()).toString().toUtf8())
+        .object();
 }
 
 void keep(session::Settings& settings, const QJsonObject& presets)
 {
-    settings.setChoice(place,
-                       QString::fromUtf8(QJsonDocument(presets).toJson(QJsonDocument::Compact)));
+    settings.setPageValue(settingsKey,
+                          QString::fromUtf8(QJsonDocument(presets).toJson(QJsonDocument::Compact)));
 }
 
 QJsonObject written(const TrendPreset& preset)
 {
     QJsonArray channels;
     for (const PresetChannel& channel : preset.channels) {
-        channels << QJsonObject{{QStringLiteral("key"), channel.key},
-                                {QStringLiteral("visible"), channel.visible},
-                                {QStringLiteral("colour"),
-                                 channel.colour.isValid() ? channel.colour.name() : QString()},
-                                {QStringLiteral("scale"), channel.scale},
-                                {QStringLiteral("offset"), channel.offset}};
+        channels << QJsonObject{
+            {QStringLiteral("key"), channel.key},
+            {QStringLiteral("visible"), channel.visible},
+            {QStringLiteral("colour"), channel.color.isValid() ? channel.color.name() : QString()},
+            {QStringLiteral("scale"), channel.scale},
+            {QStringLiteral("offset"), channel.offset}};
     }
     return {{QStringLiteral("width_us"), double(preset.width.count())},
             {QStringLiteral("channels"), channels}};
@@ -43,7 +44,7 @@ PresetChannel readChannel(const QJsonObject& object)
     PresetChannel channel;
     channel.key = object[QStringLiteral("key")].toString();
     channel.visible = object[QStringLiteral("visible")].toBool(true);
-    channel.colour = QColor(object[QStringLiteral("colour")].toString());
+    channel.color = QColor(object[QStringLiteral("colour")].toString());
     channel.scale = object[QStringLiteral("scale")].toDouble(1.0);
     channel.offset = object[QStringLiteral("offset")].toDouble(0.0);
     if (channel.scale == 0 || !std::isfinite(channel.scale))

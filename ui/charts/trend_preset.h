@@ -13,7 +13,7 @@ namespace ui {
 struct PresetChannel {
     QString key;
     bool visible = true;
-    QColor colour{};
+    QColor color{};
     double scale = 1.0;
     double offset = 0.0;
     bool operator==(const PresetChannel&) const = default;

@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 namespace ui {
-About::About(QWidget* parent)
+AboutDialog::AboutDialog(QWidget* parent)
     : QDialog(parent)
 {
     setAttribute(Qt::WA_DeleteOnClose);

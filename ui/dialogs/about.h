@@ -5,10 +5,10 @@
 #include <QDialog>
 
 namespace ui {
-class About final : public QDialog {
+class AboutDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    explicit About(QWidget* parent);
+    explicit AboutDialog(QWidget* parent);
 };
 } // namespace ui

@@ -13,19 +13,19 @@
 namespace ui {
 using catalog::Role;
 using jobs::AlarmPlan;
-using jobs::Release;
+using jobs::ClearMethod;
 using text::translate;
 
 namespace {
 using namespace std::chrono_literals;
-constexpr auto lookEvery = 400ms;
+constexpr auto checkInterval = 400ms;
 constexpr int columns = 4;
-constexpr int rowsShown = 3;
+constexpr int visibleRows = 3;
 
-bool acts(Release release)
+bool hasAction(ClearMethod release)
 {
-    return release == Release::TurnBack || release == Release::NewGoal ||
-           release == Release::FaultReset;
+    return release == ClearMethod::BackOff || release == ClearMethod::NewGoal ||
+           release == ClearMethod::FaultReset;
 }
 } // namespace
 
@@ -41,58 +41,58 @@ AlarmDialog::AlarmDialog(session::Desk& desk, session::ServoRef servo, QWidget* 
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() +
-                            rowsShown * m_table->verticalHeader()->defaultSectionSize());
+                            visibleRows * m_table->verticalHeader()->defaultSectionSize());
     body()->addWidget(m_table);
     body()->addWidget(m_release);
-    m_again.setSingleShot(true);
-    m_again.setInterval(lookEvery);
-    connect(&m_again, &QTimer::timeout, this, &AlarmDialog::lookAgain);
-    begin();
-    lookAgain();
+    m_refreshTimer.setSingleShot(true);
+    m_refreshTimer.setInterval(checkInterval);
+    connect(&m_refreshTimer, &QTimer::timeout, this, &AlarmDialog::reload);
+    finishSetup();
+    reload();
 }
 
 /// One look after the other, each when the one before has ended, so that none pile up.
-void AlarmDialog::lookAgain()
+void AlarmDialog::reload()
 {
-    if (running() || entry() == nullptr)
+    if (isRunning() || entry() == nullptr)
         return;
     const auto plan = std::make_shared<base::Result<AlarmPlan>>();
     session::Task task;
     task.name = QStringLiteral("read");
     task.work = [plan](session::TaskContext& context) -> base::Result<void> {
-        *plan = jobs::planAlarm(context.device, context.servo);
+        *plan = jobs::planClearAlarm(context.device, context.servo);
         if (!*plan)
             return tl::unexpected(plan->error());
         return {};
     };
-    look(std::move(task), [this, plan](const session::TaskEnd& end) {
-        looked(end.error ? base::Result<AlarmPlan>(tl::unexpected(*end.error)) : *plan);
+    runInBackground(std::move(task), [this, plan](const session::TaskCompletion& end) {
+        onPlanRead(end.error ? base::Result<AlarmPlan>(tl::unexpected(*end.error)) : *plan);
     });
 }
 
-void AlarmDialog::looked(const base::Result<AlarmPlan>& plan)
+void AlarmDialog::onPlanRead(const base::Result<AlarmPlan>& plan)
 {
-    if (running() || m_asking)
+    if (isRunning() || m_confirming)
         return;
     if (!plan) {
         m_plan.reset();
         fillTable();
         refresh();
-        tellError(plan.error());
+        showError(plan.error());
     } else {
         const bool changed = !m_plan || m_plan->next != plan->next;
         m_plan = *plan;
         fillTable();
         retranslate();
         refresh();
-        if (changed && m_plan->next == Release::Nothing && m_hadAlarm)
-            tell([] {
-                return TaskWords{Tone::Good, translate("ServoTasks", "The alarm is gone.")};
+        if (changed && m_plan->next == ClearMethod::None && m_hadAlarm)
+            showResult([] {
+                return TaskText{Tone::Good, translate("ServoTasks", "The alarm is gone.")};
             });
-        m_hadAlarm = m_plan->next != Release::Nothing;
+        m_hadAlarm = m_plan->next != ClearMethod::None;
     }
     if (desk().state() == session::LinkState::Open)
-        m_again.start();
+        m_refreshTimer.start();
 }
 
 void AlarmDialog::fillTable()
@@ -107,8 +107,8 @@ void AlarmDialog::fillRow(int row, const jobs::Alarm& alarm)
 {
     const device::Servo& servo = entry()->servo;
     const QString cells[columns] = {
-        text::alarmWord(alarm.key), valueWord(servo, alarm.measured, alarm.value),
-        valueWord(servo, alarm.measured, alarm.min), valueWord(servo, alarm.measured, alarm.max)};
+        text::alarmLabel(alarm.key), valueText(servo, alarm.measured, alarm.value),
+        valueText(servo, alarm.measured, alarm.min), valueText(servo, alarm.measured, alarm.max)};
     for (int column = 0; column < columns; ++column) {
         auto* item = new QTableWidgetItem(cells[column]);
         const QString more = text::alarmCause(alarm.key);
@@ -119,14 +119,14 @@ void AlarmDialog::fillRow(int row, const jobs::Alarm& alarm)
     }
 }
 
-QString AlarmDialog::deedWord() const
+QString AlarmDialog::actionText() const
 {
-    switch (m_plan ? m_plan->next : Release::Nothing) {
-    case Release::TurnBack:
+    switch (m_plan ? m_plan->next : ClearMethod::None) {
+    case ClearMethod::BackOff:
         return translate("ServoTasks", "Turn back a little…");
-    case Release::NewGoal:
+    case ClearMethod::NewGoal:
         return translate("ServoTasks", "Hold where it is…");
-    case Release::FaultReset:
+    case ClearMethod::FaultReset:
         return translate("ServoTasks", "Reset the fault");
     default:
         return translate("ServoTasks", "Clear");
@@ -135,10 +135,10 @@ QString AlarmDialog::deedWord() const
 
 void AlarmDialog::retranslate()
 {
-    setWords(translate("ServoTasks", "Clear alarm"),
+    setTexts(translate("ServoTasks", "Clear alarm"),
              translate("ServoTasks", "Each alarm lets go in its own way. The values are read again "
                                      "as long as this is open; reading writes nothing."),
-             deedWord(), translate("ServoTasks", "Do what releases the alarm"));
+             actionText(), translate("ServoTasks", "Do what releases the alarm"));
     m_table->setHorizontalHeaderLabels(
         {translate("ServoTasks", "Alarm"), translate("ServoTasks", "Value"),
          translate("ServoTasks", "Minimum"), translate("ServoTasks", "Maximum")});
@@ -159,58 +159,58 @@ void AlarmDialog::refresh()
                 lines << translate("ServoTasks", "This family reports no alarms: this one is "
                                                  "worked out from the value and its limit.");
         }
-        lines << text::releaseWords(jobs::releaseName(m_plan->next));
+        lines << text::releaseText(jobs::clearMethodName(m_plan->next));
         if (m_plan->refused) {
-            const text::Description words = text::describe(*m_plan->refused);
-            lines << words.what << words.cause << words.remedy;
+            const text::Description description = text::describe(*m_plan->refused);
+            lines << description.message << description.cause << description.remedy;
         }
     }
     lines.removeAll(QString());
     m_release->setText(lines.join(QStringLiteral("\n\n")));
-    setReady(m_plan && acts(m_plan->next) && !m_plan->refused);
+    setReady(m_plan && hasAction(m_plan->next) && !m_plan->refused);
 }
 
-QString AlarmDialog::placeWord(const std::optional<std::int64_t>& raw) const
+QString AlarmDialog::positionText(const std::optional<std::int64_t>& raw) const
 {
     const catalog::Register* goal = entry()->servo.profile->byRole(Role::GoalPosition);
-    return goal != nullptr ? valueWord(entry()->servo, goal->key, raw) : QString();
+    return goal != nullptr ? valueText(entry()->servo, goal->key, raw) : QString();
 }
 
-void AlarmDialog::act()
+void AlarmDialog::runAction()
 {
     if (!m_plan->needsConsent()) {
-        clearIt();
+        clearAlarms();
         return;
     }
     Question question;
-    if (m_plan->next == Release::TurnBack) {
+    if (m_plan->next == ClearMethod::BackOff) {
         question.title = translate("ServoTasks", "Let the shaft turn back?");
         question.text = translate("ServoTasks", "It turns from %1 to %2, away from the stall, and "
                                                 "holds there with its full torque.")
-                            .arg(placeWord(m_plan->from), placeWord(m_plan->to));
-        question.yes = translate("ServoTasks", "Turn back");
+                            .arg(positionText(m_plan->from), positionText(m_plan->to));
+        question.acceptText = translate("ServoTasks", "Turn back");
     } else {
         question.title = translate("ServoTasks", "Switch torque on?");
         question.text = translate("ServoTasks", "Its present place, %1, becomes its goal, and "
                                                 "torque holds it there.")
-                            .arg(placeWord(m_plan->to));
-        question.yes = translate("ServoTasks", "Switch on");
+                            .arg(positionText(m_plan->to));
+        question.acceptText = translate("ServoTasks", "Switch on");
     }
     question.risk = translate("ServoTasks", "Remove what blocks it and keep your fingers away from "
                                             "the mechanism.");
     question.guard = this;
-    question.refused = [this] {
-        m_asking = false;
-        m_again.start();
+    question.rejected = [this] {
+        m_confirming = false;
+        m_refreshTimer.start();
     };
-    m_asking = true;
+    m_confirming = true;
     ask(this, question, [this] {
-        m_asking = false;
-        clearIt();
+        m_confirming = false;
+        clearAlarms();
     });
 }
 
-void AlarmDialog::clearIt()
+void AlarmDialog::clearAlarms()
 {
     if (entry() == nullptr || !m_plan)
         return;
@@ -218,10 +218,10 @@ void AlarmDialog::clearIt()
     session::Task task;
     task.name = QStringLiteral("clear-alarm");
     task.savesTable = true;
-    if (m_plan->next == jobs::Release::TurnBack)
+    if (m_plan->next == jobs::ClearMethod::BackOff)
         task.effect = session::Effect::Moves;
-    else if (m_plan->next == jobs::Release::NewGoal)
-        task.effect = session::Effect::Energises; // as was agreed
+    else if (m_plan->next == jobs::ClearMethod::NewGoal)
+        task.effect = session::Effect::EnablesTorque; // as was agreed
     task.work = [report, agreed = *m_plan](session::TaskContext& context) -> base::Result<void> {
         auto done = jobs::clearAlarm(context.device, context.servo, agreed);
         if (!done)
@@ -229,29 +229,29 @@ void AlarmDialog::clearIt()
         *report = *done;
         return {};
     };
-    run(std::move(task), [this, report](const session::TaskEnd& end) {
+    run(std::move(task), [this, report](const session::TaskCompletion& end) {
         if (end.error)
-            tellError(*end.error);
+            showError(*end.error);
         else
-            cleared(*report, end.notices);
-        m_again.start();
+            onCleared(*report, end.notices);
+        m_refreshTimer.start();
     });
 }
 
-void AlarmDialog::cleared(const jobs::AlarmReport& report, const device::Notices& notices)
+void AlarmDialog::onCleared(const jobs::AlarmReport& report, const device::Notices& notices)
 {
     m_plan = report.after;
     m_hadAlarm = false;
     fillTable();
     retranslate();
     refresh();
-    const bool good = report.cleared();
-    tell([good, notices] {
-        return TaskWords{good ? Tone::Good : Tone::Warn,
-                         good ? translate("ServoTasks", "The alarm is gone.")
-                              : translate("ServoTasks", "An alarm is still there, or has come "
-                                                        "back: its cause lasts."),
-                         noticeLines(notices)};
+    const bool good = report.isCleared();
+    showResult([good, notices] {
+        return TaskText{good ? Tone::Good : Tone::Warn,
+                        good ? translate("ServoTasks", "The alarm is gone.")
+                             : translate("ServoTasks", "An alarm is still there, or has come "
+                                                       "back: its cause lasts."),
+                        noticeLines(notices)};
     });
 }
 } // namespace ui

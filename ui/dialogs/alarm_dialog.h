@@ -21,23 +21,23 @@ public:
 protected:
     void retranslate() override;
     void refresh() override;
-    void act() override;
+    void runAction() override;
 
 private:
-    void lookAgain();
-    void looked(const base::Result<jobs::AlarmPlan>& plan);
+    void reload();
+    void onPlanRead(const base::Result<jobs::AlarmPlan>& plan);
     void fillTable();
     void fillRow(int row, const jobs::Alarm& alarm);
-    void clearIt();
-    void cleared(const jobs::AlarmReport& report, const device::Notices& notices);
-    QString deedWord() const;
-    QString placeWord(const std::optional<std::int64_t>& raw) const;
+    void clearAlarms();
+    void onCleared(const jobs::AlarmReport& report, const device::Notices& notices);
+    QString actionText() const;
+    QString positionText(const std::optional<std::int64_t>& raw) const;
 
     QTableWidget* m_table;
     QLabel* m_release;
-    QTimer m_again;
+    QTimer m_refreshTimer;
     std::optional<jobs::AlarmPlan> m_plan;
     bool m_hadAlarm = false;
-    bool m_asking = false; ///< the user reads the question
+    bool m_confirming = false; ///< the user reads the question
 };
 } // namespace ui

@@ -26,14 +26,14 @@ namespace ui {
 using jobs::ApplyVerdict;
 
 namespace {
-constexpr int startWidth = 760;
-constexpr int startHeight = 520;
+constexpr int initialWidth = 760;
+constexpr int initialHeight = 520;
 constexpr int margin = 24;
 
 Tone toneOf(ApplyVerdict verdict)
 {
     switch (verdict) {
-    case ApplyVerdict::AlreadySo:
+    case ApplyVerdict::AlreadySet:
     case ApplyVerdict::Done:
         return Tone::Good;
     case ApplyVerdict::Planned:
@@ -42,14 +42,14 @@ Tone toneOf(ApplyVerdict verdict)
     case ApplyVerdict::OtherServo:
         return Tone::Warn;
     case ApplyVerdict::Failed:
-    case ApplyVerdict::NoAnswer:
+    case ApplyVerdict::NoReply:
     case ApplyVerdict::Error:
         break;
     }
     return Tone::Bad;
 }
 
-QString signOf(Tone tone)
+QString symbolFor(Tone tone)
 {
     return tone == Tone::Good     ? QStringLiteral("✔ ")
            : tone == Tone::Accent ? QStringLiteral("≠ ")
@@ -57,49 +57,49 @@ QString signOf(Tone tone)
                                   : QStringLiteral("✘ ");
 }
 
-RegisterNames plainNames()
+RegisterNames keyNames()
 {
     return {[](const QString& key) { return key; },
             [](const QString&, std::int64_t raw) { return QString::number(raw); }};
 }
 
 /// "P gain 40 → 32" for each row to come, or what became of each.
-QString details(const jobs::Applied& one)
+QString details(const jobs::ApplyResult& one)
 {
     QStringList lines;
     if (one.error)
-        lines << text::describe(*one.error).what;
+        lines << text::describe(*one.error).message;
     if (one.outcome) {
         for (const jobs::RestoreRowResult& row : one.outcome->rows)
             lines << QStringLiteral("%1: %2 → %3, %4")
                          .arg(row.write.key)
                          .arg(qint64(row.write.oldRaw.value_or(0)))
                          .arg(qint64(row.write.newRaw))
-                         .arg(text::outcomeWord(device::outcomeName(row.write.outcome)));
-        const QString left = notPutBackWords(*one.outcome, plainNames());
+                         .arg(text::outcomeLabel(device::outcomeName(row.write.outcome)));
+        const QString left = notRolledBackText(*one.outcome, keyNames());
         if (!left.isEmpty())
             lines << left << restoreRemedy(*one.outcome);
     } else {
-        for (const jobs::RestoreWrite& write : jobs::writesOf(one.plan))
+        for (const jobs::RestoreWrite& write : jobs::plannedWrites(one.plan))
             lines << QStringLiteral("%1: %2 → %3")
                          .arg(write.key)
                          .arg(qint64(write.from.value_or(0)))
                          .arg(qint64(write.to));
     }
-    for (const jobs::RestoreRow* row : jobs::leftOut(one.plan))
+    for (const jobs::RestoreRow* row : jobs::omittedRows(one.plan))
         lines << QStringLiteral("%1: %2").arg(
-            row->key, text::restoreReasonWords(jobs::restoreReasonNames(row->reasons)));
+            row->key, text::restoreReasonText(jobs::restoreReasonNames(row->reasons)));
     return lines.join(QLatin1Char('\n'));
 }
 
 /// What happened to it; rows that were left out make a good end no better than a warning.
-Tone toneOf(const jobs::Applied& one)
+Tone toneOf(const jobs::ApplyResult& one)
 {
     const Tone how = toneOf(one.verdict);
-    return how == Tone::Good && !jobs::leftOut(one.plan).empty() ? Tone::Warn : how;
+    return how == Tone::Good && !jobs::omittedRows(one.plan).empty() ? Tone::Warn : how;
 }
 
-bool bad(const jobs::Applied& one)
+bool hasProblem(const jobs::ApplyResult& one)
 {
     const Tone how = toneOf(one.verdict);
     return how == Tone::Bad || how == Tone::Warn;
@@ -115,23 +115,23 @@ ApplyDialog::ApplyDialog(session::Desk& desk, session::Snapshots& snapshots, App
 {
     setObjectName(QStringLiteral("applyDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
-    collect();
+    fillServos();
     build();
     retranslate();
-    connect(&m_desk, &session::Desk::taskChanged, this, &ApplyDialog::update);
-    connect(&m_desk, &session::Desk::linkChanged, this, &ApplyDialog::update);
+    connect(&m_desk, &session::Desk::taskChanged, this, &ApplyDialog::updateControls);
+    connect(&m_desk, &session::Desk::linkChanged, this, &ApplyDialog::updateControls);
     connect(&m_snapshots, &session::Snapshots::saved, this, [this](const QString& path) {
-        m_result->tell([path] {
-            return TaskWords{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
+        m_result->showResult([path] {
+            return TaskText{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
         });
     });
     connect(&m_snapshots, &session::Snapshots::failed, this, [this](const base::Error& error) {
-        m_result->tell([error] { return errorWords(error); });
+        m_result->showResult([error] { return errorText(error); });
     });
 }
 
 /// The servos of the bundle, or all of the list that can be written to.
-void ApplyDialog::collect()
+void ApplyDialog::fillServos()
 {
     if (m_source.bundle) {
         for (const record::Snapshot& one : m_source.bundle->servos)
@@ -140,7 +140,7 @@ void ApplyDialog::collect()
     }
     for (const session::ServoRef ref : m_desk.servos()) {
         const session::ServoEntry* entry = m_desk.servo(ref);
-        const bool here = !m_desk.hasBaud() || entry->servo.baud == m_desk.baud();
+        const bool here = !m_desk.canSetBaud() || entry->servo.baud == m_desk.baud();
         if (here && entry->servo.profile && entry->servo.profile->writable)
             m_rows.push_back({entry->servo.id, entry->servo.profile->modelName});
     }
@@ -149,9 +149,9 @@ void ApplyDialog::collect()
 void ApplyDialog::build()
 {
     auto* column = new QVBoxLayout(this);
-    m_what = new QLabel(this);
-    m_what->setObjectName(QStringLiteral("applyWhat"));
-    m_what->setWordWrap(true);
+    m_summary = new QLabel(this);
+    m_summary->setObjectName(QStringLiteral("applyWhat"));
+    m_summary->setWordWrap(true);
     m_table = new QTableWidget(int(m_rows.size()), Count, this);
     m_table->setObjectName(QStringLiteral("applyTable"));
     m_table->setItemDelegate(new ToneDelegate(m_table));
@@ -183,7 +183,7 @@ void ApplyDialog::build()
     m_otherModel->setVisible(m_source.bundle != nullptr);
     m_dangerous = check("applyDangerous");
     m_dangerous->setVisible(m_source.bundle != nullptr);
-    m_result = new TaskResult(startWidth - margin, this);
+    m_result = new TaskResult(initialWidth - margin, this);
     auto* row = new QHBoxLayout;
     const auto button = [&](const char* name) {
         auto* made = new QPushButton(this);
@@ -199,25 +199,25 @@ void ApplyDialog::build()
     row->addStretch();
     m_save = button("applySave");
     m_close = button("applyClose");
-    column->addWidget(m_what);
+    column->addWidget(m_summary);
     column->addWidget(m_table, 1);
     column->addWidget(m_rollBack);
     column->addWidget(m_otherModel);
     column->addWidget(m_dangerous);
     column->addWidget(m_result);
     column->addLayout(row);
-    connect(m_table, &QTableWidget::itemChanged, this, &ApplyDialog::update);
+    connect(m_table, &QTableWidget::itemChanged, this, &ApplyDialog::updateControls);
     connect(m_dryRun, &QPushButton::clicked, this, [this] { run(true); });
-    connect(m_write, &QPushButton::clicked, this, &ApplyDialog::askFirst);
+    connect(m_write, &QPushButton::clicked, this, &ApplyDialog::askForConfirmation);
     connect(m_stop, &QPushButton::clicked, this, [this] { m_desk.stopTask(); });
-    connect(m_save, &QPushButton::clicked, this, &ApplyDialog::askWhere);
+    connect(m_save, &QPushButton::clicked, this, &ApplyDialog::askForSavePath);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
-    resize(startWidth, startHeight);
+    resize(initialWidth, initialHeight);
 }
 
 void ApplyDialog::fillRow(int row)
 {
-    const QSignalBlocker quiet(m_table);
+    const QSignalBlocker blocker(m_table);
     const Row& about = m_rows[std::size_t(row)];
     m_table->item(row, Servo)->setText(QStringLiteral("ID %1").arg(about.id));
     m_table->item(row, Model)->setText(about.model);
@@ -228,21 +228,21 @@ void ApplyDialog::fillRow(int row)
         verdict->setText(QString());
         return;
     }
-    const jobs::Applied& one = *about.applied;
+    const jobs::ApplyResult& one = *about.applied;
     const std::size_t count =
-        one.outcome ? one.outcome->rows.size() : jobs::writesOf(one.plan).size();
+        one.outcome ? one.outcome->rows.size() : jobs::plannedWrites(one.plan).size();
     rows->setText(QString::number(count));
     const Tone how = toneOf(one);
-    const std::size_t left = jobs::leftOut(one.plan).size();
-    QString words = signOf(how) + text::restoreVerdictWords(jobs::verdictName(one.verdict));
-    if (one.outcome && !one.outcome->notPutBack.isEmpty())
+    const std::size_t left = jobs::omittedRows(one.plan).size();
+    QString words = symbolFor(how) + text::restoreVerdictText(jobs::verdictName(one.verdict));
+    if (one.outcome && !one.outcome->notReverted.isEmpty())
         words += QStringLiteral(" · ") + tr("old values not put back");
     if (left > 0)
         words += QStringLiteral(" · ") +
                  (left == 1 ? tr("1 row left out") : tr("%1 rows left out").arg(left));
-    const std::vector<const jobs::RestoreRow*> alarms = jobs::alarmsToCome(one.plan);
+    const std::vector<const jobs::RestoreRow*> alarms = jobs::predictedAlarms(one.plan);
     const bool alarm = std::any_of(alarms.begin(), alarms.end(),
-                                   [](const jobs::RestoreRow* limit) { return limit->ticked; });
+                                   [](const jobs::RestoreRow* limit) { return limit->selected; });
     if (alarm && !one.outcome)
         words += QStringLiteral(" · ✗ ") + tr("would cause an alarm now");
     verdict->setText(words);
@@ -255,7 +255,7 @@ void ApplyDialog::retranslate()
 {
     setWindowTitle(m_source.bundle ? tr("Restore a bundle") : tr("Apply to several servos"));
     setAccessibleName(windowTitle());
-    m_what->setText(
+    m_summary->setText(
         m_source.bundle
             ? tr("“%1”: each servo gets its own snapshot, by its ID. IDs and rates are never "
                  "written here.")
@@ -265,30 +265,30 @@ void ApplyDialog::retranslate()
                   .arg(m_source.name));
     m_table->setAccessibleName(tr("Servos"));
     m_table->setHorizontalHeaderLabels({tr("Servo"), tr("Model"), tr("Rows"), tr("Verdict")});
-    const auto say = [](QWidget* widget, const QString& name, const QString& tip) {
+    const auto setTexts = [](QWidget* widget, const QString& name, const QString& tip) {
         if (auto* button = qobject_cast<QAbstractButton*>(widget))
             button->setText(name);
         widget->setAccessibleName(name);
         widget->setToolTip(tip);
     };
-    say(m_rollBack, tr("If a row fails, put this servo back as it was"),
-        tr("Otherwise writing to this servo ends at the row that fails, and what is written "
-           "stays"));
-    say(m_otherModel, tr("Also where another model has the ID now"),
-        tr("By register name; what cannot be mapped is left out and listed"));
-    say(m_dangerous, tr("Dangerous rows too"),
-        tr("Rows in which a wrong value can make a servo unreachable; left out otherwise"));
-    say(m_dryRun, tr("Dry run"), tr("Read the servos and show what would be written to each"));
-    say(m_write, tr("Write"), tr("Write the rows that differ to each ticked servo"));
-    say(m_stop, tr("Stop"), tr("Stop after the servo that is being written to"));
-    say(m_save, tr("Save result…"), tr("Save what became of each row as a file"));
-    say(m_close, tr("Close"), tr("Close this window"));
+    setTexts(m_rollBack, tr("If a row fails, put this servo back as it was"),
+             tr("Otherwise writing to this servo ends at the row that fails, and what is written "
+                "stays"));
+    setTexts(m_otherModel, tr("Also where another model has the ID now"),
+             tr("By register name; what cannot be mapped is left out and listed"));
+    setTexts(m_dangerous, tr("Dangerous rows too"),
+             tr("Rows in which a wrong value can make a servo unreachable; left out otherwise"));
+    setTexts(m_dryRun, tr("Dry run"), tr("Read the servos and show what would be written to each"));
+    setTexts(m_write, tr("Write"), tr("Write the rows that differ to each ticked servo"));
+    setTexts(m_stop, tr("Stop"), tr("Stop after the servo that is being written to"));
+    setTexts(m_save, tr("Save result…"), tr("Save what became of each row as a file"));
+    setTexts(m_close, tr("Close"), tr("Close this window"));
     for (int row = 0; row < int(m_rows.size()); ++row)
         fillRow(row);
-    update();
+    updateControls();
 }
 
-std::vector<int> ApplyDialog::ticked() const
+std::vector<int> ApplyDialog::selected() const
 {
     std::vector<int> ids;
     for (int row = 0; row < int(m_rows.size()); ++row) {
@@ -298,10 +298,10 @@ std::vector<int> ApplyDialog::ticked() const
     return ids;
 }
 
-void ApplyDialog::update()
+void ApplyDialog::updateControls()
 {
-    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.testing();
-    const bool ready = open && !m_running && !ticked().empty();
+    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.isTesting();
+    const bool ready = open && !m_running && !selected().empty();
     m_dryRun->setEnabled(ready);
     m_write->setEnabled(ready);
     m_stop->setEnabled(m_running);
@@ -314,24 +314,24 @@ bool ApplyDialog::dangerous() const
     return m_source.bundle ? m_dangerous->isChecked() : m_source.dangerous;
 }
 
-void ApplyDialog::askFirst()
+void ApplyDialog::askForConfirmation()
 {
     Question question;
-    question.title = tr("Write to %1 servos?").arg(ticked().size());
+    question.title = tr("Write to %1 servos?").arg(selected().size());
     question.text = tr("Torque goes off at each servo that is written to, and stays off.");
     if (dangerous())
         question.risk = tr("Dangerous rows are among those that are ticked: a wrong value can make "
                            "a servo unreachable.");
-    question.yes = tr("Write");
-    question.harmless = !dangerous();
+    question.acceptText = tr("Write");
+    question.acceptIsDefault = !dangerous();
     question.guard = this;
     ask(this, question, [this] { run(false); });
 }
 
 void ApplyDialog::run(bool dryRun)
 {
-    session::ApplyOrder order;
-    const std::vector<int> ids = ticked();
+    session::ApplyRequest order;
+    const std::vector<int> ids = selected();
     if (m_source.bundle) {
         order.bundle = *m_source.bundle;
         auto& servos = order.bundle->servos;
@@ -354,8 +354,8 @@ void ApplyDialog::run(bool dryRun)
     order.options.otherModel = m_otherModel->isChecked();
     order.options.dryRun = dryRun;
     order.guard = this;
-    order.onServo = [this](const jobs::Applied& one) { take(one); };
-    order.done = [this, dryRun](const session::ApplyEnd& end) { ended(end, dryRun); };
+    order.onServo = [this](const jobs::ApplyResult& one) { addResult(one); };
+    order.done = [this, dryRun](const session::ApplyCompletion& end) { onFinished(end, dryRun); };
     for (Row& row : m_rows)
         row.applied.reset();
     for (int row = 0; row < int(m_rows.size()); ++row)
@@ -363,11 +363,11 @@ void ApplyDialog::run(bool dryRun)
     m_running = true;
     m_written = false;
     m_result->clear();
-    update();
+    updateControls();
     m_desk.apply(std::move(order));
 }
 
-void ApplyDialog::take(const jobs::Applied& one)
+void ApplyDialog::addResult(const jobs::ApplyResult& one)
 {
     for (int row = 0; row < int(m_rows.size()); ++row) {
         if (m_rows[std::size_t(row)].id != one.id)
@@ -377,46 +377,47 @@ void ApplyDialog::take(const jobs::Applied& one)
     }
 }
 
-void ApplyDialog::ended(const session::ApplyEnd& end, bool dryRun)
+void ApplyDialog::onFinished(const session::ApplyCompletion& end, bool dryRun)
 {
     m_running = false;
     m_written = !dryRun && !end.servos.empty();
-    update();
+    updateControls();
     if (end.error) {
-        m_result->tell([error = *end.error] { return errorWords(error); });
+        m_result->showResult([error = *end.error] { return errorText(error); });
         return;
     }
-    const auto troubled = std::count_if(end.servos.begin(), end.servos.end(), bad);
+    const auto failedCount = std::count_if(end.servos.begin(), end.servos.end(), hasProblem);
     const std::size_t all = end.servos.size();
     const auto partly =
-        std::count_if(end.servos.begin(), end.servos.end(),
-                      [](const jobs::Applied& one) { return !jobs::leftOut(one.plan).empty(); });
-    m_result->tell([dryRun, troubled, partly, all] {
-        if (troubled > 0)
-            return TaskWords{Tone::Bad,
-                             tr("%1 of %2 servos did not come to it; the tooltip of each says why.")
-                                 .arg(troubled)
-                                 .arg(all)};
+        std::count_if(end.servos.begin(), end.servos.end(), [](const jobs::ApplyResult& one) {
+            return !jobs::omittedRows(one.plan).empty();
+        });
+    m_result->showResult([dryRun, failedCount, partly, all] {
+        if (failedCount > 0)
+            return TaskText{Tone::Bad,
+                            tr("%1 of %2 servos did not come to it; the tooltip of each says why.")
+                                .arg(failedCount)
+                                .arg(all)};
         if (partly > 0 && !dryRun)
-            return TaskWords{Tone::Warn,
-                             tr("Written, but rows were left out at %1 of %2 servos; the tooltip "
-                                "of each says which and why.")
-                                 .arg(partly)
-                                 .arg(all)};
-        return TaskWords{Tone::Good,
-                         dryRun ? tr("Nothing was written. The tooltip of each servo lists its "
-                                     "rows.")
-                                : tr("All %1 servos are as the snapshot says.").arg(all)};
+            return TaskText{Tone::Warn,
+                            tr("Written, but rows were left out at %1 of %2 servos; the tooltip "
+                               "of each says which and why.")
+                                .arg(partly)
+                                .arg(all)};
+        return TaskText{Tone::Good,
+                        dryRun ? tr("Nothing was written. The tooltip of each servo lists its "
+                                    "rows.")
+                               : tr("All %1 servos are as the snapshot says.").arg(all)};
     });
 }
 
-void ApplyDialog::askWhere()
+void ApplyDialog::askForSavePath()
 {
     std::vector<record::RestoreResult> results;
     for (const Row& row : m_rows) {
         if (row.applied && row.applied->outcome && row.applied->servo)
-            results.push_back(jobs::resultOf(*row.applied->outcome, *row.applied->servo,
-                                             m_source.name, session::programName()));
+            results.push_back(jobs::toRestoreResult(*row.applied->outcome, *row.applied->servo,
+                                                    m_source.name, session::programName()));
     }
     auto* dialog = new QFileDialog(this, tr("Save the result"));
     dialog->setObjectName(QStringLiteral("applyFileDialog"));

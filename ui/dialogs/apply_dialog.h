@@ -44,20 +44,20 @@ private:
     struct Row {
         int id = -1;
         QString model{};
-        std::optional<jobs::Applied> applied{};
+        std::optional<jobs::ApplyResult> applied{};
     };
     void build();
     void retranslate();
-    void collect();
+    void fillServos();
     void fillRow(int row);
-    std::vector<int> ticked() const;
+    std::vector<int> selected() const;
     bool dangerous() const;
-    void askFirst();
+    void askForConfirmation();
     void run(bool dryRun);
-    void take(const jobs::Applied& one);
-    void ended(const session::ApplyEnd& end, bool dryRun);
-    void update();
-    void askWhere();
+    void addResult(const jobs::ApplyResult& one);
+    void onFinished(const session::ApplyCompletion& end, bool dryRun);
+    void updateControls();
+    void askForSavePath();
 
     session::Desk& m_desk;
     session::Snapshots& m_snapshots;
@@ -65,7 +65,7 @@ private:
     std::vector<Row> m_rows;
     bool m_running = false;
     bool m_written = false; ///< results worth a file
-    QLabel* m_what = nullptr;
+    QLabel* m_summary = nullptr;
     QTableWidget* m_table = nullptr;
     QCheckBox* m_rollBack = nullptr;
     QCheckBox* m_otherModel = nullptr;

@@ -14,7 +14,7 @@ namespace ui {
 namespace {
 /// Wide enough for a sentence, narrow enough to read it.
 constexpr int textWidth = 440;
-constexpr int chosenOther = QDialog::Accepted + 1;
+constexpr int otherResult = QDialog::Accepted + 1;
 
 class QuestionDialog final : public QDialog {
 public:
@@ -22,7 +22,7 @@ public:
 
     /// False once the guard has gone. Not asked of a QPointer: a widget announces its end before
     /// its own pointers are cleared, but after its members are gone.
-    bool wanted() const { return m_wanted; }
+    bool isConfirmed() const { return m_confirmed; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -34,7 +34,7 @@ private:
     void showSign();
 
     QLabel* m_sign = nullptr;
-    bool m_wanted = true;
+    bool m_confirmed = true;
 };
 
 QuestionDialog::QuestionDialog(QWidget* parent, const Question& question)
@@ -59,7 +59,7 @@ QuestionDialog::QuestionDialog(QWidget* parent, const Question& question)
     setFixedSize(sizeHint());
     if (question.guard != nullptr)
         connect(question.guard, &QObject::destroyed, this, [this] {
-            m_wanted = false;
+            m_confirmed = false;
             reject();
         });
 }
@@ -97,30 +97,32 @@ void QuestionDialog::addButtons(QVBoxLayout* column, const Question& question)
 {
     auto* row = new QHBoxLayout;
     row->addStretch();
-    auto* no = new QPushButton(
-        question.no.isEmpty() ? QCoreApplication::translate("Ask", "Cancel") : question.no, this);
+    auto* no =
+        new QPushButton(question.rejectText.isEmpty() ? QCoreApplication::translate("Ask", "Cancel")
+                                                      : question.rejectText,
+                        this);
     no->setObjectName(QStringLiteral("questionNo"));
     no->setAccessibleName(no->text());
     no->setToolTip(QCoreApplication::translate("Ask", "Leave everything as it is"));
-    auto* yes = new QPushButton(question.yes, this);
+    auto* yes = new QPushButton(question.acceptText, this);
     yes->setObjectName(QStringLiteral("questionYes"));
-    yes->setAccessibleName(question.yes);
+    yes->setAccessibleName(question.acceptText);
     yes->setToolTip(question.risk.isEmpty() ? question.title : question.risk);
     row->addWidget(no);
-    if (!question.other.isEmpty()) {
-        auto* other = new QPushButton(question.other, this);
+    if (!question.alternativeText.isEmpty()) {
+        auto* other = new QPushButton(question.alternativeText, this);
         other->setObjectName(QStringLiteral("questionOther"));
-        other->setAccessibleName(question.other);
-        other->setToolTip(question.otherTip);
+        other->setAccessibleName(question.alternativeText);
+        other->setToolTip(question.alternativeToolTip);
         other->setAutoDefault(false);
         row->addWidget(other);
-        connect(other, &QPushButton::clicked, this, [this] { done(chosenOther); });
+        connect(other, &QPushButton::clicked, this, [this] { done(otherResult); });
     }
     row->addWidget(yes);
     column->addLayout(row);
     connect(no, &QPushButton::clicked, this, &QDialog::reject);
     connect(yes, &QPushButton::clicked, this, &QDialog::accept);
-    QPushButton* first = question.harmless ? yes : no;
+    QPushButton* first = question.acceptIsDefault ? yes : no;
     first->setDefault(true);
     first->setFocus();
 }
@@ -144,12 +146,12 @@ void ask(QWidget* parent, const Question& question, std::function<void()> yes)
 {
     auto* dialog = new QuestionDialog(parent, question);
     QObject::connect(dialog, &QDialog::finished, dialog,
-                     [dialog, yes = std::move(yes), no = question.refused,
-                      other = question.otherwise](int result) {
+                     [dialog, yes = std::move(yes), no = question.rejected,
+                      other = question.alternativeAction](int result) {
                          const auto& answer = result == QDialog::Accepted ? yes
-                                              : result == chosenOther     ? other
+                                              : result == otherResult     ? other
                                                                           : no;
-                         if (dialog->wanted() && answer)
+                         if (dialog->isConfirmed() && answer)
                              answer();
                      });
     dialog->open();

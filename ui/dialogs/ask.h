@@ -12,16 +12,16 @@
 namespace ui {
 /// The texts in the language of the moment: the question keeps them while it is open.
 struct Question {
-    QString title;                   ///< window title and first line: "Write register 33?"
-    QString text{};                  ///< what will happen
-    QString risk{};                  ///< what can go wrong; shown with a warning sign
-    QString yes;                     ///< the deed: "Write anyway"
-    QString no{};                    ///< empty: "Cancel"
-    bool harmless = false;           ///< Enter means yes
-    std::function<void()> refused{}; ///< "no", Esc and closing; may be empty
-    QString other{};                 ///< a second way to go on; empty: there is none
-    QString otherTip{};
-    std::function<void()> otherwise{}; ///< when it is chosen
+    QString title;                    ///< window title and first line: "Write register 33?"
+    QString text{};                   ///< what will happen
+    QString risk{};                   ///< what can go wrong; shown with a warning sign
+    QString acceptText;               ///< the deed: "Write anyway"
+    QString rejectText{};             ///< empty: "Cancel"
+    bool acceptIsDefault = false;     ///< Enter means yes
+    std::function<void()> rejected{}; ///< "no", Esc and closing; may be empty
+    QString alternativeText{};        ///< a second way to go on; empty: there is none
+    QString alternativeToolTip{};
+    std::function<void()> alternativeAction{}; ///< when it is chosen
     /// Nothing is called when it has gone; the question closes then. Null pointer: no guard.
     QObject* guard = nullptr;
 };

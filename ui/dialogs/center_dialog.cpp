@@ -25,13 +25,13 @@ CenterDialog::CenterDialog(session::Desk& desk, session::ServoRef servo, QWidget
             labels[static_cast<std::size_t>(column)] = label;
         }
     };
-    addRow(0, m_heads, "head");
+    addRow(0, m_headers, "head");
     addRow(1, m_position, "position");
     addRow(2, m_offset, "offset");
     grid->setColumnStretch(2, 1);
     body()->addLayout(grid);
-    begin();
-    if (possible()) {
+    finishSetup();
+    if (canRun()) {
         readBefore();
         return;
     }
@@ -42,12 +42,12 @@ CenterDialog::CenterDialog(session::Desk& desk, session::ServoRef servo, QWidget
                                : entry()->servo.profile->series;
     const base::Error refused{base::ErrorCode::NotSupported, QStringLiteral("center"), detail,
                               entry()->servo.id};
-    tell([refused] {
-        return refusedWords(refused, translate("ServoTasks", "This servo has no command for it."));
+    showResult([refused] {
+        return refusedText(refused, translate("ServoTasks", "This servo has no command for it."));
     });
 }
 
-bool CenterDialog::possible() const
+bool CenterDialog::canRun() const
 {
     const auto& profile = entry()->servo.profile;
     return profile && profile->centering != catalog::Centering::None &&
@@ -62,9 +62,9 @@ void CenterDialog::readBefore()
         return device::readRoles(context.device, context.servo,
                                  {Role::PositionOffset, Role::PresentPosition});
     };
-    look(std::move(task), [this](const session::TaskEnd& end) {
+    runInBackground(std::move(task), [this](const session::TaskCompletion& end) {
         if (end.error) {
-            tellError(*end.error);
+            showError(*end.error);
             return;
         }
         m_report.positionBefore = entry()->servo.raw(Role::PresentPosition);
@@ -73,38 +73,38 @@ void CenterDialog::readBefore()
     });
 }
 
-QString CenterDialog::word(Role role, const std::optional<std::int64_t>& raw) const
+QString CenterDialog::fieldText(Role role, const std::optional<std::int64_t>& raw) const
 {
     const auto& profile = entry()->servo.profile;
     const catalog::Register* reg = profile ? profile->byRole(role) : nullptr;
-    return reg != nullptr ? valueWord(entry()->servo, reg->key, raw) : QStringLiteral("–");
+    return reg != nullptr ? valueText(entry()->servo, reg->key, raw) : QStringLiteral("–");
 }
 
 void CenterDialog::refresh()
 {
-    m_position[1]->setText(word(Role::PresentPosition, m_report.positionBefore));
-    m_position[2]->setText(word(Role::PresentPosition, m_report.positionAfter));
-    m_offset[1]->setText(word(Role::PositionOffset, m_report.offsetBefore));
-    m_offset[2]->setText(word(Role::PositionOffset, m_report.offsetAfter));
-    setReady(possible());
+    m_position[1]->setText(fieldText(Role::PresentPosition, m_report.positionBefore));
+    m_position[2]->setText(fieldText(Role::PresentPosition, m_report.positionAfter));
+    m_offset[1]->setText(fieldText(Role::PositionOffset, m_report.offsetBefore));
+    m_offset[2]->setText(fieldText(Role::PositionOffset, m_report.offsetAfter));
+    setReady(canRun());
 }
 
 void CenterDialog::retranslate()
 {
-    setWords(translate("ServoTasks", "Centre here"),
+    setTexts(translate("ServoTasks", "Centre here"),
              translate("ServoTasks",
                        "The place where the shaft stands now becomes the middle of its range. "
                        "Torque is switched off first, so that nothing jumps to the old goal, and "
                        "stays off until you switch it on. The offset is kept at power-off."),
              translate("ServoTasks", "Centre here"),
              translate("ServoTasks", "Take torque off and make the present position the middle"));
-    m_heads[1]->setText(translate("ServoTasks", "Before"));
-    m_heads[2]->setText(translate("ServoTasks", "After"));
+    m_headers[1]->setText(translate("ServoTasks", "Before"));
+    m_headers[2]->setText(translate("ServoTasks", "After"));
     m_position[0]->setText(translate("ServoTasks", "Position"));
     m_offset[0]->setText(translate("ServoTasks", "Offset"));
 }
 
-void CenterDialog::act()
+void CenterDialog::runAction()
 {
     const auto report = std::make_shared<jobs::CenterReport>();
     session::Task task;
@@ -117,19 +117,19 @@ void CenterDialog::act()
         *report = *done;
         return {};
     };
-    run(std::move(task), [this, report](const session::TaskEnd& end) {
+    run(std::move(task), [this, report](const session::TaskCompletion& end) {
         if (end.error) {
-            tellError(*end.error);
+            showError(*end.error);
             return;
         }
         m_report = *report;
         refresh();
-        tell([this, notices = end.notices] {
-            TaskWords words{m_report.lock == device::LockState::Closed ? Tone::Good : Tone::Warn,
+        showResult([this, notices = end.notices] {
+            TaskText result{m_report.lock == device::LockState::Closed ? Tone::Good : Tone::Warn,
                             translate("ServoTasks", "The present position is the middle now.")};
-            words.more << lockLine(m_report.lock) << noticeLines(notices);
-            words.more.removeAll(QString());
-            return words;
+            result.details << lockLine(m_report.lock) << noticeLines(notices);
+            result.details.removeAll(QString());
+            return result;
         });
     });
 }

@@ -18,14 +18,14 @@ public:
 protected:
     void retranslate() override;
     void refresh() override;
-    void act() override;
+    void runAction() override;
 
 private:
     void readBefore();
-    bool possible() const;
-    QString word(catalog::Role role, const std::optional<std::int64_t>& raw) const;
+    bool canRun() const;
+    QString fieldText(catalog::Role role, const std::optional<std::int64_t>& raw) const;
 
-    std::array<QLabel*, 3> m_heads{};
+    std::array<QLabel*, 3> m_headers{};
     std::array<QLabel*, 3> m_position{};
     std::array<QLabel*, 3> m_offset{};
     jobs::CenterReport m_report; ///< what is known so far

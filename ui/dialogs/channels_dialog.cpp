@@ -24,14 +24,14 @@ namespace {
 constexpr int idRole = Qt::UserRole;
 constexpr int nameColumn = 0;
 constexpr int unitColumn = 1;
-constexpr double mostScale = 1e6;
+constexpr double maxScale = 1e6;
 } // namespace
 
-ChannelsDialog::ChannelsDialog(const session::Desk& desk, std::vector<TrendChoice> choices,
+ChannelsDialog::ChannelsDialog(const session::Desk& desk, std::vector<TrendCurve> curves,
                                QWidget* parent)
     : QDialog(parent)
     , m_desk(desk)
-    , m_choices(std::move(choices))
+    , m_curves(std::move(curves))
 {
     setObjectName(QStringLiteral("channelsDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -55,67 +55,67 @@ void ChannelsDialog::build()
     m_tree->header()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionResizeMode(unitColumn, QHeaderView::ResizeToContents);
-    auto* look = new QFormLayout;
-    m_colour = new QPushButton(this);
-    m_colour->setObjectName(QStringLiteral("channelColour"));
+    auto* style = new QFormLayout;
+    m_color = new QPushButton(this);
+    m_color->setObjectName(QStringLiteral("channelColour"));
     const auto number = [this](const char* name) {
         auto* box = new QDoubleSpinBox(this);
         box->setObjectName(QString::fromLatin1(name));
-        box->setRange(-mostScale, mostScale);
+        box->setRange(-maxScale, maxScale);
         box->setDecimals(3);
-        connect(box, &QDoubleSpinBox::valueChanged, this, &ChannelsDialog::applyLook);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &ChannelsDialog::applyStyle);
         return box;
     };
     m_scale = number("channelScale");
     m_offset = number("channelOffset");
-    look->addRow(new QLabel(this), m_colour);
-    look->addRow(new QLabel(this), m_scale);
-    look->addRow(new QLabel(this), m_offset);
-    for (QWidget* field : std::initializer_list<QWidget*>{m_colour, m_scale, m_offset})
-        static_cast<QLabel*>(look->labelForField(field))->setBuddy(field);
+    style->addRow(new QLabel(this), m_color);
+    style->addRow(new QLabel(this), m_scale);
+    style->addRow(new QLabel(this), m_offset);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_color, m_scale, m_offset})
+        static_cast<QLabel*>(style->labelForField(field))->setBuddy(field);
     auto* buttons = new QHBoxLayout;
-    m_usual = new QPushButton(this);
-    m_usual->setObjectName(QStringLiteral("channelUsual"));
-    m_usual->setAutoDefault(false);
+    m_reset = new QPushButton(this);
+    m_reset->setObjectName(QStringLiteral("channelUsual"));
+    m_reset->setAutoDefault(false);
     m_close = new QPushButton(this);
     m_close->setObjectName(QStringLiteral("channelClose"));
     m_close->setAutoDefault(false);
-    buttons->addWidget(m_usual);
+    buttons->addWidget(m_reset);
     buttons->addStretch();
     buttons->addWidget(m_close);
     column->addWidget(m_find);
     column->addWidget(m_tree, 1);
-    column->addLayout(look);
+    column->addLayout(style);
     column->addLayout(buttons);
-    m_colour->setAutoDefault(false);
+    m_color->setAutoDefault(false);
     connect(m_find, &QLineEdit::textChanged, this, &ChannelsDialog::filter);
-    connect(m_tree, &QTreeWidget::itemChanged, this, &ChannelsDialog::tick);
-    connect(m_tree, &QTreeWidget::currentItemChanged, this, &ChannelsDialog::showLook);
-    connect(m_colour, &QPushButton::clicked, this, &ChannelsDialog::pickColour);
+    connect(m_tree, &QTreeWidget::itemChanged, this, &ChannelsDialog::onItemChanged);
+    connect(m_tree, &QTreeWidget::currentItemChanged, this, &ChannelsDialog::showStyle);
+    connect(m_color, &QPushButton::clicked, this, &ChannelsDialog::pickColor);
     connect(m_close, &QPushButton::clicked, this, &QDialog::close);
-    connect(m_usual, &QPushButton::clicked, this, [this] {
-        setChoices(defaultChoices());
-        Q_EMIT chosen(m_choices);
+    connect(m_reset, &QPushButton::clicked, this, [this] {
+        setCurves(defaultCurves());
+        Q_EMIT curvesChanged(m_curves);
     });
 }
 
-void ChannelsDialog::setChoices(std::vector<TrendChoice> choices)
+void ChannelsDialog::setCurves(std::vector<TrendCurve> curves)
 {
-    m_choices = std::move(choices);
+    m_curves = std::move(curves);
     fill();
 }
 
-TrendChoice* ChannelsDialog::choice(const QString& id)
+TrendCurve* ChannelsDialog::curve(const QString& id)
 {
-    const auto found = std::find_if(m_choices.begin(), m_choices.end(),
-                                    [&](const TrendChoice& one) { return one.id() == id; });
-    return found != m_choices.end() ? &*found : nullptr;
+    const auto found = std::find_if(m_curves.begin(), m_curves.end(),
+                                    [&](const TrendCurve& one) { return one.id() == id; });
+    return found != m_curves.end() ? &*found : nullptr;
 }
 
-TrendChoice* ChannelsDialog::current()
+TrendCurve* ChannelsDialog::current()
 {
     const QTreeWidgetItem* item = m_tree->currentItem();
-    return item != nullptr ? choice(item->data(nameColumn, idRole).toString()) : nullptr;
+    return item != nullptr ? curve(item->data(nameColumn, idRole).toString()) : nullptr;
 }
 
 QTreeWidgetItem* ChannelsDialog::addRow(QTreeWidgetItem* parent, const QString& id,
@@ -124,18 +124,18 @@ QTreeWidgetItem* ChannelsDialog::addRow(QTreeWidgetItem* parent, const QString& 
     auto* row = new QTreeWidgetItem(parent, {name, unit});
     row->setData(nameColumn, idRole, id);
     row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    const TrendChoice* known = choice(id);
+    const TrendCurve* known = curve(id);
     row->setCheckState(nameColumn,
                        known != nullptr && known->visible ? Qt::Checked : Qt::Unchecked);
     row->setToolTip(nameColumn, name);
     return row;
 }
 
-void ChannelsDialog::addReadyMade()
+void ChannelsDialog::addBuiltIn()
 {
     auto* group = new QTreeWidgetItem(m_tree, {tr("The selected servo"), QString()});
-    for (const QString& key : readyMadeKeys())
-        addRow(group, QStringLiteral("*/") + key, readyMadeName(key), {});
+    for (const QString& key : builtInKeys())
+        addRow(group, QStringLiteral("*/") + key, builtInName(key), {});
     group->setExpanded(true);
 }
 
@@ -147,10 +147,10 @@ void ChannelsDialog::addServo(const session::ServoEntry& entry)
     const QString title = tr("ID %1 · %2").arg(servo.id).arg(servo.profile->modelName);
     auto* group = new QTreeWidgetItem(m_tree, {title, QString()});
     const QString prefix = QString::number(servo.id) + QLatin1Char('/');
-    addRow(group, prefix + session::errorKey, readyMadeName(QStringLiteral("@error")), {});
+    addRow(group, prefix + session::errorKey, builtInName(QStringLiteral("@error")), {});
     for (const catalog::Register& reg : servo.profile->registers) {
         if (servo.measures(reg))
-            addRow(group, prefix + reg.key, reg.name.in(text::inChinese()),
+            addRow(group, prefix + reg.key, reg.name.in(text::isUiChinese()),
                    catalog::unitSuffix(servo.meaning(reg).unit).trimmed());
     }
 }
@@ -162,7 +162,7 @@ void ChannelsDialog::fill()
                             ? m_tree->currentItem()->data(nameColumn, idRole).toString()
                             : QString();
     m_tree->clear();
-    addReadyMade();
+    addBuiltIn();
     for (const session::ServoRef ref : m_desk.servos())
         addServo(*m_desk.servo(ref));
     m_filling = false;
@@ -171,7 +171,7 @@ void ChannelsDialog::fill()
         if (!now.isEmpty() && (*row)->data(nameColumn, idRole).toString() == now)
             m_tree->setCurrentItem(*row);
     }
-    showLook();
+    showStyle();
 }
 
 void ChannelsDialog::filter(const QString& text)
@@ -192,63 +192,63 @@ void ChannelsDialog::filter(const QString& text)
     }
 }
 
-void ChannelsDialog::tick(QTreeWidgetItem* item)
+void ChannelsDialog::onItemChanged(QTreeWidgetItem* item)
 {
     const QString id = item->data(nameColumn, idRole).toString();
     if (m_filling || id.isEmpty())
         return;
-    const bool wanted = item->checkState(nameColumn) == Qt::Checked;
-    if (TrendChoice* known = choice(id))
-        known->visible = wanted;
-    else if (wanted)
-        m_choices.push_back(TrendChoice::fromId(id));
+    const bool isChecked = item->checkState(nameColumn) == Qt::Checked;
+    if (TrendCurve* known = curve(id))
+        known->visible = isChecked;
+    else if (isChecked)
+        m_curves.push_back(TrendCurve::fromId(id));
     m_tree->setCurrentItem(item);
-    showLook();
-    Q_EMIT chosen(m_choices);
+    showStyle();
+    Q_EMIT curvesChanged(m_curves);
 }
 
-void ChannelsDialog::showLook()
+void ChannelsDialog::showStyle()
 {
-    const TrendChoice* now = current();
+    const TrendCurve* now = current();
     const bool shown = now != nullptr && now->visible;
-    for (QWidget* field : std::initializer_list<QWidget*>{m_colour, m_scale, m_offset})
+    for (QWidget* field : std::initializer_list<QWidget*>{m_color, m_scale, m_offset})
         field->setEnabled(shown);
-    const QSignalBlocker quietScale(m_scale);
-    const QSignalBlocker quietOffset(m_offset);
+    const QSignalBlocker scaleBlocker(m_scale);
+    const QSignalBlocker offsetBlocker(m_offset);
     m_scale->setValue(shown ? now->scale : 1);
     m_offset->setValue(shown ? now->offset : 0);
     QPixmap swatch(16, 16);
-    swatch.fill(shown && now->colour.isValid() ? now->colour : QColor(Qt::transparent));
-    m_colour->setIcon(QIcon(swatch));
-    m_colour->setText(shown && now->colour.isValid() ? now->colour.name() : tr("by its place"));
+    swatch.fill(shown && now->color.isValid() ? now->color : QColor(Qt::transparent));
+    m_color->setIcon(QIcon(swatch));
+    m_color->setText(shown && now->color.isValid() ? now->color.name() : tr("by its place"));
 }
 
-void ChannelsDialog::applyLook()
+void ChannelsDialog::applyStyle()
 {
-    TrendChoice* now = current();
+    TrendCurve* now = current();
     if (now == nullptr)
         return;
     now->scale = m_scale->value() != 0 ? m_scale->value() : 1;
     now->offset = m_offset->value();
-    Q_EMIT chosen(m_choices);
+    Q_EMIT curvesChanged(m_curves);
 }
 
-void ChannelsDialog::pickColour()
+void ChannelsDialog::pickColor()
 {
-    const TrendChoice* now = current();
+    const TrendCurve* now = current();
     if (now == nullptr)
         return;
-    auto* dialog = new QColorDialog(now->colour.isValid() ? now->colour : Qt::blue, this);
+    auto* dialog = new QColorDialog(now->color.isValid() ? now->color : Qt::blue, this);
     dialog->setObjectName(QStringLiteral("colourDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     const QString id = now->id();
-    connect(dialog, &QColorDialog::colorSelected, this, [this, id](const QColor& colour) {
-        TrendChoice* meant = choice(id);
-        if (meant == nullptr || !colour.isValid())
+    connect(dialog, &QColorDialog::colorSelected, this, [this, id](const QColor& color) {
+        TrendCurve* meant = curve(id);
+        if (meant == nullptr || !color.isValid())
             return;
-        meant->colour = colour;
-        showLook();
-        Q_EMIT chosen(m_choices);
+        meant->color = color;
+        showStyle();
+        Q_EMIT curvesChanged(m_curves);
     });
     dialog->open();
 }
@@ -262,19 +262,19 @@ void ChannelsDialog::retranslate()
     m_tree->setHeaderLabels({tr("Curve"), tr("Unit")});
     m_tree->setAccessibleName(tr("Curves"));
     m_tree->setToolTip(tr("What is ticked is read and shown"));
-    auto* look = findChild<QFormLayout*>();
+    auto* style = findChild<QFormLayout*>();
     const auto label = [&](QWidget* field, const QString& text, const QString& tip) {
-        static_cast<QLabel*>(look->labelForField(field))->setText(text);
+        static_cast<QLabel*>(style->labelForField(field))->setText(text);
         field->setAccessibleName(text);
         field->setToolTip(tip);
     };
-    label(m_colour, tr("Colour"), tr("The colour of the chosen curve"));
+    label(m_color, tr("Colour"), tr("The colour of the chosen curve"));
     label(m_scale, tr("Drawn times"),
           tr("The curve is drawn as value × this + offset; cursors "
              "show the value itself"));
     label(m_offset, tr("Offset"), tr("Added to the drawn value, in its unit"));
-    m_usual->setText(tr("As at first"));
-    m_usual->setToolTip(tr("Goal, position, speed and current of the selected servo"));
+    m_reset->setText(tr("As at first"));
+    m_reset->setToolTip(tr("Goal, position, speed and current of the selected servo"));
     m_close->setText(tr("Close"));
     m_close->setToolTip(tr("Close this list; the curves stay"));
     fill();

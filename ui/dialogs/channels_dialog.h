@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which curves the trend chart shows: ready-made ones of the selected servo, and any register of
-// any servo, with colour, scale and offset. Beside the window, not before it: what is ticked is
+// any servo, with color, scale and offset. Beside the window, not before it: what is ticked is
 // shown at once. Deletes itself. Main thread.
 #pragma once
 
@@ -19,12 +19,12 @@ class ChannelsDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    ChannelsDialog(const session::Desk& desk, std::vector<TrendChoice> choices, QWidget* parent);
+    ChannelsDialog(const session::Desk& desk, std::vector<TrendCurve> curves, QWidget* parent);
 
-    void setChoices(std::vector<TrendChoice> choices);
+    void setCurves(std::vector<TrendCurve> curves);
 
 Q_SIGNALS:
-    void chosen(const std::vector<ui::TrendChoice>& choices);
+    void curvesChanged(const std::vector<ui::TrendCurve>& curves);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -32,27 +32,27 @@ protected:
 private:
     void build();
     void fill();
-    void addReadyMade();
+    void addBuiltIn();
     void addServo(const session::ServoEntry& entry);
     QTreeWidgetItem* addRow(QTreeWidgetItem* parent, const QString& id, const QString& name,
                             const QString& unit);
     void filter(const QString& text);
-    void tick(QTreeWidgetItem* item);
-    void showLook();
-    void applyLook();
-    void pickColour();
-    TrendChoice* current();
-    TrendChoice* choice(const QString& id);
+    void onItemChanged(QTreeWidgetItem* item);
+    void showStyle();
+    void applyStyle();
+    void pickColor();
+    TrendCurve* current();
+    TrendCurve* curve(const QString& id);
     void retranslate();
 
     const session::Desk& m_desk;
-    std::vector<TrendChoice> m_choices;
+    std::vector<TrendCurve> m_curves;
     QLineEdit* m_find = nullptr;
     QTreeWidget* m_tree = nullptr;
-    QPushButton* m_colour = nullptr;
+    QPushButton* m_color = nullptr;
     QDoubleSpinBox* m_scale = nullptr;
     QDoubleSpinBox* m_offset = nullptr;
-    QPushButton* m_usual = nullptr;
+    QPushButton* m_reset = nullptr;
     QPushButton* m_close = nullptr;
     bool m_filling = false;
 };

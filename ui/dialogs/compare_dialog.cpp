@@ -19,20 +19,20 @@
 
 namespace ui {
 namespace {
-constexpr int startWidth = 900;
-constexpr int startHeight = 640;
+constexpr int initialWidth = 900;
+constexpr int initialHeight = 640;
 constexpr int margin = 24;
-constexpr int shortTable = 150;
-const QString folderChoice = QStringLiteral("sweep/report_folder");
+constexpr int tableHeight = 150;
+const QString folderKey = QStringLiteral("sweep/report_folder");
 
-record::SweepSide sideOf(const ComparedSide& side)
+record::SweepSide sideOf(const CompareSide& side)
 {
     return {side.name, *side.run, *record::servoOf(*side.run, side.servo)};
 }
 
 QString in(const report::Text& words)
 {
-    return words.in(text::inChinese());
+    return words.in(text::isUiChinese());
 }
 
 void setCell(QTableWidget* table, int row, int column, const QString& words,
@@ -61,15 +61,15 @@ void setGrade(QTableWidget* table, int row, int column, const std::optional<reco
 }
 
 /// No higher than its rows, so that the figures have the room.
-void shorten(QTableWidget* table)
+void limitHeight(QTableWidget* table)
 {
     table->resizeColumnsToContents();
     const int rows = table->rowCount() * table->verticalHeader()->defaultSectionSize();
     const int all = table->horizontalHeader()->sizeHint().height() + rows + 2 * table->frameWidth();
-    table->setFixedHeight(std::min(all, shortTable));
+    table->setFixedHeight(std::min(all, tableHeight));
 }
 
-void setUp(QTableWidget* table, const char* name)
+void setUpTable(QTableWidget* table, const char* name)
 {
     table->setObjectName(QLatin1String(name));
     table->setItemDelegate(new ToneDelegate(table));
@@ -81,10 +81,10 @@ void setUp(QTableWidget* table, const char* name)
 }
 } // namespace
 
-CompareDialog::CompareDialog(session::Archive& archive, session::Settings& settings,
-                             const ComparedSide& a, const ComparedSide& b, QWidget* parent)
+CompareDialog::CompareDialog(session::HistoryService& historyService, session::Settings& settings,
+                             const CompareSide& a, const CompareSide& b, QWidget* parent)
     : QDialog(parent)
-    , m_archive(archive)
+    , m_historyService(historyService)
     , m_settings(settings)
     , m_a(a)
     , m_b(b)
@@ -95,14 +95,14 @@ CompareDialog::CompareDialog(session::Archive& archive, session::Settings& setti
     , m_figures(new QTableWidget(0, 8, this))
     , m_settingsTitle(new QLabel(this))
     , m_settingsTable(new QTableWidget(0, 4, this))
-    , m_result(new TaskResult(startWidth - margin, this))
+    , m_result(new TaskResult(initialWidth - margin, this))
     , m_save(new QPushButton(this))
     , m_close(new QPushButton(this))
 {
     setObjectName(QStringLiteral("compareDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
-    connect(m_save, &QPushButton::clicked, this, &CompareDialog::askWhere);
+    connect(m_save, &QPushButton::clicked, this, &CompareDialog::askForSavePath);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     retranslate();
 }
@@ -116,9 +116,9 @@ void CompareDialog::build()
     m_warnings->setWordWrap(true);
     m_settingsTitle->setObjectName(QStringLiteral("compareSettingsTitle"));
     m_settingsTitle->setWordWrap(true);
-    setUp(m_tests, "compareTests");
-    setUp(m_figures, "compareFigures");
-    setUp(m_settingsTable, "compareSettings");
+    setUpTable(m_tests, "compareTests");
+    setUpTable(m_figures, "compareFigures");
+    setUpTable(m_settingsTable, "compareSettings");
     auto* row = new QHBoxLayout;
     m_save->setObjectName(QStringLiteral("compareSave"));
     m_close->setObjectName(QStringLiteral("compareClose"));
@@ -136,26 +136,26 @@ void CompareDialog::build()
     column->addWidget(m_settingsTable);
     column->addWidget(m_result);
     column->addLayout(row);
-    setMinimumSize(startWidth, startHeight);
+    setMinimumSize(initialWidth, initialHeight);
 }
 
 void CompareDialog::retranslate()
 {
-    setWindowTitle(in(report::compareWords().title));
+    setWindowTitle(in(report::compareTexts().title));
     setAccessibleName(windowTitle());
-    const auto say = [](QWidget* widget, const QString& name, const QString& tip) {
+    const auto setTexts = [](QWidget* widget, const QString& name, const QString& tip) {
         widget->setAccessibleName(name);
         widget->setToolTip(tip);
     };
     m_save->setText(tr("Save as page…"));
-    say(m_save, m_save->text(), tr("Save the comparison as a page in both languages"));
+    setTexts(m_save, m_save->text(), tr("Save the comparison as a page in both languages"));
     m_close->setText(tr("Close"));
-    say(m_close, m_close->text(), tr("Close this comparison"));
-    say(m_tests, in(report::compareWords().warnings),
-        tr("What was different between the two tests"));
-    say(m_figures, tr("Figures"), tr("Figures of both servos; the difference is B less A"));
-    say(m_settingsTable, in(report::compareWords().settings),
-        tr("Settings of the servos that were different at the start of the tests"));
+    setTexts(m_close, m_close->text(), tr("Close this comparison"));
+    setTexts(m_tests, in(report::compareTexts().warnings),
+             tr("What was different between the two tests"));
+    setTexts(m_figures, tr("Figures"), tr("Figures of both servos; the difference is B less A"));
+    setTexts(m_settingsTable, in(report::compareTexts().settings),
+             tr("Settings of the servos that were different at the start of the tests"));
     fillSides();
     fillWarnings();
     fillFigures();
@@ -164,11 +164,11 @@ void CompareDialog::retranslate()
 
 void CompareDialog::fillSides()
 {
-    const auto line = [](const char* letter, const ComparedSide& of) {
+    const auto line = [](const char* letter, const CompareSide& of) {
         const record::SweepSide side = sideOf(of);
-        const record::SnapshotServo& who = side.servo.parameters.servo;
-        QStringList parts{tr("test %1").arg(side.name), who.model, tr("ID %1").arg(who.id),
-                          tr("firmware %1").arg(who.firmware)};
+        const record::SnapshotServo& identity = side.servo.parameters.servo;
+        QStringList parts{tr("test %1").arg(side.name), identity.model,
+                          tr("ID %1").arg(identity.id), tr("firmware %1").arg(identity.firmware)};
         if (!side.servo.parameters.label.isEmpty())
             parts << QString(side.servo.parameters.label).simplified();
         parts << side.run.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"))
@@ -180,46 +180,46 @@ void CompareDialog::fillSides()
 
 void CompareDialog::fillWarnings()
 {
-    const report::CompareWords& words = report::compareWords();
-    const auto has = [&](record::Weight weight) {
+    const report::CompareTexts& words = report::compareTexts();
+    const auto has = [&](record::DifferenceImpact weight) {
         return std::any_of(m_found.tests.begin(), m_found.tests.end(),
                            [&](const auto& one) { return one.weight == weight; });
     };
     QStringList lines;
     if (!m_found.comparable())
         lines << QStringLiteral("⚠ ") + in(words.notComparable);
-    if (has(record::Weight::Figure))
+    if (has(record::DifferenceImpact::Figure))
         lines << QStringLiteral("⚠ ") + in(words.someDiffer);
-    if (has(record::Weight::Grade))
+    if (has(record::DifferenceImpact::Grade))
         lines << QStringLiteral("⚠ ") + in(words.gradesDiffer);
     if (lines.isEmpty())
         lines << QStringLiteral("✓ ") + in(words.sameTest);
     m_warnings->setText(lines.join(QLatin1Char('\n')));
-    colour();
+    updateColors();
     m_tests->setVisible(!m_found.tests.empty());
     m_tests->setHorizontalHeaderLabels(
         {in(words.testPart), QStringLiteral("A"), QStringLiteral("B")});
     m_tests->setRowCount(int(m_found.tests.size()));
     int row = 0;
     for (const record::TestDifference& one : m_found.tests) {
-        setCell(m_tests, row, 0, in(report::testItemWords(one.item)));
-        setCell(m_tests, row, 1, in(report::testValueWords(one.item, one.a)));
-        setCell(m_tests, row++, 2, in(report::testValueWords(one.item, one.b)));
+        setCell(m_tests, row, 0, in(report::testItemText(one.item)));
+        setCell(m_tests, row, 1, in(report::testValueText(one.item, one.a)));
+        setCell(m_tests, row++, 2, in(report::testValueText(one.item, one.b)));
     }
-    shorten(m_tests);
+    limitHeight(m_tests);
 }
 
-void CompareDialog::colour()
+void CompareDialog::updateColors()
 {
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText,
-                     tone(m_found.tests.empty() ? Tone::Good : Tone::Warn, palette()));
-    m_warnings->setPalette(colours);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText,
+                    tone(m_found.tests.empty() ? Tone::Good : Tone::Warn, palette()));
+    m_warnings->setPalette(colors);
 }
 
 void CompareDialog::fillFigures()
 {
-    const report::CompareWords& words = report::compareWords();
+    const report::CompareTexts& words = report::compareTexts();
     m_figures->setHorizontalHeaderLabels({tr("Figure"), QStringLiteral("A"), QStringLiteral("B"),
                                           in(words.difference), tr("Unit"), in(words.better),
                                           in(words.gradeA), in(words.gradeB)});
@@ -240,7 +240,7 @@ void CompareDialog::fillFigures()
 
 void CompareDialog::fillSettings()
 {
-    const report::CompareWords& words = report::compareWords();
+    const report::CompareTexts& words = report::compareTexts();
     const bool none = m_found.settings.empty();
     m_settingsTitle->setText(in(none ? words.noSettings : words.settings));
     m_settingsTable->setVisible(!none);
@@ -254,10 +254,10 @@ void CompareDialog::fillSettings()
         setNumber(m_settingsTable, row, 2, sweepNumber(one.b));
         setCell(m_settingsTable, row++, 3, one.unit);
     }
-    shorten(m_settingsTable);
+    limitHeight(m_settingsTable);
 }
 
-void CompareDialog::askWhere()
+void CompareDialog::askForSavePath()
 {
     auto* dialog = new QFileDialog(this, tr("Save the comparison"));
     dialog->setObjectName(QStringLiteral("compareFileDialog"));
@@ -265,7 +265,7 @@ void CompareDialog::askWhere()
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters({tr("Page (*.html)")});
     dialog->setDefaultSuffix(QStringLiteral("html"));
-    dialog->setDirectory(m_settings.choice(folderChoice, QDir::homePath()).toString());
+    dialog->setDirectory(m_settings.pageValue(folderKey, QDir::homePath()).toString());
     dialog->selectFile(QStringLiteral("sweep-%1-%2.html").arg(m_a.name, m_b.name));
     connect(dialog, &QFileDialog::fileSelected, this, &CompareDialog::save);
     dialog->open();
@@ -273,20 +273,20 @@ void CompareDialog::askWhere()
 
 void CompareDialog::save(const QString& path)
 {
-    m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
-    const bool chinese = text::inChinese();
-    m_archive.work(
+    m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
+    const bool chinese = text::isUiChinese();
+    m_historyService.runInOrder(
         [a = m_a, b = m_b, chinese, path] {
             return report::saveSweepCompareHtml(sideOf(a), sideOf(b), chinese, path);
         },
         this,
         [this, path](const base::Result<void>& saved) {
             if (!saved) {
-                m_result->tell([error = saved.error()] { return errorWords(error); });
+                m_result->showResult([error = saved.error()] { return errorText(error); });
                 return;
             }
-            m_result->tell([path] {
-                return TaskWords{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
+            m_result->showResult([path] {
+                return TaskText{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
             });
         });
 }
@@ -297,6 +297,6 @@ void CompareDialog::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange && m_close != nullptr)
         retranslate();
     else if (event->type() == QEvent::PaletteChange && m_close != nullptr)
-        colour();
+        updateColors();
 }
 } // namespace ui

@@ -15,7 +15,7 @@ class QPushButton;
 class QTableWidget;
 
 namespace ui {
-struct ComparedSide {
+struct CompareSide {
     QString name;
     session::SharedRun run;
     int servo = -1; ///< ID; must be in the run
@@ -25,8 +25,8 @@ class CompareDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    CompareDialog(session::Archive& archive, session::Settings& settings, const ComparedSide& a,
-                  const ComparedSide& b, QWidget* parent);
+    CompareDialog(session::HistoryService& historyService, session::Settings& settings,
+                  const CompareSide& a, const CompareSide& b, QWidget* parent);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -36,16 +36,16 @@ private:
     void retranslate();
     void fillSides();
     void fillWarnings();
-    void colour();
+    void updateColors();
     void fillFigures();
     void fillSettings();
-    void askWhere();
+    void askForSavePath();
     void save(const QString& path);
 
-    session::Archive& m_archive;
+    session::HistoryService& m_historyService;
     session::Settings& m_settings;
-    const ComparedSide m_a;
-    const ComparedSide m_b;
+    const CompareSide m_a;
+    const CompareSide m_b;
     const record::SweepComparison m_found;
     QLabel* m_sides;
     QLabel* m_warnings;

@@ -16,8 +16,8 @@
 
 namespace ui {
 namespace {
-constexpr int startWidth = 640;
-constexpr int startHeight = 460;
+constexpr int initialWidth = 640;
+constexpr int initialHeight = 460;
 } // namespace
 
 DryRunDialog::DryRunDialog(const CompareModel& model, const jobs::RestorePlan& plan,
@@ -30,15 +30,15 @@ DryRunDialog::DryRunDialog(const CompareModel& model, const jobs::RestorePlan& p
     const auto value = [&](const jobs::RestoreStep& step, std::optional<std::int64_t> raw) {
         return raw ? model.formatted(step.key, *raw) : QString();
     };
-    for (const jobs::RestoreStep& step : jobs::stepsOf(plan)) {
+    for (const jobs::RestoreStep& step : jobs::plannedSteps(plan)) {
         const catalog::Register* reg = model.tables().front().profile->find(step.key);
         m_lines.push_back({step, reg != nullptr ? reg->name : catalog::Text{step.key, step.key},
                            value(step, step.from), value(step, step.to)});
     }
-    for (const jobs::RestoreRow* row : jobs::alarmsToCome(plan)) {
+    for (const jobs::RestoreRow* row : jobs::predictedAlarms(plan)) {
         const catalog::Register& reg = *plan.servo.profile->find(row->key);
-        m_alarms.push_back({reg.name, row->alarm, model.formatted(row->key, *row->wanted),
-                            readingText(*row), row->ticked});
+        m_alarms.push_back({reg.name, row->alarm, model.formatted(row->key, *row->newRaw),
+                            readingText(*row), row->selected});
     }
     if (plan.otherModel)
         m_otherModel = plan.sourceModel;
@@ -55,9 +55,9 @@ void DryRunDialog::build()
     m_warning->setObjectName(QStringLiteral("dryRunWarning"));
     m_warning->setWordWrap(true);
     m_warning->setTextFormat(Qt::PlainText);
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
-    m_warning->setPalette(colours);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
+    m_warning->setPalette(colors);
     m_table = new QTableWidget(0, 4, this);
     m_table->setObjectName(QStringLiteral("dryRunTable"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -83,7 +83,7 @@ void DryRunDialog::build()
     connect(m_copy, &QPushButton::clicked, this,
             [this] { QApplication::clipboard()->setText(text()); });
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
-    resize(startWidth, startHeight);
+    resize(initialWidth, initialHeight);
     m_close->setFocus();
 }
 
@@ -104,10 +104,10 @@ void DryRunDialog::retranslate()
     m_table->setRowCount(int(m_lines.size()));
     int row = 0;
     for (const Line& line : m_lines) {
-        const QString step = text::restoreStepWords(jobs::restoreStepName(line.step.kind));
+        const QString step = text::restoreStepText(jobs::restoreStepName(line.step.kind));
         const QStringList cells{
-            step, line.step.key.isEmpty() ? QString() : line.name.in(text::inChinese()), line.from,
-            line.to};
+            step, line.step.key.isEmpty() ? QString() : line.name.in(text::isUiChinese()),
+            line.from, line.to};
         for (int column = 0; column < int(cells.size()); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
             item->setToolTip(column == 1 ? line.step.key : cells[column]);
@@ -130,10 +130,10 @@ QString DryRunDialog::alarmsText() const
     if (!m_otherModel.isEmpty())
         lines << tr("The snapshot is of another model: %1.").arg(m_otherModel);
     for (const AlarmLine& alarm : m_alarms) {
-        const QString words = text::restoreAlarmWords(alarm.fault, alarm.limit, alarm.reading);
-        const QString name = alarm.name.in(text::inChinese());
-        lines << (alarm.ticked ? tr("✗ %1: %2").arg(name, words)
-                               : tr("%1, not selected: %2").arg(name, words));
+        const QString words = text::restoreAlarmText(alarm.fault, alarm.limit, alarm.reading);
+        const QString name = alarm.name.in(text::isUiChinese());
+        lines << (alarm.selected ? tr("✗ %1: %2").arg(name, words)
+                                 : tr("%1, not selected: %2").arg(name, words));
     }
     return lines.join(QLatin1Char('\n'));
 }

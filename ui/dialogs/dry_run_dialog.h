@@ -40,7 +40,7 @@ private:
         QString fault{};
         QString limit{};
         QString reading{};
-        bool ticked = false;
+        bool selected = false;
     };
     std::vector<Line> m_lines;
     std::vector<AlarmLine> m_alarms;

@@ -19,7 +19,7 @@ namespace {
 constexpr int margin = 16; ///< text at the very edge is hard to read
 
 /// Pictures are named IMAGE:page in the text; there is one for each language and theme.
-QString withPictures(QString markdown, bool chinese, bool dark)
+QString withImages(QString markdown, bool chinese, bool dark)
 {
     const QString ending = QStringLiteral("-%1-%2.png)")
                                .arg(chinese ? QStringLiteral("zh") : QStringLiteral("en"),
@@ -75,12 +75,11 @@ void HelpWindow::fill()
     setWindowTitle(tr("ServoDesk — help"));
     m_text->setAccessibleName(tr("Help"));
     m_text->setToolTip(tr("Help"));
-    const bool chinese = text::inChinese();
+    const bool chinese = text::isUiChinese();
     QFile file(chinese ? QStringLiteral(":/help/help_zh.md") : QStringLiteral(":/help/help_en.md"));
     if (!file.open(QIODevice::ReadOnly))
         return;
-    m_text->setMarkdown(
-        withPictures(QString::fromUtf8(file.readAll()), chinese, isDark(palette())));
+    m_text->setMarkdown(withImages(QString::fromUtf8(file.readAll()), chinese, isDark(palette())));
     if (!report::codeFamilies().isEmpty())
         useCodeFont(*m_text->document());
 }

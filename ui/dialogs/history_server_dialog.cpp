@@ -14,7 +14,7 @@
 
 namespace ui {
 namespace {
-constexpr int startWidth = 520;
+constexpr int initialWidth = 520;
 }
 
 HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
@@ -22,13 +22,13 @@ HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
     : QDialog(parent)
     , m_settings(settings)
     , m_sender(sender)
-    , m_what(new QLabel(this))
+    , m_explanation(new QLabel(this))
     , m_addressName(new QLabel(this))
     , m_address(new QLineEdit(this))
     , m_benchName(new QLabel(this))
     , m_bench(new QLineEdit(this))
     , m_hint(new QLabel(this))
-    , m_refusal(new QLabel(this))
+    , m_errorLabel(new QLabel(this))
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this))
 {
     setObjectName(QStringLiteral("historyServerDialog"));
@@ -36,7 +36,7 @@ HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
     const session::HistoryServerChoice now = session::historyServerChoice(settings);
     m_address->setObjectName(QStringLiteral("serverAddress"));
     m_address->setText(record::ServerAddress::masked(now.address));
-    m_address->setEnabled(!now.fixed);
+    m_address->setEnabled(!now.isFixedByEnvironment);
     m_bench->setObjectName(QStringLiteral("serverBench"));
     m_bench->setText(now.bench);
     m_addressName->setBuddy(m_address);
@@ -44,29 +44,30 @@ HistoryServerDialog::HistoryServerDialog(session::Settings& settings,
     m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("serverSave"));
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("serverCancel"));
     auto* column = new QVBoxLayout(this);
-    m_refusal->setObjectName(QStringLiteral("serverRefusal"));
-    for (QLabel* words : {m_what, m_hint, m_refusal}) {
-        words->setWordWrap(true);
-        words->setTextFormat(Qt::PlainText);
+    m_errorLabel->setObjectName(QStringLiteral("serverRefusal"));
+    for (QLabel* description : {m_explanation, m_hint, m_errorLabel}) {
+        description->setWordWrap(true);
+        description->setTextFormat(Qt::PlainText);
     }
-    m_refusal->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    for (QWidget* widget : std::initializer_list<QWidget*>{
-             m_what, m_addressName, m_address, m_refusal, m_benchName, m_bench, m_hint, m_buttons})
+    m_errorLabel->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_explanation, m_addressName, m_address, m_errorLabel,
+                                         m_benchName, m_bench, m_hint, m_buttons})
         column->addWidget(widget);
-    connect(m_address, &QLineEdit::textEdited, this, [this] { refuse(std::nullopt); });
+    connect(m_address, &QLineEdit::textEdited, this, [this] { setError(std::nullopt); });
     connect(m_buttons, &QDialogButtonBox::accepted, this, &HistoryServerDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    resize(startWidth, height());
+    resize(initialWidth, height());
     retranslate();
-    resize(startWidth, layout()->totalHeightForWidth(startWidth));
+    resize(initialWidth, layout()->totalHeightForWidth(initialWidth));
 }
 
 void HistoryServerDialog::accept()
 {
-    session::HistoryServerChoice wanted{m_address->text().trimmed(), m_bench->text().trimmed()};
-    wanted.fixed = !m_address->isEnabled();
-    if (const auto kept = session::setHistoryServerChoice(m_settings, wanted); !kept) {
-        refuse(kept.error());
+    session::HistoryServerChoice choice{m_address->text().trimmed(), m_bench->text().trimmed()};
+    choice.isFixedByEnvironment = !m_address->isEnabled();
+    if (const auto kept = session::setHistoryServerChoice(m_settings, choice); !kept) {
+        setError(kept.error());
         m_address->setFocus();
         return;
     }
@@ -77,17 +78,18 @@ void HistoryServerDialog::accept()
 }
 
 /// Beside the field, until it is edited.
-void HistoryServerDialog::refuse(std::optional<base::Error> error)
+void HistoryServerDialog::setError(std::optional<base::Error> error)
 {
     m_error = std::move(error);
-    m_refusal->setVisible(m_error.has_value());
-    m_refusal->clear();
+    m_errorLabel->setVisible(m_error.has_value());
+    m_errorLabel->clear();
     if (m_error) {
-        const text::Description words = text::describe(*m_error);
-        m_refusal->setText(QStringLiteral("✗ ") +
-                           QStringList{words.what, words.cause, words.remedy}.join(u'\n'));
+        const text::Description description = text::describe(*m_error);
+        m_errorLabel->setText(
+            QStringLiteral("✗ ") +
+            QStringList{description.message, description.cause, description.remedy}.join(u'\n'));
     }
-    m_refusal->setAccessibleName(m_refusal->text());
+    m_errorLabel->setAccessibleName(m_errorLabel->text());
     layout()->activate();
     resize(width(), layout()->totalHeightForWidth(width()));
 }
@@ -96,10 +98,11 @@ void HistoryServerDialog::retranslate()
 {
     setWindowTitle(tr("History server"));
     setAccessibleName(windowTitle());
-    m_what->setText(tr("Writes, snapshots, labels and tests of this bench are copied to a "
-                       "PostgreSQL server, where all benches can be looked at together. This "
-                       "computer keeps everything itself; a server that is away never stops a "
-                       "write."));
+    m_explanation->setText(
+        tr("Writes, snapshots, labels and tests of this bench are copied to a "
+           "PostgreSQL server, where all benches can be looked at together. This "
+           "computer keeps everything itself; a server that is away never stops a "
+           "write."));
     m_addressName->setText(tr("&Server"));
     m_address->setAccessibleName(tr("Server"));
     m_address->setPlaceholderText(QStringLiteral("postgresql://user@host/servodesk"));
@@ -107,7 +110,7 @@ void HistoryServerDialog::retranslate()
     m_benchName->setText(tr("&Name of this bench"));
     m_bench->setAccessibleName(tr("Name of this bench"));
     m_bench->setToolTip(tr("How others find its history on the server"));
-    refuse(m_error);
+    setError(m_error);
     m_hint->setText(m_address->isEnabled()
                         ? tr("Store the password in ~/.pgpass, not in the string. A server on "
                              "another computer must use TLS with a valid certificate; to change "

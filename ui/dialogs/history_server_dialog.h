@@ -28,17 +28,17 @@ protected:
 
 private:
     void retranslate();
-    void refuse(std::optional<base::Error> error);
+    void setError(std::optional<base::Error> error);
 
     session::Settings& m_settings;
     session::HistorySender& m_sender;
-    QLabel* m_what;
+    QLabel* m_explanation;
     QLabel* m_addressName;
     QLineEdit* m_address;
     QLabel* m_benchName;
     QLineEdit* m_bench;
     QLabel* m_hint;
-    QLabel* m_refusal;
+    QLabel* m_errorLabel;
     std::optional<base::Error> m_error; ///< why the string was refused
     QDialogButtonBox* m_buttons;
 };

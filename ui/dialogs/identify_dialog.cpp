@@ -10,25 +10,25 @@ using text::translate;
 IdentifyDialog::IdentifyDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent)
     : TaskDialog(desk, servo, "identifyDialog", parent)
 {
-    begin();
+    finishSetup();
     // Nobody should wait for a blinking LED to close the port.
     connect(&desk, &session::Desk::linkChanged, this, [this] {
-        if (running() && this->desk().state() == session::LinkState::Closing)
+        if (isRunning() && this->desk().state() == session::LinkState::Closing)
             this->desk().stopTask();
     });
-    act();
+    runAction();
 }
 
 void IdentifyDialog::retranslate()
 {
-    setWords(translate("ServoTasks", "Identify"),
+    setTexts(translate("ServoTasks", "Identify"),
              translate("ServoTasks", "The LED of this servo blinks for some seconds; then its "
                                      "setting is put back as it was. Nothing moves. A board "
                                      "without LED shows nothing."),
              translate("ServoTasks", "Again"), translate("ServoTasks", "Let it blink once more"));
 }
 
-void IdentifyDialog::act()
+void IdentifyDialog::runAction()
 {
     const auto report = std::make_shared<jobs::BlinkReport>();
     session::Task task;
@@ -42,21 +42,21 @@ void IdentifyDialog::act()
         *report = *blinked;
         return {};
     };
-    run(std::move(task), [this, report](const session::TaskEnd& end) {
+    run(std::move(task), [this, report](const session::TaskCompletion& end) {
         if (end.error) {
-            tell([error = *end.error, notices = end.notices] {
-                TaskWords words = errorWords(error);
-                words.more += noticeLines(notices);
+            showResult([error = *end.error, notices = end.notices] {
+                TaskText words = errorText(error);
+                words.details += noticeLines(notices);
                 return words;
             });
             return;
         }
-        tell([this, report, notices = end.notices] {
-            TaskWords words{Tone::Good, translate("ServoTasks", "The LED is as it was before.")};
-            words.more << QStringLiteral("%1 = %2").arg(
-                registerWord(entry()->servo, report->key),
-                valueWord(entry()->servo, report->key, report->before));
-            words.more += noticeLines(notices);
+        showResult([this, report, notices = end.notices] {
+            TaskText words{Tone::Good, translate("ServoTasks", "The LED is as it was before.")};
+            words.details << QStringLiteral("%1 = %2").arg(
+                registerText(entry()->servo, report->key),
+                valueText(entry()->servo, report->key, report->before));
+            words.details += noticeLines(notices);
             return words;
         });
     });
@@ -65,7 +65,7 @@ void IdentifyDialog::act()
 /// Whoever closes it has seen it.
 void IdentifyDialog::done(int result)
 {
-    if (running())
+    if (isRunning())
         desk().stopTask();
     TaskDialog::done(result);
 }

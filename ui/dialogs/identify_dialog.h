@@ -16,6 +16,6 @@ public:
 
 protected:
     void retranslate() override;
-    void act() override;
+    void runAction() override;
 };
 } // namespace ui

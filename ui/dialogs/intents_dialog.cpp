@@ -15,31 +15,31 @@
 
 namespace ui {
 using jobs::Finding;
-using jobs::RecoverAction;
-using jobs::Recovered;
+using jobs::RecoveryAction;
+using jobs::RecoveryResult;
 using session::Desk;
 using session::Event;
 using text::translate;
 
 namespace {
-constexpr int startWidth = 880;
-constexpr int startHeight = 420;
+constexpr int initialWidth = 880;
+constexpr int initialHeight = 420;
 constexpr int margin = 24;
 
 /// Of a test's settings and a blinked LED there is no change to finish: both ways put them back.
-bool onlyPutBack(const base::Intent& intent)
+bool isRollbackOnly(const base::Intent& intent)
 {
     return intent.kind == base::IntentKind::Trial || intent.kind == base::IntentKind::Identify;
 }
 
 /// What recovery does not write by itself, by name.
-QString leftLine(const Recovered& one, const catalog::Catalog& catalog)
+QString remainingChangesLine(const RecoveryResult& one, const catalog::Catalog& catalog)
 {
     const catalog::ProfilePtr profile = profileOf(catalog, one.before.intent.servo);
     QStringList names;
-    for (const QString& key : one.left) {
+    for (const QString& key : one.skippedKeys) {
         const catalog::Register* reg = profile->find(key);
-        names << (reg != nullptr ? reg->name.in(text::inChinese()) : key);
+        names << (reg != nullptr ? reg->name.in(text::isUiChinese()) : key);
     }
     return names.isEmpty()
                ? QString()
@@ -49,51 +49,51 @@ QString leftLine(const Recovered& one, const catalog::Catalog& catalog)
 }
 
 /// What settling it has really done, which is not always what the button says.
-TaskWords settledWords(const Recovered& one, const catalog::Catalog& catalog)
+TaskText recoveredText(const RecoveryResult& one, const catalog::Catalog& catalog)
 {
     if (one.error)
-        return errorWords(*one.error);
-    if (one.allLeft)
+        return errorText(*one.error);
+    if (one.isAllSkipped)
         return {Tone::Warn,
                 translate("ServoTasks", "Nothing was written; the change is no longer offered."),
-                {leftLine(one, catalog)}};
+                {remainingChangesLine(one, catalog)}};
     const base::Intent& intent = one.before.intent;
-    const bool asBefore = one.before.finding == Finding::AllOld;
+    const bool allowPreviousValues = one.before.finding == Finding::AllOld;
     QString line;
-    if (onlyPutBack(intent))
-        line = asBefore
+    if (isRollbackOnly(intent))
+        line = allowPreviousValues
                    ? translate("ServoTasks", "The servo has the settings from before the test: "
                                              "nothing had to be put back.")
                    : translate("ServoTasks", "The settings from before the test have been put "
                                              "back.");
-    else if (one.action == RecoverAction::Undo)
+    else if (one.action == RecoveryAction::Undo)
         line = translate("ServoTasks", "The old values are back.");
     else
         line = translate("ServoTasks", "The change has been finished.");
-    TaskWords words{Tone::Good, line, {leftLine(one, catalog)}};
+    TaskText result{Tone::Good, line, {remainingChangesLine(one, catalog)}};
     if (one.report)
-        words.more << lockLine(one.report->lock);
-    words.more.removeAll(QString());
-    return words;
+        result.details << lockLine(one.report->lock);
+    result.details.removeAll(QString());
+    return result;
 }
 
-bool settleable(const Recovered& one)
+bool canRecover(const RecoveryResult& one)
 {
-    return one.before.finding != Finding::NoAnswer && one.before.finding != Finding::OtherServo &&
+    return one.before.finding != Finding::NoReply && one.before.finding != Finding::OtherServo &&
            one.before.finding != Finding::Unreadable && one.before.finding != Finding::UnderWay;
 }
 } // namespace
 
-IntentsDialog::IntentsDialog(Desk& desk, const std::vector<Recovered>& intents,
+IntentsDialog::IntentsDialog(Desk& desk, const std::vector<RecoveryResult>& intents,
                              const std::vector<base::Intent>& elsewhere, QWidget* parent)
     : QDialog(parent)
     , m_desk(desk)
     , m_model(new IntentsModel(desk.catalog(), this))
     , m_explanation(new QLabel(this))
     , m_table(new QTableView(this))
-    , m_elsewhereText(new QLabel(this))
-    , m_lookHere(new QPushButton(this))
-    , m_result(new TaskResult(startWidth - margin, this))
+    , m_otherPortText(new QLabel(this))
+    , m_searchHere(new QPushButton(this))
+    , m_result(new TaskResult(initialWidth - margin, this))
     , m_finish(new QPushButton(this))
     , m_undo(new QPushButton(this))
     , m_forget(new QPushButton(this))
@@ -102,21 +102,21 @@ IntentsDialog::IntentsDialog(Desk& desk, const std::vector<Recovered>& intents,
     setObjectName(QStringLiteral("intentsDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
-    connect(&desk, &Desk::openIntents, this, &IntentsDialog::found);
-    connect(&desk, &Desk::happened, this, &IntentsDialog::settlingFailed);
+    connect(&desk, &Desk::openIntentsFound, this, &IntentsDialog::setIntents);
+    connect(&desk, &Desk::eventOccurred, this, &IntentsDialog::onRecoveryFailed);
     connect(&desk, &Desk::linkChanged, this, &IntentsDialog::updateButtons);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &IntentsDialog::updateButtons);
-    connect(m_finish, &QPushButton::clicked, this, [this] { settle(RecoverAction::Finish); });
-    connect(m_undo, &QPushButton::clicked, this, [this] { settle(RecoverAction::Undo); });
-    connect(m_forget, &QPushButton::clicked, this, &IntentsDialog::forget);
+    connect(m_finish, &QPushButton::clicked, this, [this] { recover(RecoveryAction::Finish); });
+    connect(m_undo, &QPushButton::clicked, this, [this] { recover(RecoveryAction::Undo); });
+    connect(m_forget, &QPushButton::clicked, this, &IntentsDialog::discardIntent);
     connect(m_later, &QPushButton::clicked, this, &QDialog::reject);
-    connect(m_lookHere, &QPushButton::clicked, this, [this] {
-        m_anyPort = true;
-        m_lookHere->setEnabled(false);
-        m_desk.lookForIntents(true);
+    connect(m_searchHere, &QPushButton::clicked, this, [this] {
+        m_searchedHere = true;
+        m_searchHere->setEnabled(false);
+        m_desk.findOpenIntents(true);
     });
-    found(intents, elsewhere);
+    setIntents(intents, elsewhere);
 }
 
 void IntentsDialog::build()
@@ -131,17 +131,17 @@ void IntentsDialog::build()
     m_table->verticalHeader()->hide();
     m_columns = new FitColumns(m_table);
     m_table->setTabKeyNavigation(false);
-    m_elsewhereText->setObjectName(QStringLiteral("intentsElsewhere"));
-    m_elsewhereText->setWordWrap(true);
-    m_elsewhereText->setTextFormat(Qt::PlainText);
+    m_otherPortText->setObjectName(QStringLiteral("intentsElsewhere"));
+    m_otherPortText->setWordWrap(true);
+    m_otherPortText->setTextFormat(Qt::PlainText);
     auto* other = new QHBoxLayout;
-    other->addWidget(m_elsewhereText, 1);
-    other->addWidget(m_lookHere, 0, Qt::AlignTop);
+    other->addWidget(m_otherPortText, 1);
+    other->addWidget(m_searchHere, 0, Qt::AlignTop);
     auto* row = new QHBoxLayout;
     const std::pair<QPushButton*, const char*> buttons[] = {{m_finish, "intentFinish"},
                                                             {m_undo, "intentUndo"},
                                                             {m_forget, "intentForget"},
-                                                            {m_lookHere, "intentsLookHere"},
+                                                            {m_searchHere, "intentsLookHere"},
                                                             {m_later, "intentLater"}};
     for (const auto& [button, name] : buttons) {
         button->setObjectName(QLatin1String(name));
@@ -162,10 +162,10 @@ void IntentsDialog::build()
     column->addLayout(other);
     column->addWidget(m_result);
     column->addLayout(row);
-    setMinimumSize(startWidth, startHeight);
+    setMinimumSize(initialWidth, initialHeight);
 }
 
-void IntentsDialog::say(QPushButton* button, const QString& text, const QString& tip)
+void IntentsDialog::setTexts(QPushButton* button, const QString& text, const QString& tip)
 {
     button->setText(text);
     button->setAccessibleName(text);
@@ -205,65 +205,68 @@ void IntentsDialog::retranslate()
     setAccessibleName(windowTitle());
     const bool none = m_model->rowCount() == 0;
     m_explanation->setText(explanation());
-    nameFinish();
-    say(m_undo, translate("ServoTasks", "Undo"),
-        translate("ServoTasks", "Put the old values back, prove them, and close the lock"));
-    say(m_forget, translate("ServoTasks", "Forget…"),
-        translate("ServoTasks", "Strike it from the journal; the servo is left as it is"));
-    say(m_later, none ? translate("ServoTasks", "Close") : translate("ServoTasks", "Later"),
-        translate("ServoTasks", "Close this list; nothing is written"));
-    say(m_lookHere, translate("ServoTasks", "Look on this port"),
-        translate("ServoTasks", "Read the servos on this port and compare them with these changes; "
-                                "nothing is written"));
-    nameElsewhere();
+    updateFinishText();
+    setTexts(m_undo, translate("ServoTasks", "Undo"),
+             translate("ServoTasks", "Put the old values back, prove them, and close the lock"));
+    setTexts(m_forget, translate("ServoTasks", "Forget…"),
+             translate("ServoTasks", "Strike it from the journal; the servo is left as it is"));
+    setTexts(m_later, none ? translate("ServoTasks", "Close") : translate("ServoTasks", "Later"),
+             translate("ServoTasks", "Close this list; nothing is written"));
+    setTexts(m_searchHere, translate("ServoTasks", "Look on this port"),
+             translate("ServoTasks",
+                       "Read the servos on this port and compare them with these changes; "
+                       "nothing is written"));
+    updateElsewhereText();
     m_table->setAccessibleName(translate("ServoTasks", "Interrupted writes"));
     m_table->setToolTip(translate("ServoTasks", "Writes without an end in the journal"));
     m_model->retranslate();
 }
 
-const Recovered* IntentsDialog::current() const
+const RecoveryResult* IntentsDialog::current() const
 {
     const QModelIndexList rows = m_table->selectionModel()->selectedRows();
     return rows.isEmpty() ? nullptr : m_model->at(rows.first().row());
 }
 
-void IntentsDialog::nameFinish()
+void IntentsDialog::updateFinishText()
 {
-    const Recovered* one = current();
-    if (one != nullptr && onlyPutBack(one->before.intent))
-        say(m_finish, translate("ServoTasks", "Put back"),
+    const RecoveryResult* one = current();
+    if (one != nullptr && isRollbackOnly(one->before.intent))
+        setTexts(
+            m_finish, translate("ServoTasks", "Put back"),
             translate("ServoTasks", "Put the settings from before the test back and prove them"));
     else
-        say(m_finish, translate("ServoTasks", "Finish"),
-            translate("ServoTasks", "Write what is missing, prove it, and close the lock. Undo "
-                                    "then takes back the whole change"));
+        setTexts(m_finish, translate("ServoTasks", "Finish"),
+                 translate("ServoTasks",
+                           "Write what is missing, prove it, and close the lock. Undo "
+                           "then takes back the whole change"));
 }
 
 void IntentsDialog::updateButtons()
 {
-    const Recovered* one = current();
-    nameFinish();
-    const bool free = one != nullptr && m_settling.isEmpty();
+    const RecoveryResult* one = current();
+    updateFinishText();
+    const bool free = one != nullptr && m_recovering.isEmpty();
     const bool open = m_desk.state() == session::LinkState::Open;
-    m_finish->setEnabled(free && open && settleable(*one));
-    m_undo->setEnabled(free && open && settleable(*one));
+    m_finish->setEnabled(free && open && canRecover(*one));
+    m_undo->setEnabled(free && open && canRecover(*one));
     m_forget->setEnabled(free && open && one->before.finding != Finding::UnderWay);
 }
 
-void IntentsDialog::settle(RecoverAction action)
+void IntentsDialog::recover(RecoveryAction action)
 {
-    const Recovered* one = current();
-    if (one == nullptr || !m_settling.isEmpty())
+    const RecoveryResult* one = current();
+    if (one == nullptr || !m_recovering.isEmpty())
         return;
-    m_settling = one->before.intent.uuid;
-    m_result->tell([] { return TaskWords{Tone::Quiet, translate("ServoTasks", "Working…")}; });
+    m_recovering = one->before.intent.uuid;
+    m_result->showResult([] { return TaskText{Tone::Quiet, translate("ServoTasks", "Working…")}; });
     updateButtons();
-    m_desk.settleIntent(m_settling, action);
+    m_desk.recoverIntent(m_recovering, action);
 }
 
-void IntentsDialog::forget()
+void IntentsDialog::discardIntent()
 {
-    const Recovered* one = current();
+    const RecoveryResult* one = current();
     if (one == nullptr)
         return;
     Question question;
@@ -272,69 +275,69 @@ void IntentsDialog::forget()
                                             "servo is left as it is.");
     question.risk = translate("ServoTasks", "Its EPROM lock may stand open, and its values may be "
                                             "half old and half new.");
-    question.yes = translate("ServoTasks", "Forget");
+    question.acceptText = translate("ServoTasks", "Forget");
     question.guard = this;
-    ask(this, question, [this, uuid = one->before.intent.uuid] { m_desk.forgetIntent(uuid); });
+    ask(this, question, [this, uuid = one->before.intent.uuid] { m_desk.discardIntent(uuid); });
 }
 
 /// Of a look all that is open; of a settlement the one that was worked on.
-void IntentsDialog::found(const std::vector<Recovered>& all,
-                          const std::vector<base::Intent>& elsewhere)
+void IntentsDialog::setIntents(const std::vector<RecoveryResult>& all,
+                               const std::vector<base::Intent>& elsewhere)
 {
-    if (!m_settling.isEmpty()) {
-        settled(all);
+    if (!m_recovering.isEmpty()) {
+        onRecovered(all);
         return;
     }
-    m_elsewhere = elsewhere;
+    m_otherPortIntents = elsewhere;
     m_model->setIntents(all);
     retranslate();
     if (!all.empty())
         m_table->selectRow(0);
     m_columns->fit();
     if (all.empty() && elsewhere.empty() && !m_result->isVisibleTo(this))
-        m_result->tell([] {
-            return TaskWords{Tone::Good, translate("ServoTasks", "No change was left open.")};
+        m_result->showResult([] {
+            return TaskText{Tone::Good, translate("ServoTasks", "No change was left open.")};
         });
     updateButtons();
 }
 
-void IntentsDialog::settled(const std::vector<Recovered>& one)
+void IntentsDialog::onRecovered(const std::vector<RecoveryResult>& one)
 {
-    const QString uuid = std::exchange(m_settling, QString());
+    const QString uuid = std::exchange(m_recovering, QString());
     if (!one.empty() && one.front().before.intent.uuid == uuid)
-        m_result->tell(
-            [this, first = one.front()] { return settledWords(first, m_desk.catalog()); });
+        m_result->showResult(
+            [this, first = one.front()] { return recoveredText(first, m_desk.catalog()); });
     else if (one.empty())
-        m_result->tell([] {
-            return TaskWords{Tone::Warn,
-                             translate("ServoTasks",
-                                       "Nothing was written: the change is no longer open, or the "
-                                       "port on which it was begun exists again.")};
+        m_result->showResult([] {
+            return TaskText{Tone::Warn,
+                            translate("ServoTasks",
+                                      "Nothing was written: the change is no longer open, or the "
+                                      "port on which it was begun exists again.")};
         });
     if (!one.empty() && one.front().done)
         m_model->remove(uuid);
-    lookAgain();
+    reload();
 }
 
 /// What is open now is a matter of looking.
-void IntentsDialog::lookAgain()
+void IntentsDialog::reload()
 {
     retranslate();
-    m_desk.lookForIntents(m_anyPort);
+    m_desk.findOpenIntents(m_searchedHere);
     updateButtons();
 }
 
 /// Which servo, what and where. Only what was begun on a port that is gone is looked for here: on a
 /// port that is there the servo itself may still be connected, and here its twin.
-void IntentsDialog::nameElsewhere()
+void IntentsDialog::updateElsewhereText()
 {
     QStringList gone;
     QStringList present;
     bool mayBeHere = false;
-    for (const base::Intent& intent : m_elsewhere) {
+    for (const base::Intent& intent : m_otherPortIntents) {
         const bool there = jobs::isPortPresent(intent);
         (there ? present : gone) << m_model->line(intent);
-        mayBeHere = mayBeHere || !(there || intent.underWayElsewhere);
+        mayBeHere = mayBeHere || !(there || intent.isActiveElsewhere);
     }
     if (!gone.isEmpty())
         gone.prepend(translate("ServoTasks", "Changes that were begun on other ports are open. If "
@@ -343,28 +346,28 @@ void IntentsDialog::nameElsewhere()
     if (!present.isEmpty())
         present.prepend(translate("ServoTasks", "Changes that were begun on other ports are open. "
                                                 "Connect to that port to finish or undo them:"));
-    m_elsewhereText->setText((present + gone).join(QLatin1Char('\n')));
-    m_elsewhereText->setVisible(!m_elsewhere.empty());
+    m_otherPortText->setText((present + gone).join(QLatin1Char('\n')));
+    m_otherPortText->setVisible(!m_otherPortIntents.empty());
     // A simulated servo is never the one that was left.
     const session::Connection* connection = m_desk.connection();
-    m_lookHere->setVisible(mayBeHere && connection != nullptr && !connection->simulated());
-    m_lookHere->setEnabled(mayBeHere && m_desk.state() == session::LinkState::Open);
+    m_searchHere->setVisible(mayBeHere && connection != nullptr && !connection->isSimulated());
+    m_searchHere->setEnabled(mayBeHere && m_desk.state() == session::LinkState::Open);
 }
 
 /// It broke off, perhaps between two writes, or never began.
-void IntentsDialog::settlingFailed(const Event& event)
+void IntentsDialog::onRecoveryFailed(const Event& event)
 {
     const bool failed = event.kind == Event::Kind::Failed && event.error &&
                         event.task == QLatin1StringView("recover");
-    if (!failed || m_settling.isEmpty())
+    if (!failed || m_recovering.isEmpty())
         return;
-    m_settling.clear();
-    m_result->tell([error = *event.error] {
-        TaskWords words = errorWords(error);
-        words.more << translate("ServoTasks", "The change stays open and is offered again.");
-        return words;
+    m_recovering.clear();
+    m_result->showResult([error = *event.error] {
+        TaskText result = errorText(error);
+        result.details << translate("ServoTasks", "The change stays open and is offered again.");
+        return result;
     });
-    lookAgain();
+    reload();
 }
 
 void IntentsDialog::changeEvent(QEvent* event)

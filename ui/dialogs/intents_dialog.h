@@ -21,7 +21,7 @@ class IntentsDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    IntentsDialog(session::Desk& desk, const std::vector<jobs::Recovered>& found,
+    IntentsDialog(session::Desk& desk, const std::vector<jobs::RecoveryResult>& found,
                   const std::vector<base::Intent>& elsewhere, QWidget* parent);
 
 protected:
@@ -31,33 +31,34 @@ private:
     void build();
     QString explanation() const;
     void retranslate();
-    static void say(QPushButton* button, const QString& text, const QString& tip);
-    void nameFinish();
+    static void setTexts(QPushButton* button, const QString& text, const QString& tip);
+    void updateFinishText();
     void updateButtons();
-    const jobs::Recovered* current() const;
-    void settle(jobs::RecoverAction action);
-    void forget();
-    void found(const std::vector<jobs::Recovered>& all, const std::vector<base::Intent>& elsewhere);
-    void nameElsewhere();
-    void settled(const std::vector<jobs::Recovered>& one);
-    void settlingFailed(const session::Event& event);
-    void lookAgain();
+    const jobs::RecoveryResult* current() const;
+    void recover(jobs::RecoveryAction action);
+    void discardIntent();
+    void setIntents(const std::vector<jobs::RecoveryResult>& all,
+                    const std::vector<base::Intent>& elsewhere);
+    void updateElsewhereText();
+    void onRecovered(const std::vector<jobs::RecoveryResult>& one);
+    void onRecoveryFailed(const session::Event& event);
+    void reload();
 
     session::Desk& m_desk;
     IntentsModel* m_model;
     QLabel* m_explanation;
     QTableView* m_table;
     FitColumns* m_columns = nullptr;
-    QLabel* m_elsewhereText;
-    QPushButton* m_lookHere;
-    std::vector<base::Intent> m_elsewhere;
-    bool m_anyPort = false; ///< those begun elsewhere have been looked for here
+    QLabel* m_otherPortText;
+    QPushButton* m_searchHere;
+    std::vector<base::Intent> m_otherPortIntents;
+    bool m_searchedHere = false; ///< those begun elsewhere have been looked for here
     TaskResult* m_result;
     QPushButton* m_finish;
     QPushButton* m_undo;
     QPushButton* m_forget;
     QPushButton* m_later;
-    QString m_settling; ///< uuid of the one being worked on
+    QString m_recovering; ///< uuid of the one being worked on
     bool m_linkWasOpen = true;
 };
 } // namespace ui

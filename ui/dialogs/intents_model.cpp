@@ -12,24 +12,24 @@ using jobs::Finding;
 using text::translate;
 
 namespace {
-QString whenWord(const base::Intent& intent)
+QString intentTimeText(const base::Intent& intent)
 {
     return intent.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd hh:mm:ss"));
 }
 
-QString servoWord(const base::Intent& intent, const catalog::Profile& profile)
+QString intentServoText(const base::Intent& intent, const catalog::Profile& profile)
 {
     return QStringLiteral("%1 · %2").arg(translate("ServoTasks", "ID %1").arg(intent.servo.id),
                                          profile.modelName);
 }
 
-QString changesWord(const base::Intent& intent, const catalog::Profile& profile)
+QString intentChangesText(const base::Intent& intent, const catalog::Profile& profile)
 {
     QStringList changes;
     for (const base::JournalItem& item : intent.items) {
         const catalog::Register* reg = profile.find(item.key);
-        const QString name = reg != nullptr ? reg->name.in(text::inChinese()) : item.key;
-        // What centring and restoring lead to is not known beforehand.
+        const QString name = reg != nullptr ? reg->name.in(text::isUiChinese()) : item.key;
+        // What centering and restoring lead to is not known beforehand.
         changes << (item.oldRaw == item.newRaw
                         ? QStringLiteral("%1 = %2").arg(name).arg(item.oldRaw)
                         : QStringLiteral("%1 %2 → %3").arg(name).arg(item.oldRaw).arg(item.newRaw));
@@ -37,11 +37,11 @@ QString changesWord(const base::Intent& intent, const catalog::Profile& profile)
     return changes.join(QStringLiteral(", "));
 }
 
-QString lockWord(const std::optional<bool>& open)
+QString lockLabel(const std::optional<bool>& open)
 {
-    return text::lockWord(!open   ? QStringLiteral("unknown")
-                          : *open ? QStringLiteral("open")
-                                  : QStringLiteral("closed"));
+    return text::lockLabel(!open   ? QStringLiteral("unknown")
+                           : *open ? QStringLiteral("open")
+                                   : QStringLiteral("closed"));
 }
 
 } // namespace
@@ -51,23 +51,23 @@ IntentsModel::IntentsModel(const catalog::Catalog& catalog, QObject* parent)
     , m_catalog(catalog)
 {}
 
-QString IntentsModel::cell(const jobs::Recovered& one, IntentColumn column) const
+QString IntentsModel::cell(const jobs::RecoveryResult& one, IntentColumn column) const
 {
     const base::Intent& intent = one.before.intent;
     const catalog::ProfilePtr profile = profileOf(m_catalog, intent.servo);
     switch (column) {
     case IntentColumn::When:
-        return whenWord(intent);
+        return intentTimeText(intent);
     case IntentColumn::Servo:
-        return servoWord(intent, *profile);
+        return intentServoText(intent, *profile);
     case IntentColumn::What:
-        return intentWord(intent);
+        return intentLabel(intent);
     case IntentColumn::Change:
-        return changesWord(intent, *profile);
+        return intentChangesText(intent, *profile);
     case IntentColumn::Found:
-        return findingWord(one.before.finding);
+        return findingText(one.before.finding);
     case IntentColumn::Lock:
-        return lockWord(one.before.lockOpen);
+        return lockLabel(one.before.lockOpen);
     case IntentColumn::Count:
         break;
     }
@@ -78,18 +78,18 @@ QString IntentsModel::line(const base::Intent& intent) const
 {
     constexpr int enough = 160;
     const catalog::ProfilePtr profile = profileOf(m_catalog, intent.servo);
-    QString changes = changesWord(intent, *profile);
+    QString changes = intentChangesText(intent, *profile);
     if (changes.size() > enough)
         changes = changes.left(enough) + QStringLiteral("…");
     const QString line = translate("ServoTasks", "%1, %2: %3, on %4, %5")
-                             .arg(servoWord(intent, *profile), intentWord(intent), changes,
-                                  intent.servo.port, whenWord(intent));
-    return intent.underWayElsewhere
-               ? QStringLiteral("%1 – %2").arg(line, findingWord(Finding::UnderWay))
+                             .arg(intentServoText(intent, *profile), intentLabel(intent), changes,
+                                  intent.servo.port, intentTimeText(intent));
+    return intent.isActiveElsewhere
+               ? QStringLiteral("%1 – %2").arg(line, findingText(Finding::UnderWay))
                : line;
 }
 
-QString IntentsModel::everything(const jobs::Recovered& one) const
+QString IntentsModel::toolTipText(const jobs::RecoveryResult& one) const
 {
     QStringList lines;
     for (int column = 0; column < columnCount(); ++column) {
@@ -100,18 +100,18 @@ QString IntentsModel::everything(const jobs::Recovered& one) const
     return lines.join(QLatin1Char('\n'));
 }
 
-catalog::ProfilePtr profileOf(const catalog::Catalog& catalog, const base::ServoIdentity& who)
+catalog::ProfilePtr profileOf(const catalog::Catalog& catalog, const base::ServoIdentity& servo)
 {
     catalog::Identity identity;
-    identity.firmwareMajor = who.firmwareMajor;
-    identity.firmwareMinor = who.firmwareMinor;
-    identity.modelMajor = who.modelMajor;
-    identity.modelMinor = who.modelMinor;
-    identity.protocol = who.protocol;
+    identity.firmwareMajor = servo.firmwareMajor;
+    identity.firmwareMinor = servo.firmwareMinor;
+    identity.modelMajor = servo.modelMajor;
+    identity.modelMinor = servo.modelMinor;
+    identity.protocol = servo.protocol;
     return catalog.resolve(identity);
 }
 
-QString intentWord(const base::Intent& intent)
+QString intentLabel(const base::Intent& intent)
 {
     switch (intent.kind) {
     case IntentKind::Write:
@@ -137,7 +137,7 @@ QString intentWord(const base::Intent& intent)
     return {};
 }
 
-QString findingWord(Finding finding)
+QString findingText(Finding finding)
 {
     switch (finding) {
     case Finding::AllOld:
@@ -148,7 +148,7 @@ QString findingWord(Finding finding)
         return translate("ServoTasks", "some new, some old values");
     case Finding::OtherServo:
         return translate("ServoTasks", "another servo, or other values: hands off");
-    case Finding::NoAnswer:
+    case Finding::NoReply:
         return translate("ServoTasks", "it does not answer");
     case Finding::Unreadable:
         return translate("ServoTasks", "something answers, but nothing readable");
@@ -160,7 +160,7 @@ QString findingWord(Finding finding)
     return {};
 }
 
-void IntentsModel::setIntents(std::vector<jobs::Recovered> intents)
+void IntentsModel::setIntents(std::vector<jobs::RecoveryResult> intents)
 {
     beginResetModel();
     m_intents = std::move(intents);
@@ -179,7 +179,7 @@ void IntentsModel::remove(const QString& uuid)
     }
 }
 
-const jobs::Recovered* IntentsModel::at(int row) const
+const jobs::RecoveryResult* IntentsModel::at(int row) const
 {
     const bool known = row >= 0 && row < static_cast<int>(m_intents.size());
     return known ? &m_intents[static_cast<std::size_t>(row)] : nullptr;
@@ -206,11 +206,11 @@ QVariant IntentsModel::data(const QModelIndex& index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
-    const jobs::Recovered& one = m_intents[static_cast<std::size_t>(index.row())];
+    const jobs::RecoveryResult& one = m_intents[static_cast<std::size_t>(index.row())];
     if (role == Qt::DisplayRole)
         return cell(one, static_cast<IntentColumn>(index.column()));
     if (role == Qt::ToolTipRole)
-        return everything(one);
+        return toolTipText(one);
     return {};
 }
 

@@ -17,9 +17,9 @@ public:
     /// `catalog` outlives it; gives registers and models their names.
     explicit IntentsModel(const catalog::Catalog& catalog, QObject* parent = nullptr);
 
-    void setIntents(std::vector<jobs::Recovered> intents);
+    void setIntents(std::vector<jobs::RecoveryResult> intents);
     void remove(const QString& uuid);
-    const jobs::Recovered* at(int row) const; ///< null: no such row
+    const jobs::RecoveryResult* at(int row) const; ///< null: no such row
     void retranslate();
     /// One that is not in the table: "ID 1 · STS3215, write: …, on /dev/ttyUSB0, 2026-01-31 …".
     QString line(const base::Intent& intent) const;
@@ -30,17 +30,17 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    QString cell(const jobs::Recovered& one, IntentColumn column) const;
-    QString everything(const jobs::Recovered& one) const;
+    QString cell(const jobs::RecoveryResult& one, IntentColumn column) const;
+    QString toolTipText(const jobs::RecoveryResult& one) const;
 
     const catalog::Catalog& m_catalog;
-    std::vector<jobs::Recovered> m_intents;
+    std::vector<jobs::RecoveryResult> m_intents;
 };
 
 /// Of the kind of servo the journal names.
-catalog::ProfilePtr profileOf(const catalog::Catalog& catalog, const base::ServoIdentity& who);
+catalog::ProfilePtr profileOf(const catalog::Catalog& catalog, const base::ServoIdentity& identity);
 /// "write", "set ID" …
-QString intentWord(const base::Intent& intent);
+QString intentLabel(const base::Intent& intent);
 /// What stands in the servo now.
-QString findingWord(jobs::Finding finding);
+QString findingText(jobs::Finding finding);
 } // namespace ui

@@ -12,7 +12,7 @@ QWidget* LimitsDelegate::createEditor(QWidget* parent, const QStyleOptionViewIte
 {
     const auto column = static_cast<LimitColumn>(index.column());
     QWidget* editor = nullptr;
-    if (column == LimitColumn::Figure || column == LimitColumn::Direction) {
+    if (column == LimitColumn::Metric || column == LimitColumn::Direction) {
         auto* box = new QComboBox(parent);
         if (column == LimitColumn::Direction) {
             for (const bool atLeast : {false, true})

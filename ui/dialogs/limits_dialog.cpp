@@ -26,7 +26,7 @@ using record::SweepLimits;
 namespace {
 /// `work` on a thread of its own; its result comes back on the dialog's, if that is still there.
 template <typename Work, typename Then>
-void elsewhere(QObject* home, Work work, Then then)
+void runInThread(QObject* home, Work work, Then then)
 {
     using Result = decltype(work());
     const auto result = std::make_shared<std::optional<Result>>();
@@ -57,7 +57,7 @@ LimitsDialog::LimitsDialog(const SweepLimits& limits, const QString& model, cons
     build();
     connectAll();
     retranslate();
-    take(limits);
+    setLimits(limits);
     resize(fontMetrics().averageCharWidth() * 96, fontMetrics().height() * 34);
 }
 
@@ -88,14 +88,14 @@ void LimitsDialog::build()
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(int(LimitColumn::Unit),
                                                       QHeaderView::ResizeToContents);
-    m_trouble = new QLabel(this);
-    m_trouble->setObjectName(QStringLiteral("limitsTrouble"));
-    m_trouble->setWordWrap(true);
-    m_trouble->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_problem = new QLabel(this);
+    m_problem->setObjectName(QStringLiteral("limitsTrouble"));
+    m_problem->setWordWrap(true);
+    m_problem->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     column->addLayout(m_form);
     column->addWidget(m_table, 1);
     column->addLayout(buildLineButtons());
-    column->addWidget(m_trouble);
+    column->addWidget(m_problem);
     column->addLayout(buildButtons());
 }
 
@@ -138,17 +138,17 @@ void LimitsDialog::connectAll()
     connect(m_add, &QPushButton::clicked, this, &LimitsDialog::addLine);
     connect(m_remove, &QPushButton::clicked, this, &LimitsDialog::removeLine);
     connect(m_builtIn, &QPushButton::clicked, this,
-            [this] { take(record::builtInSweepLimits(m_model, m_series)); });
+            [this] { setLimits(record::builtInSweepLimits(m_model, m_series)); });
     connect(m_load, &QPushButton::clicked, this, [this] { askForFile(false); });
     connect(m_save, &QPushButton::clicked, this, [this] { askForFile(true); });
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::close);
     connect(m_use, &QPushButton::clicked, this, [this] {
-        Q_EMIT chosen(limits());
+        Q_EMIT limitsAccepted(limits());
         close();
     });
 }
 
-void LimitsDialog::take(const SweepLimits& limits)
+void LimitsDialog::setLimits(const SweepLimits& limits)
 {
     m_name->setText(limits.name);
     m_models->setText(limits.models.join(QStringLiteral(", ")));
@@ -169,34 +169,34 @@ SweepLimits LimitsDialog::limits() const
         if (!one.trimmed().isEmpty())
             limits.models << one.trimmed();
     }
-    limits.tolerance = typedNumber(m_tolerance->text());
+    limits.tolerance = numberFromText(m_tolerance->text());
     limits.lines = m_lines->lines();
     return limits;
 }
 
-QString LimitsDialog::trouble() const
+QString LimitsDialog::problem() const
 {
     if (m_name->text().trimmed().isEmpty())
         return tr("Give these limits a name: the report says by which ones a servo was judged.");
-    const auto tolerance = typedNumber(m_tolerance->text());
+    const auto tolerance = numberFromText(m_tolerance->text());
     if (!m_tolerance->text().trimmed().isEmpty() && (!tolerance || *tolerance <= 0))
         return tr("The tolerance must be a number of steps above 0, or empty.");
     if (m_lines->rowCount() == 0)
         return tr("Without a line every servo would pass: add one.");
     for (int row = 0; row < m_lines->rowCount(); ++row) {
-        const QString wrong = m_lines->trouble(row);
+        const QString wrong = m_lines->problem(row);
         if (!wrong.isEmpty())
             return tr("Line %1, %2: %3")
                 .arg(row + 1)
-                .arg(m_lines->index(row, int(LimitColumn::Figure)).data().toString(), wrong);
+                .arg(m_lines->index(row, int(LimitColumn::Metric)).data().toString(), wrong);
     }
     return {};
 }
 
 void LimitsDialog::refresh()
 {
-    const QString wrong = trouble();
-    tell(wrong, true);
+    const QString wrong = problem();
+    showResult(wrong, true);
     for (QPushButton* one : {m_use, m_save})
         one->setEnabled(wrong.isEmpty());
     m_use->setToolTip(wrong.isEmpty() ? tr("Judge by these limits from now on") : wrong);
@@ -204,19 +204,19 @@ void LimitsDialog::refresh()
     m_remove->setEnabled(m_table->currentIndex().isValid());
 }
 
-void LimitsDialog::tell(const QString& words, bool bad)
+void LimitsDialog::showResult(const QString& words, bool bad)
 {
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, tone(bad ? Tone::Bad : Tone::Good, palette()));
-    m_trouble->setPalette(colours);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(bad ? Tone::Bad : Tone::Good, palette()));
+    m_problem->setPalette(colors);
     const QString sign = bad ? QStringLiteral("✘ ") : QStringLiteral("✔ ");
-    m_trouble->setText(words.isEmpty() ? QString() : sign + words);
-    m_trouble->setVisible(!words.isEmpty());
+    m_problem->setText(words.isEmpty() ? QString() : sign + words);
+    m_problem->setVisible(!words.isEmpty());
 }
 
 void LimitsDialog::addLine()
 {
-    const QModelIndex fresh = m_lines->index(m_lines->add(), int(LimitColumn::Figure));
+    const QModelIndex fresh = m_lines->index(m_lines->add(), int(LimitColumn::Metric));
     m_table->setCurrentIndex(fresh);
     m_table->setFocus();
 }
@@ -249,15 +249,15 @@ void LimitsDialog::askForFile(bool saving)
 
 void LimitsDialog::load(const QString& path)
 {
-    elsewhere(
+    runInThread(
         this, [path] { return record::loadSweepLimits(path); },
         [this, path](const base::Result<SweepLimits>& limits) {
             if (!limits) {
-                fileFailed(limits.error());
+                onFileError(limits.error());
                 return;
             }
             m_folder = QFileInfo(path).absolutePath();
-            take(*limits);
+            setLimits(*limits);
             Q_EMIT loaded(path);
         });
 }
@@ -265,23 +265,23 @@ void LimitsDialog::load(const QString& path)
 void LimitsDialog::save(const QString& path)
 {
     const SweepLimits kept = limits();
-    elsewhere(
+    runInThread(
         this, [kept, path] { return record::saveSweepLimits(kept, path); },
         [this, path](const base::Result<void>& done) {
             if (!done) {
-                fileFailed(done.error());
+                onFileError(done.error());
                 return;
             }
             m_folder = QFileInfo(path).absolutePath();
-            tell(tr("Kept in %1").arg(QDir::toNativeSeparators(path)), false);
+            showResult(tr("Kept in %1").arg(QDir::toNativeSeparators(path)), false);
             Q_EMIT saved(path);
         });
 }
 
-void LimitsDialog::fileFailed(const base::Error& error)
+void LimitsDialog::onFileError(const base::Error& error)
 {
     const text::Description words = text::describe(error);
-    tell(words.what + QLatin1Char(' ') + words.remedy, true);
+    showResult(words.message + QLatin1Char(' ') + words.remedy, true);
 }
 
 void LimitsDialog::retranslate()
@@ -301,18 +301,18 @@ void LimitsDialog::retranslate()
     m_tolerance->setPlaceholderText(tr("as usual for the family"));
     m_table->setAccessibleName(tr("Limits"));
     m_table->setToolTip(tr("A line a figure; type, or press F2, to change it"));
-    const auto say = [](QPushButton* one, const QString& text, const QString& tip) {
+    const auto setTexts = [](QPushButton* one, const QString& text, const QString& tip) {
         one->setText(text);
         one->setAccessibleName(text);
         one->setToolTip(tip);
     };
-    say(m_add, tr("Add a line"), tr("A limit for one more figure"));
-    say(m_remove, tr("Remove the line"), tr("The chosen figure is no longer judged"));
-    say(m_builtIn, tr("Built-in values"), tr("The limits that come with the program"));
-    say(m_load, tr("Load…"), tr("Limits from a file"));
-    say(m_save, tr("Save as…"), QString());
-    say(m_cancel, tr("Cancel"), tr("The limits stay as they were"));
-    say(m_use, tr("Use these limits"), QString());
+    setTexts(m_add, tr("Add a line"), tr("A limit for one more figure"));
+    setTexts(m_remove, tr("Remove the line"), tr("The chosen figure is no longer judged"));
+    setTexts(m_builtIn, tr("Built-in values"), tr("The limits that come with the program"));
+    setTexts(m_load, tr("Load…"), tr("Limits from a file"));
+    setTexts(m_save, tr("Save as…"), QString());
+    setTexts(m_cancel, tr("Cancel"), tr("The limits stay as they were"));
+    setTexts(m_use, tr("Use these limits"), QString());
     m_lines->retranslate();
     refresh();
 }

@@ -27,12 +27,12 @@ public:
 
     record::SweepLimits limits() const;
     /// What keeps these limits from being used; empty: nothing.
-    QString trouble() const;
+    QString problem() const;
     void load(const QString& path);
     void save(const QString& path);
 
 Q_SIGNALS:
-    void chosen(const record::SweepLimits& limits); ///< and the dialog closes
+    void limitsAccepted(const record::SweepLimits& limits); ///< and the dialog closes
     void loaded(const QString& path);
     void saved(const QString& path);
 
@@ -44,11 +44,11 @@ private:
     QLayout* buildLineButtons();
     QLayout* buildButtons();
     void connectAll();
-    void take(const record::SweepLimits& limits);
+    void setLimits(const record::SweepLimits& limits);
     void refresh();
     void askForFile(bool saving);
-    void fileFailed(const base::Error& error);
-    void tell(const QString& words, bool bad);
+    void onFileError(const base::Error& error);
+    void showResult(const QString& message, bool bad);
     void addLine();
     void removeLine();
     void retranslate();
@@ -61,7 +61,7 @@ private:
     QLineEdit* m_models = nullptr;
     QLineEdit* m_tolerance = nullptr;
     QTableView* m_table = nullptr;
-    QLabel* m_trouble = nullptr;
+    QLabel* m_problem = nullptr;
     QPushButton* m_add = nullptr;
     QPushButton* m_remove = nullptr;
     QPushButton* m_builtIn = nullptr;

@@ -43,7 +43,7 @@ QString typed(const std::optional<double>& bound)
 }
 } // namespace
 
-std::optional<double> typedNumber(const QString& text)
+std::optional<double> numberFromText(const QString& text)
 {
     bool number = false;
     const double value = QString(text).trimmed().replace(u',', u'.').toDouble(&number);
@@ -69,8 +69,8 @@ std::vector<SweepLimit> LimitsModel::lines() const
 {
     std::vector<SweepLimit> lines;
     for (const Line& line : m_lines)
-        lines.push_back({line.metric, kindOf(line.metric).unit, typedNumber(line.warn),
-                         typedNumber(line.fail), line.atLeast});
+        lines.push_back({line.metric, kindOf(line.metric).unit, numberFromText(line.warn),
+                         numberFromText(line.fail), line.atLeast});
     return lines;
 }
 
@@ -100,19 +100,19 @@ void LimitsModel::remove(int row)
     Q_EMIT edited();
 }
 
-QString LimitsModel::boundTrouble(const Line& line) const
+QString LimitsModel::boundError(const Line& line) const
 {
     for (const QString& text : {line.warn, line.fail}) {
         if (text.trimmed().isEmpty())
             continue;
-        const auto number = typedNumber(text);
+        const auto number = numberFromText(text);
         if (!number)
             return tr("\"%1\" is not a number.").arg(text);
         if (*number < 0)
             return tr("A limit is never negative: errors are judged without their sign.");
     }
-    const auto warn = typedNumber(line.warn);
-    const auto fail = typedNumber(line.fail);
+    const auto warn = numberFromText(line.warn);
+    const auto fail = numberFromText(line.fail);
     if (!warn && !fail)
         return tr("Give a number to warn at, one to fail at, or both.");
     if (!warn || !fail)
@@ -122,7 +122,7 @@ QString LimitsModel::boundTrouble(const Line& line) const
     return {};
 }
 
-QString LimitsModel::trouble(int row) const
+QString LimitsModel::problem(int row) const
 {
     const Line& line = m_lines[static_cast<std::size_t>(row)];
     const auto same = std::count_if(m_lines.begin(), m_lines.end(), [&](const Line& other) {
@@ -130,7 +130,7 @@ QString LimitsModel::trouble(int row) const
     });
     if (same > 1)
         return tr("This figure has a limit in the same direction already.");
-    return boundTrouble(line);
+    return boundError(line);
 }
 
 void LimitsModel::retranslate()
@@ -155,14 +155,14 @@ Qt::ItemFlags LimitsModel::flags(const QModelIndex& index) const
     if (!index.isValid())
         return Qt::NoItemFlags;
     const bool fixed = static_cast<LimitColumn>(index.column()) == LimitColumn::Unit;
-    const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-    return fixed ? usual : usual | Qt::ItemIsEditable;
+    const Qt::ItemFlags defaultFlags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    return fixed ? defaultFlags : defaultFlags | Qt::ItemIsEditable;
 }
 
 QString LimitsModel::cell(const Line& line, LimitColumn column) const
 {
     switch (column) {
-    case LimitColumn::Figure:
+    case LimitColumn::Metric:
         return metricName(line.metric);
     case LimitColumn::Direction:
         return limitDirection(line.atLeast);
@@ -189,11 +189,11 @@ QVariant LimitsModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
         return cell(line, column);
     case Qt::EditRole:
-        if (column == LimitColumn::Figure)
+        if (column == LimitColumn::Metric)
             return line.metric;
         return column == LimitColumn::Direction ? QVariant(line.atLeast) : cell(line, column);
     case Qt::ToolTipRole: {
-        const QString wrong = trouble(index.row());
+        const QString wrong = problem(index.row());
         if (!wrong.isEmpty())
             return wrong;
         if (bound)
@@ -202,7 +202,7 @@ QVariant LimitsModel::data(const QModelIndex& index, int role) const
         return note.isEmpty() ? QVariant() : QVariant(note);
     }
     case toneRole:
-        return trouble(index.row()).isEmpty() ? QVariant() : int(Tone::Bad);
+        return problem(index.row()).isEmpty() ? QVariant() : int(Tone::Bad);
     case Qt::TextAlignmentRole:
         return int(Qt::AlignVCenter | (bound ? Qt::AlignRight : Qt::AlignLeft));
     default:
@@ -216,7 +216,7 @@ bool LimitsModel::setData(const QModelIndex& index, const QVariant& value, int r
         return false;
     Line& line = m_lines[static_cast<std::size_t>(index.row())];
     switch (static_cast<LimitColumn>(index.column())) {
-    case LimitColumn::Figure:
+    case LimitColumn::Metric:
         if (kindOf(value.toString()).key.isEmpty())
             return false;
         line.metric = value.toString();
@@ -251,10 +251,10 @@ QVariant LimitsModel::headerData(int section, Qt::Orientation orientation, int r
         return int(Qt::AlignVCenter | (bound ? Qt::AlignRight : Qt::AlignLeft));
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
-    const report::SweepWords& words = report::sweepWords();
-    const bool chinese = text::inChinese();
+    const report::SweepTexts& words = report::sweepTexts();
+    const bool chinese = text::isUiChinese();
     switch (column) {
-    case LimitColumn::Figure:
+    case LimitColumn::Metric:
         return words.figure.in(chinese);
     case LimitColumn::Direction:
         return tr("Must be");

@@ -8,7 +8,7 @@
 #include <QAbstractTableModel>
 
 namespace ui {
-enum class LimitColumn : std::uint8_t { Figure, Direction, Warn, Fail, Unit, Count };
+enum class LimitColumn : std::uint8_t { Metric, Direction, Warn, Fail, Unit, Count };
 
 class LimitsModel final : public QAbstractTableModel {
     Q_OBJECT
@@ -23,7 +23,7 @@ public:
     int add();
     void remove(int row);
     /// What is wrong with this line; empty: nothing.
-    QString trouble(int row) const;
+    QString problem(int row) const;
     void retranslate();
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -44,14 +44,14 @@ private:
         QString warn; ///< as typed; empty: none
         QString fail;
     };
-    QString boundTrouble(const Line& line) const;
+    QString boundError(const Line& line) const;
     QString cell(const Line& line, LimitColumn column) const;
 
     std::vector<Line> m_lines;
 };
 
 /// With a point or a comma. None: empty, or no number.
-std::optional<double> typedNumber(const QString& text);
+std::optional<double> numberFromText(const QString& text);
 /// "at most", "at least"
 QString limitDirection(bool atLeast);
 } // namespace ui

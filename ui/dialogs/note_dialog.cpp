@@ -11,7 +11,7 @@
 
 namespace ui {
 namespace {
-constexpr int startWidth = 420;
+constexpr int initialWidth = 420;
 constexpr int noteLines = 5;
 } // namespace
 
@@ -39,7 +39,7 @@ NoteDialog::NoteDialog(const QString& label, const QString& note, QWidget* paren
         column->addWidget(widget);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    resize(startWidth, sizeHint().height());
+    resize(initialWidth, sizeHint().height());
     retranslate();
 }
 

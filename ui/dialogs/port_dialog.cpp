@@ -35,15 +35,16 @@ PortDialog::PortDialog(QWidget* parent)
     connect(m_edit, &QLineEdit::textChanged, this, check);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(this, &QDialog::accepted, this, [this] { Q_EMIT typed(portFrom(m_edit->text())); });
+    connect(this, &QDialog::accepted, this,
+            [this] { Q_EMIT portEntered(portFrom(m_edit->text())); });
     check();
     retranslate();
 }
 
-QString PortDialog::portFrom(const QString& typed)
+QString PortDialog::portFrom(const QString& portEntered)
 {
     static const QRegularExpression hostAndPort(QStringLiteral("^[A-Za-z0-9.-]+:[0-9]{1,5}$"));
-    const QString text = typed.trimmed();
+    const QString text = portEntered.trimmed();
     if (hostAndPort.match(text).hasMatch())
         return QStringLiteral("tcp://") + text;
     if (text.startsWith(QLatin1String("tty")))

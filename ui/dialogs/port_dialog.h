@@ -17,10 +17,10 @@ public:
     explicit PortDialog(QWidget* parent = nullptr);
 
     /// "bench:4000" → "tcp://bench:4000", "ttyUSB0" → "/dev/ttyUSB0"; empty: nothing usable.
-    static QString portFrom(const QString& typed);
+    static QString portFrom(const QString& portEntered);
 
 Q_SIGNALS:
-    void typed(const QString& port);
+    void portEntered(const QString& port);
 
 protected:
     void changeEvent(QEvent* event) override;

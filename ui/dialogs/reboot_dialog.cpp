@@ -10,25 +10,25 @@ using text::translate;
 RebootDialog::RebootDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent)
     : TaskDialog(desk, servo, "rebootDialog", parent)
 {
-    begin();
-    if (possible())
+    finishSetup();
+    if (canRun())
         return;
     const base::Error refused{base::ErrorCode::NotSupported, QStringLiteral("reboot"),
                               QStringLiteral("no-reboot"), entry()->servo.id};
-    tell([refused] {
-        return refusedWords(refused, translate("ServoTasks", "This servo has no command for it."));
+    showResult([refused] {
+        return refusedText(refused, translate("ServoTasks", "This servo has no command for it."));
     });
 }
 
 /// LX knows no such command.
-bool RebootDialog::possible() const
+bool RebootDialog::canRun() const
 {
     return entry()->servo.protocol != base::Protocol::Lx;
 }
 
 void RebootDialog::retranslate()
 {
-    setWords(translate("ServoTasks", "Restart the servo"),
+    setTexts(translate("ServoTasks", "Restart the servo"),
              translate("ServoTasks",
                        "Torque is switched off first: a load that hangs on the shaft will drop. "
                        "What was written temporarily is lost, and the turn count with it. The "
@@ -39,10 +39,10 @@ void RebootDialog::retranslate()
 
 void RebootDialog::refresh()
 {
-    setReady(possible());
+    setReady(canRun());
 }
 
-void RebootDialog::act()
+void RebootDialog::runAction()
 {
     const auto elapsed = std::make_shared<int>(0);
     session::Task task;
@@ -54,13 +54,13 @@ void RebootDialog::act()
         *elapsed = *done;
         return {};
     };
-    run(std::move(task), [this, elapsed](const session::TaskEnd& end) {
+    run(std::move(task), [this, elapsed](const session::TaskCompletion& end) {
         if (end.error) {
-            tellError(*end.error);
+            showError(*end.error);
             return;
         }
-        tell([elapsed] {
-            return TaskWords{
+        showResult([elapsed] {
+            return TaskText{
                 Tone::Good,
                 translate("ServoTasks", "The servo has restarted and answers again."),
                 {translate("ServoTasks", "It took %1 ms. Torque is off.").arg(*elapsed)}};

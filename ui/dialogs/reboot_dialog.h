@@ -14,9 +14,9 @@ public:
 protected:
     void retranslate() override;
     void refresh() override;
-    void act() override;
+    void runAction() override;
 
 private:
-    bool possible() const;
+    bool canRun() const;
 };
 } // namespace ui

@@ -21,14 +21,14 @@
 
 namespace ui {
 namespace {
-const QString folderChoice = QStringLiteral("trend/record_folder");
-const QString shownChoice = QStringLiteral("trend/record_shown");
-const QString secondsChoice = QStringLiteral("trend/record_seconds");
-constexpr int mostSeconds = 7 * 24 * 3600;
-constexpr int usualSeconds = 10;
-constexpr int pathLetters = 44;
+const QString folderKey = QStringLiteral("trend/record_folder");
+const QString shownOnlyKey = QStringLiteral("trend/record_shown");
+const QString secondsKey = QStringLiteral("trend/record_seconds");
+constexpr int maxSeconds = 7 * 24 * 3600;
+constexpr int defaultSeconds = 10;
+constexpr int pathChars = 44;
 
-QString usualFolder()
+QString defaultFolder()
 {
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     return QDir(documents).exists() ? documents : QDir::homePath();
@@ -42,14 +42,14 @@ RecordDialog::RecordDialog(session::Settings& settings, QWidget* parent)
     setObjectName(QStringLiteral("recordDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
-    const QDir folder(m_settings.choice(folderChoice, usualFolder()).toString());
+    const QDir folder(m_settings.pageValue(folderKey, defaultFolder()).toString());
     const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HHmmss"));
     m_path->setText(
         QDir::toNativeSeparators(folder.filePath(QStringLiteral("servodesk_%1.csv").arg(name))));
-    (m_settings.choice(shownChoice, true).toBool() ? m_shown : m_all)->setChecked(true);
-    const int seconds = m_settings.choice(secondsChoice, 0).toInt();
+    (m_settings.pageValue(shownOnlyKey, true).toBool() ? m_shown : m_all)->setChecked(true);
+    const int seconds = m_settings.pageValue(secondsKey, 0).toInt();
     m_limited->setChecked(seconds > 0);
-    m_seconds->setValue(seconds > 0 ? seconds : usualSeconds);
+    m_seconds->setValue(seconds > 0 ? seconds : defaultSeconds);
     m_seconds->setEnabled(seconds > 0);
     retranslate();
 }
@@ -63,7 +63,7 @@ void RecordDialog::build()
         return widget;
     };
     m_path = named(new QLineEdit(this), "recordPath");
-    m_path->setMinimumWidth(m_path->fontMetrics().averageCharWidth() * pathLetters);
+    m_path->setMinimumWidth(m_path->fontMetrics().averageCharWidth() * pathChars);
     m_browse = named(new QPushButton(this), "recordBrowse");
     m_browse->setAutoDefault(false);
     auto* file = new QHBoxLayout;
@@ -73,14 +73,14 @@ void RecordDialog::build()
     m_all = named(new QRadioButton(this), "recordAll");
     m_limited = named(new QCheckBox(this), "recordLimited");
     m_seconds = named(new QSpinBox(this), "recordSeconds");
-    m_seconds->setRange(1, mostSeconds);
+    m_seconds->setRange(1, maxSeconds);
     auto* length = new QHBoxLayout;
     length->addWidget(m_limited);
     length->addWidget(m_seconds);
     length->addStretch();
-    m_trouble = named(new QLabel(this), "recordTrouble");
-    m_trouble->setWordWrap(true);
-    m_trouble->hide();
+    m_error = named(new QLabel(this), "recordTrouble");
+    m_error->setWordWrap(true);
+    m_error->hide();
     m_form->addRow(new QLabel(this), file);
     m_form->addRow(new QLabel(this), m_shown);
     m_form->addRow(new QLabel(this), m_all);
@@ -94,7 +94,7 @@ void RecordDialog::build()
     buttons->addWidget(m_cancel);
     buttons->addWidget(m_start);
     column->addLayout(m_form);
-    column->addWidget(m_trouble);
+    column->addWidget(m_error);
     column->addLayout(buttons);
     connect(m_limited, &QCheckBox::toggled, m_seconds, &QWidget::setEnabled);
     connect(m_browse, &QPushButton::clicked, this, &RecordDialog::browse);
@@ -102,7 +102,7 @@ void RecordDialog::build()
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::close);
 }
 
-RecordWish RecordDialog::wish() const
+RecordRequest RecordDialog::request() const
 {
     return {QDir::fromNativeSeparators(m_path->text().trimmed()), m_shown->isChecked(),
             m_limited->isChecked() ? m_seconds->value() : 0};
@@ -110,30 +110,30 @@ RecordWish RecordDialog::wish() const
 
 void RecordDialog::start()
 {
-    const RecordWish now = wish();
+    const RecordRequest now = request();
     if (now.path.isEmpty()) {
-        complain(tr("Name a file first."));
+        showError(tr("Name a file first."));
         return;
     }
-    if (QFileInfo(now.path).isFile() && now.path != m_mayReplace) {
-        m_mayReplace = now.path;
-        complain(tr("There is such a file already. Press Record once more to replace it, or give "
-                    "another name."));
+    if (QFileInfo(now.path).isFile() && now.path != m_confirmedPath) {
+        m_confirmedPath = now.path;
+        showError(tr("There is such a file already. Press Record once more to replace it, or give "
+                     "another name."));
         return;
     }
-    m_settings.setChoice(folderChoice, QFileInfo(now.path).absolutePath());
-    m_settings.setChoice(shownChoice, now.onlyShown);
-    m_settings.setChoice(secondsChoice, now.seconds);
-    Q_EMIT wished(now);
+    m_settings.setPageValue(folderKey, QFileInfo(now.path).absolutePath());
+    m_settings.setPageValue(shownOnlyKey, now.onlyShown);
+    m_settings.setPageValue(secondsKey, now.seconds);
+    Q_EMIT recordingRequested(now);
 }
 
-void RecordDialog::complain(const QString& words)
+void RecordDialog::showError(const QString& words)
 {
-    m_trouble->setText(words);
-    m_trouble->show();
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
-    m_trouble->setPalette(colours);
+    m_error->setText(words);
+    m_error->show();
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
+    m_error->setPalette(colors);
 }
 
 void RecordDialog::browse()
@@ -146,13 +146,13 @@ void RecordDialog::browse()
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters({csv, lines});
     dialog->setDefaultSuffix(QStringLiteral("csv"));
-    dialog->selectFile(wish().path);
+    dialog->selectFile(request().path);
     connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, lines](const QString& filter) {
         dialog->setDefaultSuffix(filter == lines ? QStringLiteral("jsonl") : QStringLiteral("csv"));
     });
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         m_path->setText(QDir::toNativeSeparators(path));
-        m_mayReplace = wish().path; // the file dialog has asked
+        m_confirmedPath = request().path; // the file dialog has asked
     });
     dialog->open();
 }

@@ -17,7 +17,7 @@ class QRadioButton;
 class QSpinBox;
 
 namespace ui {
-struct RecordWish {
+struct RecordRequest {
     QString path;
     bool onlyShown = true; ///< the curves of the chart; else all that is read
     int seconds = 0;       ///< 0: until stopped
@@ -29,11 +29,11 @@ class RecordDialog final : public QDialog {
 public:
     RecordDialog(session::Settings& settings, QWidget* parent);
 
-    RecordWish wish() const;
-    void complain(const QString& words); ///< it could not begin; the dialog stays
+    RecordRequest request() const;
+    void showError(const QString& message); ///< it could not begin; the dialog stays
 
 Q_SIGNALS:
-    void wished(const ui::RecordWish& wish);
+    void recordingRequested(const ui::RecordRequest& request);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -52,9 +52,9 @@ private:
     QRadioButton* m_all = nullptr;
     QCheckBox* m_limited = nullptr;
     QSpinBox* m_seconds = nullptr;
-    QLabel* m_trouble = nullptr;
+    QLabel* m_error = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_cancel = nullptr;
-    QString m_mayReplace; ///< a file of this name may be replaced: it was asked
+    QString m_confirmedPath; ///< a file of this name may be replaced: it was asked
 };
 } // namespace ui

@@ -21,7 +21,7 @@ QString changedLine(const std::vector<QString>& keys, const device::Servo& servo
     QStringList shown;
     for (const QString& key : keys) {
         if (shown.size() < shownKeys)
-            shown << registerWord(servo, key);
+            shown << registerText(servo, key);
     }
     if (static_cast<int>(keys.size()) > shownKeys)
         shown << QStringLiteral("…");
@@ -31,35 +31,36 @@ QString changedLine(const std::vector<QString>& keys, const device::Servo& servo
 }
 } // namespace
 
-RestoreDialog::RestoreDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent)
+RestoreDefaultsDialog::RestoreDefaultsDialog(session::Desk& desk, session::ServoRef servo,
+                                             QWidget* parent)
     : TaskDialog(desk, servo, "restoreDialog", parent)
-    , m_what(textLabel("restoreWhat"))
+    , m_summary(textLabel("restoreWhat"))
 {
-    body()->addWidget(m_what);
-    begin();
-    if (possible())
+    body()->addWidget(m_summary);
+    finishSetup();
+    if (canRun())
         return;
     const base::Error refused{base::ErrorCode::NotSupported, QStringLiteral("restore-defaults"),
                               QStringLiteral("no-restore"), entry()->servo.id};
-    tell([refused] {
-        return refusedWords(refused, translate("ServoTasks", "This servo has no command for it."));
+    showResult([refused] {
+        return refusedText(refused, translate("ServoTasks", "This servo has no command for it."));
     });
 }
 
-bool RestoreDialog::possible() const
+bool RestoreDefaultsDialog::canRun() const
 {
     return entry()->servo.protocol == base::Protocol::Feetech;
 }
 
-void RestoreDialog::retranslate()
+void RestoreDefaultsDialog::retranslate()
 {
-    setWords(translate("ServoTasks", "Restore defaults"),
+    setTexts(translate("ServoTasks", "Restore defaults"),
              translate("ServoTasks",
                        "The servo goes back to the settings stored in it. ServoDesk takes torque "
                        "off and saves the present table to a file first."),
              translate("ServoTasks", "Save and restore"),
              translate("ServoTasks", "Save the table, restore the defaults, find the servo again"));
-    m_what->setText(translate(
+    m_summary->setText(translate(
         "ServoTasks",
         "Baud rate: may go back to the stored one; ServoDesk looks for the servo at all rates of "
         "its family.\n"
@@ -68,36 +69,37 @@ void RestoreDialog::retranslate()
         "Limits, gains and offset: go back, so positions may mean other angles afterwards."));
 }
 
-void RestoreDialog::refresh()
+void RestoreDefaultsDialog::refresh()
 {
-    m_what->setVisible(possible());
-    setReady(possible());
+    m_summary->setVisible(canRun());
+    setReady(canRun());
 }
 
-TaskWords RestoreDialog::wordsOf(const Outcome& outcome, const session::TaskEnd& end) const
+TaskText RestoreDefaultsDialog::outcomeText(const Outcome& outcome,
+                                            const session::TaskCompletion& end) const
 {
-    TaskWords words;
+    TaskText result;
     if (end.error) {
-        words = errorWords(*end.error);
+        result = errorText(*end.error);
     } else {
-        const jobs::RestoreReport& report = *outcome.report;
-        const bool shut = report.lock == device::LockState::Closed;
-        words = {shut ? Tone::Good : Tone::Warn,
-                 translate("ServoTasks", "The defaults have been restored.")};
-        words.more << translate("ServoTasks", "ID: %1 → %2, baud rate: %3 → %4")
-                          .arg(report.oldId)
-                          .arg(report.newId)
-                          .arg(rateText(report.oldBaud), rateText(report.newBaud))
-                   << changedLine(report.changed, entry()->servo) << lockLine(report.lock);
+        const jobs::RestoreDefaultsReport& report = *outcome.report;
+        const bool isLocked = report.lock == device::LockState::Closed;
+        result = {isLocked ? Tone::Good : Tone::Warn,
+                  translate("ServoTasks", "The defaults have been restored.")};
+        result.details << translate("ServoTasks", "ID: %1 → %2, baud rate: %3 → %4")
+                              .arg(report.oldId)
+                              .arg(report.newId)
+                              .arg(rateText(report.oldBaud), rateText(report.newBaud))
+                       << changedLine(report.changed, entry()->servo) << lockLine(report.lock);
     }
     if (!outcome.path.isEmpty())
-        words.more << translate("ServoTasks", "The settings before are in %1")
-                          .arg(QDir::toNativeSeparators(outcome.path));
-    words.more += noticeLines(end.notices);
-    return words;
+        result.details << translate("ServoTasks", "The settings before are in %1")
+                              .arg(QDir::toNativeSeparators(outcome.path));
+    result.details += noticeLines(end.notices);
+    return result;
 }
 
-void RestoreDialog::act()
+void RestoreDefaultsDialog::runAction()
 {
     const auto outcome = std::make_shared<Outcome>();
     session::Task task;
@@ -114,8 +116,8 @@ void RestoreDialog::act()
         outcome->report = *done;
         return {};
     };
-    run(std::move(task), [this, outcome](const session::TaskEnd& end) {
-        tell([this, outcome, end] { return wordsOf(*outcome, end); });
+    run(std::move(task), [this, outcome](const session::TaskCompletion& end) {
+        showResult([this, outcome, end] { return outcomeText(*outcome, end); });
     });
 }
 } // namespace ui

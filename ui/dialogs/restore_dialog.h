@@ -7,25 +7,25 @@
 #include "ui/dialogs/task_dialog.h"
 
 namespace ui {
-class RestoreDialog final : public TaskDialog {
+class RestoreDefaultsDialog final : public TaskDialog {
     Q_OBJECT
 
 public:
-    RestoreDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent);
+    RestoreDefaultsDialog(session::Desk& desk, session::ServoRef servo, QWidget* parent);
 
 protected:
     void retranslate() override;
     void refresh() override;
-    void act() override;
+    void runAction() override;
 
 private:
     struct Outcome {
         QString path; ///< empty: the table was not saved
-        std::optional<jobs::RestoreReport> report;
+        std::optional<jobs::RestoreDefaultsReport> report;
     };
-    TaskWords wordsOf(const Outcome& outcome, const session::TaskEnd& end) const;
-    bool possible() const;
+    TaskText outcomeText(const Outcome& outcome, const session::TaskCompletion& end) const;
+    bool canRun() const;
 
-    QLabel* m_what;
+    QLabel* m_summary;
 };
 } // namespace ui

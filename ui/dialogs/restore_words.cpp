@@ -8,10 +8,10 @@
 namespace ui {
 using text::translate;
 
-QString notPutBackWords(const jobs::RestoreOutcome& outcome, const RegisterNames& names)
+QString notRolledBackText(const jobs::RestoreOutcome& outcome, const RegisterNames& names)
 {
     QStringList registers;
-    for (const QString& key : outcome.notPutBack) {
+    for (const QString& key : outcome.notReverted) {
         const auto row = std::find_if(outcome.rows.begin(), outcome.rows.end(),
                                       [&key](const auto& one) { return one.write.key == key; });
         const auto read = row != outcome.rows.end() ? row->write.readBack : std::nullopt;
@@ -27,17 +27,17 @@ QString notPutBackWords(const jobs::RestoreOutcome& outcome, const RegisterNames
 
 QString restoreRemedy(const jobs::RestoreOutcome& outcome)
 {
-    if (outcome.notPutBack.isEmpty())
+    if (outcome.notReverted.isEmpty())
         return translate("RestoreWords", "Read the table and write the rest again; the journal "
                                          "knows what was to be written.");
-    if (outcome.changeOpen)
+    if (outcome.isChangeOpen)
         return translate("RestoreWords", "When the servo answers again, open Port → Interrupted "
                                          "writes: Undo there puts the old values back.");
     return translate("RestoreWords", "The table that was saved before the first write has the old "
                                      "values.");
 }
 
-QString lockWords(device::LockState lock)
+QString openLockText(device::LockState lock)
 {
     switch (lock) {
     case device::LockState::Open:

@@ -15,9 +15,9 @@ struct RegisterNames {
 };
 
 /// Empty: nothing had to be put back, or all of it was.
-QString notPutBackWords(const jobs::RestoreOutcome& outcome, const RegisterNames& names);
+QString notRolledBackText(const jobs::RestoreOutcome& outcome, const RegisterNames& names);
 /// What to do when it failed, put back or not.
 QString restoreRemedy(const jobs::RestoreOutcome& outcome);
 /// Empty: it is closed, or there is none.
-QString lockWords(device::LockState lock);
+QString openLockText(device::LockState lock);
 } // namespace ui

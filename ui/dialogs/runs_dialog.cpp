@@ -14,20 +14,21 @@
 
 namespace ui {
 namespace {
-constexpr int startWidth = 940;
-constexpr int startHeight = 520;
+constexpr int initialWidth = 940;
+constexpr int initialHeight = 520;
 constexpr int margin = 24;
 } // namespace
 
-RunsDialog::RunsDialog(session::Archive& archive, session::Settings& settings, QWidget* parent)
+RunsDialog::RunsDialog(session::HistoryService& historyService, session::Settings& settings,
+                       QWidget* parent)
     : QDialog(parent)
-    , m_archive(archive)
+    , m_historyService(historyService)
     , m_settings(settings)
     , m_model(new RunsModel(this))
     , m_hint(new QLabel(this))
     , m_filter(new QLineEdit(this))
     , m_table(new QTableView(this))
-    , m_result(new TaskResult(startWidth - margin, this))
+    , m_result(new TaskResult(initialWidth - margin, this))
     , m_report(new QPushButton(this))
     , m_compare(new QPushButton(this))
     , m_reference(new QPushButton(this))
@@ -38,19 +39,19 @@ RunsDialog::RunsDialog(session::Archive& archive, session::Settings& settings, Q
     setObjectName(QStringLiteral("runsDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
     build();
-    connect(&archive, &session::Archive::changed, this, &RunsDialog::ask);
-    connect(&archive, &session::Archive::failed, this, &RunsDialog::complain);
-    connect(m_filter, &QLineEdit::textChanged, this, &RunsDialog::ask);
+    connect(&historyService, &session::HistoryService::changed, this, &RunsDialog::query);
+    connect(&historyService, &session::HistoryService::failed, this, &RunsDialog::showError);
+    connect(m_filter, &QLineEdit::textChanged, this, &RunsDialog::query);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &RunsDialog::updateButtons);
     connect(m_report, &QPushButton::clicked, this, &RunsDialog::openReport);
     connect(m_compare, &QPushButton::clicked, this, &RunsDialog::compare);
     connect(m_reference, &QPushButton::clicked, this, &RunsDialog::markReference);
-    connect(m_label, &QPushButton::clicked, this, &RunsDialog::label);
-    connect(m_delete, &QPushButton::clicked, this, &RunsDialog::remove);
+    connect(m_label, &QPushButton::clicked, this, &RunsDialog::editLabel);
+    connect(m_delete, &QPushButton::clicked, this, &RunsDialog::removeRuns);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     retranslate();
-    ask();
+    query();
 }
 
 void RunsDialog::build()
@@ -86,24 +87,24 @@ void RunsDialog::build()
     column->addWidget(m_hint);
     column->addWidget(m_result);
     column->addLayout(row);
-    setMinimumSize(startWidth, startHeight);
+    setMinimumSize(initialWidth, initialHeight);
 }
 
 void RunsDialog::retranslate()
 {
     setWindowTitle(tr("Earlier tests"));
     setAccessibleName(windowTitle());
-    const auto say = [](QWidget* widget, const QString& name, const QString& tip) {
+    const auto setTexts = [](QWidget* widget, const QString& name, const QString& tip) {
         widget->setAccessibleName(name);
         widget->setToolTip(tip);
     };
     const auto word = [&](QPushButton* button, const QString& text, const QString& tip) {
         button->setText(text);
-        say(button, text, tip);
+        setTexts(button, text, tip);
     };
     m_filter->setPlaceholderText(tr("Model, firmware, label, note, operator or port"));
-    say(m_filter, tr("Filter"), tr("Show only tests with this text"));
-    say(m_table, tr("Earlier tests"), tr("One row for each servo of a test, newest first"));
+    setTexts(m_filter, tr("Filter"), tr("Show only tests with this text"));
+    setTexts(m_table, tr("Earlier tests"), tr("One row for each servo of a test, newest first"));
     word(m_report, tr("Save report…"), tr("Save the report of the selected test as a page"));
     word(m_compare, tr("Compare two"),
          tr("Hold two selected tests against each other; the one "
@@ -116,14 +117,14 @@ void RunsDialog::retranslate()
     updateButtons();
 }
 
-void RunsDialog::ask()
+void RunsDialog::query()
 {
     record::RunFilter filter;
     filter.kind = QStringLiteral("sweep");
     filter.text = m_filter->text().trimmed();
-    const int asked = ++m_asked;
-    m_archive.list(filter, this, [this, asked](const auto& runs) {
-        if (asked == m_asked)
+    const int asked = ++m_queryId;
+    m_historyService.list(filter, this, [this, asked](const auto& runs) {
+        if (asked == m_queryId)
             fill(runs);
     });
 }
@@ -131,7 +132,7 @@ void RunsDialog::ask()
 void RunsDialog::fill(const base::Result<std::vector<record::TestRun>>& runs)
 {
     if (!runs) {
-        complain(runs.error());
+        showError(runs.error());
         return;
     }
     std::vector<RunRow> selected;
@@ -143,8 +144,8 @@ void RunsDialog::fill(const base::Result<std::vector<record::TestRun>>& runs)
             m_table->selectionModel()->select(
                 m_model->index(row, 0), QItemSelectionModel::Select | QItemSelectionModel::Rows);
     }
-    if (!m_known && m_model->rowCount() > 0) {
-        m_known = true; // later the widths are the user's
+    if (!m_loaded && m_model->rowCount() > 0) {
+        m_loaded = true; // later the widths are the user's
         for (int column = 0; column < m_model->columnCount() - 1; ++column)
             m_table->resizeColumnToContents(column);
     }
@@ -161,7 +162,7 @@ std::vector<int> RunsDialog::rows() const
 }
 
 /// Empty: it can be one.
-QString RunsDialog::whyNoReference(const record::TestRun& run, const record::TestServo& servo)
+QString RunsDialog::noReferenceReason(const record::TestRun& run, const record::TestServo& servo)
 {
     if (!record::canBeReference(run))
         return tr("This test did not finish, so it cannot be a reference");
@@ -179,7 +180,7 @@ void RunsDialog::updateButtons()
     const bool is = one && m_model->servo(chosen.front()).reference;
     QString refusal;
     if (one && !is)
-        refusal = whyNoReference(m_model->run(chosen.front()), m_model->servo(chosen.front()));
+        refusal = noReferenceReason(m_model->run(chosen.front()), m_model->servo(chosen.front()));
     m_reference->setEnabled(one && refusal.isEmpty());
     m_compare->setEnabled(chosen.size() == 2);
     m_delete->setEnabled(!chosen.empty());
@@ -200,9 +201,9 @@ void RunsDialog::updateButtons()
                            "number: who is who is told by model, firmware, ID and your label."));
 }
 
-void RunsDialog::complain(const base::Error& error)
+void RunsDialog::showError(const base::Error& error)
 {
-    m_result->tell([error] { return errorWords(error); });
+    m_result->showResult([error] { return errorText(error); });
 }
 
 void RunsDialog::changeEvent(QEvent* event)

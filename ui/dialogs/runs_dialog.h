@@ -21,7 +21,8 @@ class RunsDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    RunsDialog(session::Archive& archive, session::Settings& settings, QWidget* parent);
+    RunsDialog(session::HistoryService& historyService, session::Settings& settings,
+               QWidget* parent);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -29,21 +30,21 @@ protected:
 private:
     void build();
     void retranslate();
-    void ask();
+    void query();
     void fill(const base::Result<std::vector<record::TestRun>>& runs);
-    static QString whyNoReference(const record::TestRun& run, const record::TestServo& servo);
+    static QString noReferenceReason(const record::TestRun& run, const record::TestServo& servo);
     void updateButtons();
     std::vector<int> rows() const; ///< the selected ones, from the top
     void openReport();
     void saveReport(const RunRow& row, const QString& path, const QStringList& files);
     void compare();
     void markReference();
-    void label();
-    void remove();
-    void complain(const base::Error& error);
-    void tellSaved(const QString& path);
+    void editLabel();
+    void removeRuns();
+    void showError(const base::Error& error);
+    void showSaved(const QString& path);
 
-    session::Archive& m_archive;
+    session::HistoryService& m_historyService;
     session::Settings& m_settings;
     RunsModel* m_model;
     QLabel* m_hint;
@@ -56,8 +57,8 @@ private:
     QPushButton* m_label;
     QPushButton* m_delete;
     QPushButton* m_close;
-    int m_asked = 0; ///< only the latest list is shown
-    bool m_known = false;
+    int m_queryId = 0; ///< only the latest list is shown
+    bool m_loaded = false;
 };
 
 /// "Hysteresis, both sides +5 step (worse)", after "Compared with reference STS3215 (test of 12

@@ -15,7 +15,7 @@
 
 namespace ui {
 namespace {
-const QString folderChoice = QStringLiteral("sweep/report_folder");
+const QString folderKey = QStringLiteral("sweep/report_folder");
 } // namespace
 
 void RunsDialog::openReport()
@@ -31,7 +31,7 @@ void RunsDialog::openReport()
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters({tr("Page (*.html)")});
     dialog->setDefaultSuffix(QStringLiteral("html"));
-    dialog->setDirectory(m_settings.choice(folderChoice, QDir::homePath()).toString());
+    dialog->setDirectory(m_settings.pageValue(folderKey, QDir::homePath()).toString());
     dialog->selectFile(QStringLiteral("sweep-%1.html").arg(qint64(row.number)));
     connect(dialog, &QFileDialog::fileSelected, this,
             [this, row, files](const QString& path) { saveReport(row, path, files); });
@@ -46,33 +46,33 @@ void RunsDialog::saveReport(const RunRow& row, const QString& path, const QStrin
         return file.endsWith(QLatin1StringView(".readings.csv")) && QFile::exists(file);
     });
     const QString readings = found != files.end() ? *found : QString();
-    m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
-    m_archive.load(row.number, this,
-                   [this, path, readings](const base::Result<session::SharedRun>& run) {
-                       if (!run) {
-                           complain(run.error());
-                           return;
-                       }
-                       const bool chinese = text::inChinese();
-                       m_archive.work(
-                           [run = *run, chinese, path, readings] {
-                               const auto saved = report::saveSweepHtml(*run, {}, chinese, path);
-                               return saved ? session::copySweepReadings(readings, path) : saved;
-                           },
-                           this,
-                           [this, path](const base::Result<void>& saved) {
-                               if (saved)
-                                   tellSaved(path);
-                               else
-                                   complain(saved.error());
-                           });
-                   });
+    m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
+    m_historyService.load(
+        row.number, this, [this, path, readings](const base::Result<session::SharedRun>& run) {
+            if (!run) {
+                showError(run.error());
+                return;
+            }
+            const bool chinese = text::isUiChinese();
+            m_historyService.runInOrder(
+                [run = *run, chinese, path, readings] {
+                    const auto saved = report::saveSweepHtml(*run, {}, chinese, path);
+                    return saved ? session::copySweepReadings(readings, path) : saved;
+                },
+                this,
+                [this, path](const base::Result<void>& saved) {
+                    if (saved)
+                        showSaved(path);
+                    else
+                        showError(saved.error());
+                });
+        });
 }
 
-void RunsDialog::tellSaved(const QString& path)
+void RunsDialog::showSaved(const QString& path)
 {
-    m_result->tell([path] {
-        return TaskWords{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
+    m_result->showResult([path] {
+        return TaskText{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
     });
 }
 
@@ -92,24 +92,26 @@ void RunsDialog::compare()
         std::swap(a, b);
     const RunRow one = m_model->at(a);
     const RunRow two = m_model->at(b);
-    m_archive.load(one.number, this, [=, this](const base::Result<session::SharedRun>& first) {
-        if (!first) {
-            complain(first.error());
-            return;
-        }
-        m_archive.load(two.number, this,
-                       [=, this, first = *first](const base::Result<session::SharedRun>& second) {
-                           if (!second) {
-                               complain(second.error());
-                               return;
-                           }
-                           auto* dialog = new CompareDialog(
-                               m_archive, m_settings,
-                               {QString::number(qint64(one.number)), first, one.servo},
-                               {QString::number(qint64(two.number)), *second, two.servo}, this);
-                           dialog->open();
-                       });
-    });
+    m_historyService.load(
+        one.number, this, [=, this](const base::Result<session::SharedRun>& first) {
+            if (!first) {
+                showError(first.error());
+                return;
+            }
+            m_historyService.load(
+                two.number, this,
+                [=, this, first = *first](const base::Result<session::SharedRun>& second) {
+                    if (!second) {
+                        showError(second.error());
+                        return;
+                    }
+                    auto* dialog = new CompareDialog(
+                        m_historyService, m_settings,
+                        {QString::number(qint64(one.number)), first, one.servo},
+                        {QString::number(qint64(two.number)), *second, two.servo}, this);
+                    dialog->open();
+                });
+        });
 }
 
 void RunsDialog::markReference()
@@ -118,10 +120,10 @@ void RunsDialog::markReference()
     if (chosen.size() != 1)
         return;
     const RunRow row = m_model->at(chosen.front());
-    m_archive.setReference(row.number, row.servo, !m_model->servo(chosen.front()).reference);
+    m_historyService.setReference(row.number, row.servo, !m_model->servo(chosen.front()).reference);
 }
 
-void RunsDialog::label()
+void RunsDialog::editLabel()
 {
     const std::vector<int> chosen = rows();
     if (chosen.size() != 1)
@@ -134,12 +136,12 @@ void RunsDialog::label()
     dialog->setLabelText(tr("Name of this servo, as it is written on it:"));
     dialog->setTextValue(m_model->servo(chosen.front()).label);
     connect(dialog, &QInputDialog::textValueSelected, this, [this, row](const QString& words) {
-        m_archive.setLabel(row.number, row.servo, words.trimmed());
+        m_historyService.setLabel(row.number, row.servo, words.trimmed());
     });
     dialog->open();
 }
 
-void RunsDialog::remove()
+void RunsDialog::removeRuns()
 {
     std::vector<std::int64_t> numbers;
     for (const int row : rows()) {
@@ -154,9 +156,9 @@ void RunsDialog::remove()
     question.text = tr("Their figures, legs and settings leave the history, those of all servos "
                        "that were tested together. Reports and readings in files stay.");
     question.risk = tr("This cannot be undone.");
-    question.yes = tr("Delete");
+    question.acceptText = tr("Delete");
     question.guard = this;
-    ui::ask(this, question, [this, numbers] { m_archive.remove(numbers); });
+    ui::ask(this, question, [this, numbers] { m_historyService.remove(numbers); });
 }
 
 QString referenceText(const session::ReferenceResult& result)
@@ -174,11 +176,12 @@ QString referenceText(const session::ReferenceResult& result)
                              .arg(qint64(result.run.number))
                              .arg(when);
     QStringList lines;
-    if (!result.found.comparable())
-        lines << QStringLiteral("⚠ ") + report::compareWords().notComparable.in(text::inChinese());
+    if (!result.comparison.comparable())
+        lines << QStringLiteral("⚠ ") +
+                     report::compareTexts().notComparable.in(text::isUiChinese());
     else
-        for (const report::Text& line : report::referenceLines(result.found))
-            lines << line.in(text::inChinese());
+        for (const report::Text& line : report::referenceLines(result.comparison))
+            lines << line.in(text::isUiChinese());
     if (lines.isEmpty())
         lines << RunsDialog::tr("no figure differs by a tenth or more");
     return head + QLatin1Char(' ') + lines.join(QStringLiteral("; "));

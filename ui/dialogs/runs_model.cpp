@@ -28,14 +28,14 @@ void RunsModel::retranslate()
 
 const record::TestServo& RunsModel::servo(int row) const
 {
-    const Place& place = m_rows.at(std::size_t(row));
+    const RowIndex& place = m_rows.at(std::size_t(row));
     return m_runs[place.run].servos[place.servo];
 }
 
-int RunsModel::rowOf(const RunRow& wanted) const
+int RunsModel::rowOf(const RunRow& wantedRow) const
 {
     for (int row = 0; row < rowCount(); ++row) {
-        if (at(row) == wanted)
+        if (at(row) == wantedRow)
             return row;
     }
     return -1;
@@ -85,7 +85,7 @@ QString RunsModel::cell(int row, RunColumn column) const
     return {};
 }
 
-QString RunsModel::everything(int row) const
+QString RunsModel::toolTipText(int row) const
 {
     QStringList lines;
     for (int column = 0; column < columnCount(); ++column) {
@@ -105,7 +105,7 @@ QVariant RunsModel::data(const QModelIndex& index, int role) const
     if (role == Qt::DisplayRole)
         return cell(index.row(), column);
     if (role == Qt::ToolTipRole)
-        return everything(index.row());
+        return toolTipText(index.row());
     if (role == toneRole && column == RunColumn::Verdict)
         return static_cast<int>(gradeTone(servo(index.row()).verdict));
     if (role == Qt::TextAlignmentRole &&

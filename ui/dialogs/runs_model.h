@@ -40,7 +40,7 @@ public:
     const record::TestRun& run(int row) const { return m_runs[m_rows.at(std::size_t(row)).run]; }
     const record::TestServo& servo(int row) const;
     RunRow at(int row) const { return {run(row).number, servo(row).id}; }
-    int rowOf(const RunRow& wanted) const; ///< -1: it is not shown
+    int rowOf(const RunRow& wantedRow) const; ///< -1: it is not shown
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -49,14 +49,14 @@ public:
                         int role = Qt::DisplayRole) const override;
 
 private:
-    struct Place {
+    struct RowIndex {
         std::size_t run = 0;
         std::size_t servo = 0;
     };
     QString cell(int row, RunColumn column) const;
-    QString everything(int row) const;
+    QString toolTipText(int row) const;
 
     std::vector<record::TestRun> m_runs;
-    std::vector<Place> m_rows;
+    std::vector<RowIndex> m_rows;
 };
 } // namespace ui

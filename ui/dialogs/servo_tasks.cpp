@@ -22,16 +22,16 @@ ServoTasks::ServoTasks(Desk& desk, Commands& commands, Selection& selection, QWi
     , m_selection(selection)
     , m_window(window)
 {
-    offer<SetIdDialog>(Command::SetId);
-    offer<SetBaudDialog>(Command::SetBaud);
-    offer<CenterDialog>(Command::Center);
-    offer<RestoreDialog>(Command::RestoreDefaults);
-    offer<RebootDialog>(Command::Reboot);
-    offer<IdentifyDialog>(Command::Identify);
-    offer<AlarmDialog>(Command::ClearAlarm);
+    connectDialog<SetIdDialog>(Command::SetId);
+    connectDialog<SetBaudDialog>(Command::SetBaud);
+    connectDialog<CenterDialog>(Command::Center);
+    connectDialog<RestoreDefaultsDialog>(Command::RestoreDefaults);
+    connectDialog<RebootDialog>(Command::Reboot);
+    connectDialog<IdentifyDialog>(Command::Identify);
+    connectDialog<AlarmDialog>(Command::ClearAlarm);
     connect(commands.action(Command::OpenIntents), &QAction::triggered, this,
-            &ServoTasks::lookForIntents);
-    connect(&desk, &Desk::openIntents, this, &ServoTasks::intentsFound);
+            &ServoTasks::findOpenIntents);
+    connect(&desk, &Desk::openIntentsFound, this, &ServoTasks::onIntentsFound);
     connect(&desk, &Desk::linkChanged, this, [this] {
         if (m_desk.state() != session::LinkState::Open)
             m_shown.clear();
@@ -39,7 +39,7 @@ ServoTasks::ServoTasks(Desk& desk, Commands& commands, Selection& selection, QWi
 }
 
 template <typename Dialog>
-void ServoTasks::offer(Command command)
+void ServoTasks::connectDialog(Command command)
 {
     connect(m_commands.action(command), &QAction::triggered, this, [this] {
         const session::ServoEntry* servo = m_desk.servo(m_selection.current());
@@ -49,33 +49,34 @@ void ServoTasks::offer(Command command)
     });
 }
 
-void ServoTasks::lookForIntents()
+void ServoTasks::findOpenIntents()
 {
-    m_asked = true;
-    m_desk.lookForIntents();
+    m_requested = true;
+    m_desk.findOpenIntents();
 }
 
-void ServoTasks::intentsFound(const std::vector<jobs::Recovered>& found,
-                              const std::vector<base::Intent>& elsewhere)
+void ServoTasks::onIntentsFound(const std::vector<jobs::RecoveryResult>& found,
+                                const std::vector<base::Intent>& elsewhere)
 {
-    const bool asked = std::exchange(m_asked, false);
+    const bool asked = std::exchange(m_requested, false);
     if (m_intents)
         return; // it follows by itself
-    const auto isNews = [this](const base::Intent& intent) {
-        return !intent.underWayElsewhere && !m_shown.contains(intent.uuid);
+    const auto isNewIntent = [this](const base::Intent& intent) {
+        return !intent.isActiveElsewhere && !m_shown.contains(intent.uuid);
     };
-    const bool news = std::any_of(found.begin(), found.end(),
-                                  [&](const auto& one) { return isNews(one.before.intent); });
-    const bool newsElsewhere = std::any_of(elsewhere.begin(), elsewhere.end(), isNews);
-    if (!asked && !news && !newsElsewhere)
+    const bool hasNew = std::any_of(found.begin(), found.end(), [&](const auto& one) {
+        return isNewIntent(one.before.intent);
+    });
+    const bool hasNewElsewhere = std::any_of(elsewhere.begin(), elsewhere.end(), isNewIntent);
+    if (!asked && !hasNew && !hasNewElsewhere)
         return;
     const auto note = [this](const base::Intent& intent) {
-        if (!intent.underWayElsewhere) // if that program fails, it is news
+        if (!intent.isActiveElsewhere) // if that program fails, it is news
             m_shown.insert(intent.uuid);
     };
     for (const base::Intent& intent : elsewhere)
         note(intent);
-    for (const jobs::Recovered& one : found)
+    for (const jobs::RecoveryResult& one : found)
         note(one.before.intent);
     m_intents = new IntentsDialog(m_desk, found, elsewhere, m_window);
     m_intents->open();

@@ -18,17 +18,17 @@ public:
 
 private:
     template <typename Dialog>
-    void offer(Command command);
-    void lookForIntents();
-    void intentsFound(const std::vector<jobs::Recovered>& found,
-                      const std::vector<base::Intent>& elsewhere);
+    void connectDialog(Command command);
+    void findOpenIntents();
+    void onIntentsFound(const std::vector<jobs::RecoveryResult>& found,
+                        const std::vector<base::Intent>& elsewhere);
 
     session::Desk& m_desk;
     Commands& m_commands;
     Selection& m_selection;
     QWidget* m_window;
     QPointer<QDialog> m_intents;
-    bool m_asked = false;  ///< by the user: an empty list is an answer as well
-    QSet<QString> m_shown; ///< offered on this connection; left for later
+    bool m_requested = false; ///< by the user: an empty list is an answer as well
+    QSet<QString> m_shown;    ///< offered on this connection; left for later
 };
 } // namespace ui

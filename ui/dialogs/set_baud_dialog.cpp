@@ -15,7 +15,7 @@ using session::ServoEntry;
 using text::translate;
 
 namespace {
-const catalog::Register* rateRegister(const ServoEntry& entry)
+const catalog::Register* baudRateRegister(const ServoEntry& entry)
 {
     return entry.servo.profile ? entry.servo.profile->byRole(Role::BaudRate) : nullptr;
 }
@@ -36,16 +36,16 @@ SetBaudDialog::SetBaudDialog(session::Desk& desk, session::ServoRef servo, QWidg
     body()->addLayout(row);
     body()->addWidget(m_state);
     fillRates();
-    connect(m_rates, &QComboBox::currentIndexChanged, this, [this] { judge(); });
-    connect(&desk, &session::Desk::happened, this, &SetBaudDialog::happened);
-    begin();
-    if (rateRegister(*entry()) == nullptr) {
+    connect(m_rates, &QComboBox::currentIndexChanged, this, [this] { validate(); });
+    connect(&desk, &session::Desk::eventOccurred, this, &SetBaudDialog::onDeskEvent);
+    finishSetup();
+    if (baudRateRegister(*entry()) == nullptr) {
         m_rates->setEnabled(false);
         const base::Error refused{base::ErrorCode::NotSupported, QStringLiteral("set-baud"),
                                   QStringLiteral("fixed-rate"), entry()->servo.id};
-        tell([refused] {
-            return refusedWords(refused,
-                                translate("ServoTasks", "The rate of this servo is fixed."));
+        showResult([refused] {
+            return refusedText(refused,
+                               translate("ServoTasks", "The rate of this servo is fixed."));
         });
     }
     m_rates->setFocus();
@@ -53,10 +53,10 @@ SetBaudDialog::SetBaudDialog(session::Desk& desk, session::ServoRef servo, QWidg
 
 void SetBaudDialog::fillRates()
 {
-    const catalog::Register* reg = rateRegister(*entry());
+    const catalog::Register* reg = baudRateRegister(*entry());
     if (reg == nullptr)
         return;
-    const QSignalBlocker quiet(m_rates);
+    const QSignalBlocker blocker(m_rates);
     for (const catalog::NamedValue& value : reg->values) {
         bool number = false;
         const int rate = value.key.toInt(&number);
@@ -67,7 +67,7 @@ void SetBaudDialog::fillRates()
     }
 }
 
-int SetBaudDialog::neighbours() const
+int SetBaudDialog::neighbors() const
 {
     int count = 0;
     for (const session::ServoRef ref : desk().servos())
@@ -75,9 +75,9 @@ int SetBaudDialog::neighbours() const
     return count;
 }
 
-void SetBaudDialog::judge()
+void SetBaudDialog::validate()
 {
-    const catalog::Register* reg = rateRegister(*entry());
+    const catalog::Register* reg = baudRateRegister(*entry());
     if (reg == nullptr) {
         m_state->setVisible(false);
         setReady(false);
@@ -91,7 +91,7 @@ void SetBaudDialog::judge()
         lines << translate("ServoTasks", "From then on it answers at %1 baud only. ServoDesk "
                                          "follows it; other programs have to be told.")
                      .arg(m_rates->currentText());
-        if (const int others = neighbours(); others > 0)
+        if (const int others = neighbors(); others > 0)
             lines << translate("ServoTasks", "Other servos that stay at %1 baud: %2. A program "
                                              "that uses one rate no longer reaches all of them.")
                          .arg(rateText(entry()->servo.baud))
@@ -103,7 +103,7 @@ void SetBaudDialog::judge()
 
 void SetBaudDialog::retranslate()
 {
-    setWords(translate("ServoTasks", "Set baud rate"),
+    setTexts(translate("ServoTasks", "Set baud rate"),
              translate("ServoTasks", "The new rate is tried first: only one that this adapter can "
                                      "run is written. It is kept at power-off."),
              translate("ServoTasks", "Set baud rate"),
@@ -115,44 +115,44 @@ void SetBaudDialog::retranslate()
 
 void SetBaudDialog::refresh()
 {
-    judge();
+    validate();
 }
 
-void SetBaudDialog::act()
+void SetBaudDialog::runAction()
 {
-    const catalog::Register* reg = rateRegister(*entry());
+    const catalog::Register* reg = baudRateRegister(*entry());
     if (reg == nullptr)
         return;
     m_writing = true;
     setRunning(true);
-    session::WriteOrder order;
+    session::WriteRequest order;
     order.items = {{reg->key, m_rates->currentData().toInt()}};
     order.dangerous = true; // this dialog is the question
     desk().write(servo(), order);
 }
 
 /// Writes have no callback: ours has ended when no write of the rate is pending any more.
-void SetBaudDialog::happened(const Event& event)
+void SetBaudDialog::onDeskEvent(const Event& event)
 {
     const ServoEntry* own = entry();
     if (!m_writing || event.kind != Event::Kind::Written || event.servo != servo() ||
         own == nullptr)
         return;
-    const auto row = own->writes.find(rateRegister(*own)->key);
+    const auto row = own->writes.find(baudRateRegister(*own)->key);
     if (row != own->writes.end() && row->second.pending > 0)
         return;
     m_writing = false;
     setRunning(false);
     refresh();
     if (event.error)
-        tellError(*event.error);
+        showError(*event.error);
     if (!event.report)
         return;
-    tell([this, report = *event.report, notices = event.notices] {
-        TaskWords words = writeWords(*entry(), report,
-                                     translate("ServoTasks", "The baud rate has been changed."));
-        words.more += noticeLines(notices);
-        return words;
+    showResult([this, report = *event.report, notices = event.notices] {
+        TaskText result =
+            writeText(*entry(), report, translate("ServoTasks", "The baud rate has been changed."));
+        result.details += noticeLines(notices);
+        return result;
     });
 }
 } // namespace ui

@@ -17,13 +17,13 @@ public:
 protected:
     void retranslate() override;
     void refresh() override;
-    void act() override;
+    void runAction() override;
 
 private:
     void fillRates();
-    void judge();
-    void happened(const session::Event& event);
-    int neighbours() const; ///< other servos at its present rate
+    void validate();
+    void onDeskEvent(const session::Event& event);
+    int neighbors() const; ///< other servos at its present rate
 
     QLabel* m_label;
     QComboBox* m_rates;

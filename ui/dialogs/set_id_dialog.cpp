@@ -20,9 +20,9 @@ using text::translate;
 
 namespace {
 constexpr std::size_t proposals = 5;
-constexpr int asked = 24; ///< IDs looked at for them, at most
+constexpr int maxProbedIds = 24; ///< IDs looked at for them, at most
 constexpr int listHeight = 168;
-constexpr int idOf = Qt::UserRole;
+constexpr int idRole = Qt::UserRole;
 
 const catalog::Register* idRegister(const ServoEntry& entry)
 {
@@ -55,22 +55,22 @@ SetIdDialog::SetIdDialog(session::Desk& desk, session::ServoRef servo, QWidget* 
     body()->addWidget(m_list);
     body()->addWidget(m_state);
     connect(m_id, &QSpinBox::valueChanged, this, [this] {
-        m_chosen = true;
-        judge();
+        m_chosenByUser = true;
+        validate();
     });
     connect(m_list, &QListWidget::currentItemChanged, this,
-            [this](QListWidgetItem* item) { choose(item); });
+            [this](QListWidgetItem* item) { selectId(item); });
     connect(m_list, &QListWidget::itemClicked, this,
-            [this](QListWidgetItem* item) { choose(item); });
-    connect(&desk, &session::Desk::happened, this, &SetIdDialog::happened);
-    begin();
-    askForFree();
+            [this](QListWidgetItem* item) { selectId(item); });
+    connect(&desk, &session::Desk::eventOccurred, this, &SetIdDialog::onDeskEvent);
+    finishSetup();
+    findFreeIds();
     m_id->setFocus();
     m_id->selectAll();
 }
 
 /// Of another servo at the same rate, whatever it speaks.
-const ServoEntry* SetIdDialog::holderOf(int id) const
+const ServoEntry* SetIdDialog::servoWithId(int id) const
 {
     for (const session::ServoRef ref : desk().servos()) {
         const ServoEntry* other = desk().servo(ref);
@@ -80,12 +80,12 @@ const ServoEntry* SetIdDialog::holderOf(int id) const
     return nullptr;
 }
 
-void SetIdDialog::askForFree()
+void SetIdDialog::findFreeIds()
 {
     std::vector<int> candidates;
     for (int id = std::max(m_id->minimum(), 1);
-         id <= m_id->maximum() && static_cast<int>(candidates.size()) < asked; ++id) {
-        if (id != entry()->servo.id && holderOf(id) == nullptr)
+         id <= m_id->maximum() && static_cast<int>(candidates.size()) < maxProbedIds; ++id) {
+        if (id != entry()->servo.id && servoWithId(id) == nullptr)
             candidates.push_back(id);
     }
     const auto found = std::make_shared<std::vector<int>>();
@@ -93,20 +93,20 @@ void SetIdDialog::askForFree()
     task.name = QStringLiteral("free-ids");
     task.work = [candidates, found](session::TaskContext& context) -> base::Result<void> {
         const auto free =
-            jobs::freeIds(context.device, context.servo.protocol, candidates, proposals);
+            jobs::findFreeIds(context.device, context.servo.protocol, candidates, proposals);
         if (!free)
             return tl::unexpected(free.error());
         *found = *free;
         return {};
     };
-    look(std::move(task), [this, found](const session::TaskEnd&) {
+    runInBackground(std::move(task), [this, found](const session::TaskCompletion&) {
         m_free = *found;
-        if (!m_chosen && !m_free.empty()) {
+        if (!m_chosenByUser && !m_free.empty()) {
             m_id->setValue(m_free.front());
             m_id->selectAll();
         }
         fillList();
-        judge();
+        validate();
     });
 }
 
@@ -118,7 +118,7 @@ void SetIdDialog::fillList()
     };
     std::map<int, Row> rows;
     for (const int id : m_free) {
-        if (id != entry()->servo.id && holderOf(id) == nullptr)
+        if (id != entry()->servo.id && servoWithId(id) == nullptr)
             rows[id] = {translate("ServoTasks", "%1 — free").arg(id), true};
     }
     for (const session::ServoRef ref : desk().servos()) {
@@ -129,27 +129,27 @@ void SetIdDialog::fillList()
                                             : translate("ServoTasks", "%1 — taken by %2");
         rows[other->servo.id] = {line.arg(other->servo.id).arg(modelName(*other)), false};
     }
-    const QSignalBlocker quiet(m_list);
+    const QSignalBlocker blocker(m_list);
     m_list->clear();
     for (const auto& [id, row] : rows) {
         auto* item = new QListWidgetItem(row.text, m_list);
-        item->setData(idOf, id);
+        item->setData(idRole, id);
         item->setToolTip(row.text);
         if (!row.free)
             item->setFlags(Qt::ItemIsEnabled);
     }
 }
 
-void SetIdDialog::choose(const QListWidgetItem* item)
+void SetIdDialog::selectId(const QListWidgetItem* item)
 {
     if (item != nullptr && (item->flags() & Qt::ItemIsSelectable) != 0)
-        m_id->setValue(item->data(idOf).toInt());
+        m_id->setValue(item->data(idRole).toInt());
 }
 
-void SetIdDialog::judge()
+void SetIdDialog::validate()
 {
     const int id = m_id->value();
-    const ServoEntry* holder = holderOf(id);
+    const ServoEntry* holder = servoWithId(id);
     const bool own = id == entry()->servo.id;
     if (own)
         m_state->setText(translate("ServoTasks", "It has this ID now."));
@@ -168,7 +168,7 @@ void SetIdDialog::judge()
 
 void SetIdDialog::retranslate()
 {
-    setWords(translate("ServoTasks", "Set ID"),
+    setTexts(translate("ServoTasks", "Set ID"),
              translate("ServoTasks", "The servo answers under the new ID at once and keeps it at "
                                      "power-off. ServoDesk follows it; other programs have to be "
                                      "told."),
@@ -186,44 +186,44 @@ void SetIdDialog::retranslate()
 void SetIdDialog::refresh()
 {
     fillList();
-    judge();
+    validate();
 }
 
-void SetIdDialog::act()
+void SetIdDialog::runAction()
 {
     const catalog::Register* reg = idRegister(*entry());
     if (reg == nullptr)
         return;
-    m_wanted = m_id->value();
+    m_pendingId = m_id->value();
     setRunning(true);
-    session::WriteOrder order;
-    order.items = {{reg->key, m_wanted}};
+    session::WriteRequest order;
+    order.items = {{reg->key, m_pendingId}};
     order.dangerous = true; // this dialog is the question
     desk().write(servo(), order);
 }
 
 /// Writes have no callback: ours has ended when no write of the ID is pending any more.
-void SetIdDialog::happened(const Event& event)
+void SetIdDialog::onDeskEvent(const Event& event)
 {
     const ServoEntry* own = entry();
-    if (m_wanted < 0 || event.kind != Event::Kind::Written || event.servo != servo() ||
+    if (m_pendingId < 0 || event.kind != Event::Kind::Written || event.servo != servo() ||
         own == nullptr)
         return;
     const auto row = own->writes.find(idRegister(*own)->key);
     if (row != own->writes.end() && row->second.pending > 0)
         return;
-    m_wanted = -1;
+    m_pendingId = -1;
     setRunning(false);
     refresh();
     if (event.error)
-        tellError(*event.error);
+        showError(*event.error);
     if (!event.report)
         return;
-    tell([this, report = *event.report, notices = event.notices] {
-        TaskWords words =
-            writeWords(*entry(), report, translate("ServoTasks", "The ID has been changed."));
-        words.more += noticeLines(notices);
-        return words;
+    showResult([this, report = *event.report, notices = event.notices] {
+        TaskText result =
+            writeText(*entry(), report, translate("ServoTasks", "The ID has been changed."));
+        result.details += noticeLines(notices);
+        return result;
     });
 }
 } // namespace ui

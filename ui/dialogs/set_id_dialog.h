@@ -19,22 +19,22 @@ public:
 protected:
     void retranslate() override;
     void refresh() override;
-    void act() override;
+    void runAction() override;
 
 private:
-    void askForFree();
+    void findFreeIds();
     void fillList();
-    void judge();
-    void choose(const QListWidgetItem* item);
-    void happened(const session::Event& event);
-    const session::ServoEntry* holderOf(int id) const;
+    void validate();
+    void selectId(const QListWidgetItem* item);
+    void onDeskEvent(const session::Event& event);
+    const session::ServoEntry* servoWithId(int id) const;
 
     QLabel* m_label;
     QSpinBox* m_id;
     QListWidget* m_list;
     QLabel* m_state;
-    std::vector<int> m_free; ///< silent when last asked
-    bool m_chosen = false;   ///< by the user, so proposals no longer change it
-    int m_wanted = -1;       ///< being written
+    std::vector<int> m_free;     ///< silent when last asked
+    bool m_chosenByUser = false; ///< by the user, so proposals no longer change it
+    int m_pendingId = -1;        ///< being written
 };
 } // namespace ui

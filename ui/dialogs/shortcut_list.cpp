@@ -16,7 +16,7 @@ void addRow(QTreeWidget& list, const QString& keys, const QString& name, const Q
 }
 } // namespace
 
-ShortcutList::ShortcutList(const Commands& commands, QWidget* parent)
+ShortcutsDialog::ShortcutsDialog(const Commands& commands, QWidget* parent)
     : QDialog(parent)
 {
     setAttribute(Qt::WA_DeleteOnClose);

@@ -7,10 +7,10 @@
 #include <QDialog>
 
 namespace ui {
-class ShortcutList final : public QDialog {
+class ShortcutsDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    ShortcutList(const Commands& commands, QWidget* parent);
+    ShortcutsDialog(const Commands& commands, QWidget* parent);
 };
 } // namespace ui

@@ -23,7 +23,7 @@ TaskDialog::TaskDialog(Desk& desk, session::ServoRef servo, const char* name, QW
     : QDialog(parent)
     , m_desk(desk)
     , m_ref(servo)
-    , m_who(new QLabel(this))
+    , m_servoLabel(new QLabel(this))
     , m_explanation(textLabel("explanation"))
     , m_body(new QVBoxLayout)
     , m_progress(new QProgressBar(this))
@@ -31,18 +31,18 @@ TaskDialog::TaskDialog(Desk& desk, session::ServoRef servo, const char* name, QW
 {
     setObjectName(QLatin1String(name));
     setAttribute(Qt::WA_DeleteOnClose);
-    m_who->setObjectName(QStringLiteral("who"));
-    m_who->setTextFormat(Qt::PlainText);
+    m_servoLabel->setObjectName(QStringLiteral("who"));
+    m_servoLabel->setTextFormat(Qt::PlainText);
     QFont bold = font();
     bold.setBold(true);
-    m_who->setFont(bold);
+    m_servoLabel->setFont(bold);
     m_progress->setObjectName(QStringLiteral("taskProgress"));
     m_progress->setTextVisible(false);
     m_progress->hide();
     auto* column = new QVBoxLayout(this);
     column->setSizeConstraint(QLayout::SetNoConstraint); // fit() does it
     column->setSpacing(12);
-    column->addWidget(m_who);
+    column->addWidget(m_servoLabel);
     column->addWidget(m_explanation);
     column->addLayout(m_body);
     column->addWidget(m_progress);
@@ -55,7 +55,7 @@ TaskDialog::TaskDialog(Desk& desk, session::ServoRef servo, const char* name, QW
     const auto changed = [this](session::ServoRef ref) {
         if (ref != m_ref || entry() == nullptr)
             return;
-        translateOwn();
+        retranslateCommon();
         refresh();
     };
     connect(&desk, &Desk::servoRemoved, this, gone);
@@ -72,23 +72,23 @@ void TaskDialog::buildButtons(QVBoxLayout* column)
     m_stop->setObjectName(QStringLiteral("taskStop"));
     m_close = new QPushButton(this);
     m_close->setObjectName(QStringLiteral("taskClose"));
-    m_deed = new QPushButton(this);
-    m_deed->setObjectName(QStringLiteral("taskDeed"));
-    m_deed->setProperty("mainAction", true);
+    m_action = new QPushButton(this);
+    m_action->setObjectName(QStringLiteral("taskDeed"));
+    m_action->setProperty("mainAction", true);
     row->addWidget(m_stop);
     row->addStretch();
     row->addWidget(m_close);
-    row->addWidget(m_deed);
+    row->addWidget(m_action);
     column->addLayout(row);
-    for (QPushButton* button : {m_stop, m_close, m_deed})
+    for (QPushButton* button : {m_stop, m_close, m_action})
         button->setAutoDefault(false);
-    m_deed->setDefault(true);
+    m_action->setDefault(true);
     m_stop->hide();
     connect(m_stop, &QPushButton::clicked, &m_desk, &Desk::stopTask);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
-    connect(m_deed, &QPushButton::clicked, this, [this] {
+    connect(m_action, &QPushButton::clicked, this, [this] {
         if (m_ready && !m_running && entry() != nullptr)
-            act();
+            runAction();
     });
 }
 
@@ -102,35 +102,35 @@ QLabel* TaskDialog::textLabel(const char* name)
     return label;
 }
 
-void TaskDialog::begin()
+void TaskDialog::finishSetup()
 {
-    translateOwn();
+    retranslateCommon();
     retranslate();
     refresh();
     updateButtons();
     setMinimumWidth(sizeHint().width());
-    fit();
+    fitToContents();
 }
 
 /// As high as its words need, which change while it is open.
-void TaskDialog::fit()
+void TaskDialog::fitToContents()
 {
-    const QSize wanted = sizeHint();
-    resize(std::max(width(), wanted.width()), wanted.height());
+    const QSize preferred = sizeHint();
+    resize(std::max(width(), preferred.width()), preferred.height());
 }
 
 bool TaskDialog::event(QEvent* event)
 {
     const bool handled = QDialog::event(event);
     if (event->type() == QEvent::LayoutRequest)
-        fit();
+        fitToContents();
     return handled;
 }
 
-void TaskDialog::translateOwn()
+void TaskDialog::retranslateCommon()
 {
     if (entry() != nullptr)
-        m_who->setText(servoTitle(*entry()));
+        m_servoLabel->setText(servoTitle(*entry()));
     m_stop->setText(translate("ServoTasks", "Stop"));
     m_stop->setAccessibleName(m_stop->text());
     m_stop->setToolTip(translate("ServoTasks", "End it now; what has begun ends safely first"));
@@ -142,17 +142,17 @@ void TaskDialog::translateOwn()
     m_progress->setToolTip(translate("ServoTasks", "Progress"));
 }
 
-void TaskDialog::setWords(const QString& title, const QString& explanation, const QString& deed,
-                          const QString& deedTip)
+void TaskDialog::setTexts(const QString& title, const QString& explanation,
+                          const QString& actionText, const QString& actionTip)
 {
     setWindowTitle(title);
     setAccessibleName(title);
     m_explanation->setText(explanation);
     m_explanation->setVisible(!explanation.isEmpty());
-    m_deed->setText(deed);
-    m_deed->setAccessibleName(deed);
-    m_deed->setToolTip(deedTip);
-    m_deed->setVisible(!deed.isEmpty());
+    m_action->setText(actionText);
+    m_action->setAccessibleName(actionText);
+    m_action->setToolTip(actionTip);
+    m_action->setVisible(!actionText.isEmpty());
 }
 
 void TaskDialog::setReady(bool ready)
@@ -175,7 +175,7 @@ void TaskDialog::updateButtons()
 {
     m_progress->setVisible(m_running);
     m_stop->setVisible(m_running);
-    m_deed->setEnabled(m_ready && !m_running && m_desk.state() == session::LinkState::Open);
+    m_action->setEnabled(m_ready && !m_running && m_desk.state() == session::LinkState::Open);
 }
 
 void TaskDialog::showProgress(const jobs::Progress& progress)
@@ -186,11 +186,11 @@ void TaskDialog::showProgress(const jobs::Progress& progress)
     m_progress->setValue(static_cast<int>(progress.fraction * permille));
 }
 
-void TaskDialog::run(session::Task task, std::function<void(const session::TaskEnd&)> done)
+void TaskDialog::run(session::Task task, std::function<void(const session::TaskCompletion&)> done)
 {
     setRunning(true);
     task.guard = this;
-    task.done = [this, done = std::move(done)](const session::TaskEnd& end) {
+    task.done = [this, done = std::move(done)](const session::TaskCompletion& end) {
         setRunning(false);
         if (entry() != nullptr)
             done(end);
@@ -198,28 +198,29 @@ void TaskDialog::run(session::Task task, std::function<void(const session::TaskE
     m_desk.perform(m_ref, std::move(task));
 }
 
-void TaskDialog::look(session::Task task, std::function<void(const session::TaskEnd&)> done)
+void TaskDialog::runInBackground(session::Task task,
+                                 std::function<void(const session::TaskCompletion&)> done)
 {
     task.quiet = true;
     task.guard = this;
-    task.done = [this, done = std::move(done)](const session::TaskEnd& end) {
+    task.done = [this, done = std::move(done)](const session::TaskCompletion& end) {
         if (entry() != nullptr)
             done(end);
     };
     m_desk.perform(m_ref, std::move(task));
 }
 
-void TaskDialog::tellError(const base::Error& error)
+void TaskDialog::showError(const base::Error& error)
 {
-    tell([error] { return errorWords(error); });
+    showResult([error] { return errorText(error); });
 }
 
 void TaskDialog::changeEvent(QEvent* event)
 {
     QDialog::changeEvent(event);
-    if (event->type() != QEvent::LanguageChange || m_deed == nullptr)
+    if (event->type() != QEvent::LanguageChange || m_action == nullptr)
         return;
-    translateOwn();
+    retranslateCommon();
     retranslate();
     refresh();
 }

@@ -34,35 +34,36 @@ protected:
     QLabel* textLabel(const char* name); ///< wrapped, as wide as the dialog
 
     /// To be called by retranslate().
-    void setWords(const QString& title, const QString& explanation, const QString& deed,
-                  const QString& deedTip);
+    void setTexts(const QString& title, const QString& explanation, const QString& actionText,
+                  const QString& actionTip);
     void setReady(bool ready); ///< whether the deed makes sense now
-    bool running() const { return m_running; }
+    bool isRunning() const { return m_running; }
     void setRunning(bool running);
 
     /// All texts. Called by begin() and after a change of language.
     virtual void retranslate() = 0;
     /// The servo, the list or the link have changed.
     virtual void refresh() {}
-    virtual void act() {} ///< the deed was asked for
+    virtual void runAction() {} ///< the deed was asked for
     /// The end of the constructor of each kind.
-    void begin();
+    void finishSetup();
 
     /// Runs it as this dialog's task: Stop and progress are shown meanwhile. `done` on the main
     /// thread, while the dialog lives.
-    void run(session::Task task, std::function<void(const session::TaskEnd&)> done);
+    void run(session::Task task, std::function<void(const session::TaskCompletion&)> done);
     /// Beside it, without a word: looks only.
-    void look(session::Task task, std::function<void(const session::TaskEnd&)> done);
-    void tell(TaskResult::Wording wording) { m_result->tell(std::move(wording)); }
-    void tellError(const base::Error& error);
+    void runInBackground(session::Task task,
+                         std::function<void(const session::TaskCompletion&)> done);
+    void showResult(TaskResult::Wording wording) { m_result->showResult(std::move(wording)); }
+    void showError(const base::Error& error);
 
     bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     void buildButtons(QVBoxLayout* column);
-    void translateOwn();
-    void fit();
+    void retranslateCommon();
+    void fitToContents();
     void updateButtons();
     void showProgress(const jobs::Progress& progress);
 
@@ -70,13 +71,13 @@ private:
     session::ServoRef m_ref;
     bool m_ready = true;
     bool m_running = false;
-    QLabel* m_who;
+    QLabel* m_servoLabel;
     QLabel* m_explanation;
     QVBoxLayout* m_body;
     QProgressBar* m_progress;
     TaskResult* m_result;
     QPushButton* m_stop = nullptr;
     QPushButton* m_close = nullptr;
-    QPushButton* m_deed = nullptr;
+    QPushButton* m_action = nullptr;
 };
 } // namespace ui

@@ -10,7 +10,7 @@ namespace {
 constexpr int signWidth = 18;
 constexpr int gap = 8;
 
-QString signOf(Tone tone)
+QString symbolFor(Tone tone)
 {
     switch (tone) {
     case Tone::Good:
@@ -41,20 +41,20 @@ QLabel* textLabel(QWidget* parent, const char* name, int width)
 TaskResult::TaskResult(int width, QWidget* parent)
     : QWidget(parent)
     , m_sign(new QLabel(this))
-    , m_what(textLabel(this, "resultWhat", width - signWidth - gap))
-    , m_more(textLabel(this, "resultMore", width - signWidth - gap))
+    , m_headline(textLabel(this, "resultWhat", width - signWidth - gap))
+    , m_details(textLabel(this, "resultMore", width - signWidth - gap))
 {
     setObjectName(QStringLiteral("taskResult"));
     m_sign->setObjectName(QStringLiteral("resultSign"));
     m_sign->setFixedWidth(signWidth);
     QFont bold = font();
     bold.setBold(true);
-    m_what->setFont(bold);
+    m_headline->setFont(bold);
     m_sign->setFont(bold);
     auto* words = new QVBoxLayout;
     words->setSpacing(4);
-    words->addWidget(m_what);
-    words->addWidget(m_more);
+    words->addWidget(m_headline);
+    words->addWidget(m_details);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(gap);
@@ -63,7 +63,7 @@ TaskResult::TaskResult(int width, QWidget* parent)
     hide();
 }
 
-void TaskResult::tell(Wording wording)
+void TaskResult::showResult(Wording wording)
 {
     m_wording = std::move(wording);
     fill();
@@ -73,7 +73,7 @@ void TaskResult::tell(Wording wording)
 void TaskResult::clear()
 {
     m_wording = {};
-    m_told = {};
+    m_text = {};
     hide();
 }
 
@@ -81,22 +81,22 @@ void TaskResult::fill()
 {
     if (!m_wording)
         return;
-    m_told = m_wording();
-    m_sign->setText(signOf(m_told.tone));
-    m_what->setText(m_told.what);
-    m_more->setText(m_told.more.join(QLatin1Char('\n')));
-    m_more->setVisible(!m_told.more.isEmpty());
-    setAccessibleName(m_told.what);
-    colour();
+    m_text = m_wording();
+    m_sign->setText(symbolFor(m_text.tone));
+    m_headline->setText(m_text.message);
+    m_details->setText(m_text.details.join(QLatin1Char('\n')));
+    m_details->setVisible(!m_text.details.isEmpty());
+    setAccessibleName(m_text.message);
+    updateColors();
 }
 
-/// The sign says it as well, so the colour is never alone.
-void TaskResult::colour()
+/// The sign says it as well, so the color is never alone.
+void TaskResult::updateColors()
 {
     QPalette palette = this->palette();
-    palette.setColor(QPalette::WindowText, tone(m_told.tone, this->palette()));
+    palette.setColor(QPalette::WindowText, tone(m_text.tone, this->palette()));
     m_sign->setPalette(palette);
-    m_what->setPalette(m_told.tone == Tone::Quiet ? this->palette() : palette);
+    m_headline->setPalette(m_text.tone == Tone::Quiet ? this->palette() : palette);
 }
 
 void TaskResult::changeEvent(QEvent* event)
@@ -105,6 +105,6 @@ void TaskResult::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange)
         fill();
     else if (event->type() == QEvent::PaletteChange && m_wording)
-        colour();
+        updateColors();
 }
 } // namespace ui

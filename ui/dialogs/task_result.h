@@ -16,25 +16,25 @@ class TaskResult final : public QWidget {
     Q_OBJECT
 
 public:
-    using Wording = std::function<TaskWords()>;
+    using Wording = std::function<TaskText()>;
 
     explicit TaskResult(int width, QWidget* parent = nullptr);
 
-    void tell(Wording wording); ///< shows it
-    void clear();               ///< hides it
-    const TaskWords& told() const { return m_told; }
+    void showResult(Wording wording); ///< shows it
+    void clear();                     ///< hides it
+    const TaskText& text() const { return m_text; }
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
     void fill();
-    void colour();
+    void updateColors();
 
     Wording m_wording;
-    TaskWords m_told;
+    TaskText m_text;
     QLabel* m_sign;
-    QLabel* m_what;
-    QLabel* m_more;
+    QLabel* m_headline;
+    QLabel* m_details;
 };
 } // namespace ui

@@ -28,28 +28,28 @@ QString servoTitle(const session::ServoEntry& entry)
     return parts.join(QStringLiteral(" · "));
 }
 
-QString valueWord(const device::Servo& servo, const QString& key,
+QString valueText(const device::Servo& servo, const QString& key,
                   const std::optional<std::int64_t>& raw)
 {
     const catalog::Register* reg = servo.profile ? servo.profile->find(key) : nullptr;
     if (reg == nullptr || !raw)
         return QStringLiteral("–");
-    const catalog::Meaning meaning = servo.meaning(*reg);
-    const QString shown = catalog::formatValue(*raw, *reg, meaning, text::inChinese());
+    const catalog::ValueFormat meaning = servo.meaning(*reg);
+    const QString shown = catalog::formatValue(*raw, *reg, meaning, text::isUiChinese());
     return meaning.unit.isEmpty() ? shown : QStringLiteral("%1 (%2)").arg(*raw).arg(shown);
 }
 
-QString registerWord(const device::Servo& servo, const QString& key)
+QString registerText(const device::Servo& servo, const QString& key)
 {
     const catalog::Register* reg = servo.profile ? servo.profile->find(key) : nullptr;
-    return reg != nullptr ? reg->name.in(text::inChinese()) : key;
+    return reg != nullptr ? reg->name.in(text::isUiChinese()) : key;
 }
 
 QString lockLine(device::LockState lock)
 {
     if (lock == device::LockState::None)
         return {};
-    return translate("ServoTasks", "EPROM lock: %1").arg(text::lockWord(device::lockName(lock)));
+    return translate("ServoTasks", "EPROM lock: %1").arg(text::lockLabel(device::lockName(lock)));
 }
 
 QStringList noticeLines(const device::Notices& notices)
@@ -68,28 +68,28 @@ QStringList noticeLines(const device::Notices& notices)
     return lines;
 }
 
-TaskWords errorWords(const base::Error& error)
+TaskText errorText(const base::Error& error)
 {
-    const text::Description words = text::describe(error);
-    TaskWords told{Tone::Bad, words.what};
-    if (!words.cause.isEmpty())
-        told.more << translate("ServoTasks", "Likely cause: %1").arg(words.cause);
-    told.more << translate("ServoTasks", "What to do: %1").arg(words.remedy);
-    return told;
+    const text::Description description = text::describe(error);
+    TaskText result{Tone::Bad, description.message};
+    if (!description.cause.isEmpty())
+        result.details << translate("ServoTasks", "Likely cause: %1").arg(description.cause);
+    result.details << translate("ServoTasks", "What to do: %1").arg(description.remedy);
+    return result;
 }
 
-TaskWords refusedWords(const base::Error& error, const QString& what)
+TaskText refusedText(const base::Error& error, const QString& what)
 {
-    TaskWords told = errorWords(error);
-    told.tone = Tone::Warn;
-    told.more.prepend(told.what);
-    told.what = what;
-    return told;
+    TaskText result = errorText(error);
+    result.tone = Tone::Warn;
+    result.details.prepend(result.message);
+    result.message = what;
+    return result;
 }
 
 namespace {
 /// It was heard at the end, by what was read last: the lock, or the register where there is none.
-bool answeredAtTheEnd(const device::WriteReport& report)
+bool isAnswering(const device::WriteReport& report)
 {
     if (report.lock != device::LockState::None)
         return report.lock != device::LockState::Unknown;
@@ -98,7 +98,7 @@ bool answeredAtTheEnd(const device::WriteReport& report)
     });
 }
 
-QString answersAt(const device::Servo& servo)
+QString addressText(const device::Servo& servo)
 {
     return servo.baud > 0 ? translate("ServoTasks", "The servo answers as ID %1 at %2 baud.")
                                 .arg(servo.id)
@@ -107,15 +107,15 @@ QString answersAt(const device::Servo& servo)
 }
 
 /// Of a change of its ID or rate that was sent, or may have been: where the servo can be.
-QString mayAnswerAt(const session::ServoEntry& entry, const device::WriteResult& write)
+QString possibleAddressText(const session::ServoEntry& entry, const device::WriteResult& write)
 {
     const bool sent = !device::isUntouched(write.outcome);
     const catalog::Register* reg =
         entry.servo.profile ? entry.servo.profile->find(write.key) : nullptr;
     if (!sent || reg == nullptr)
         return {};
-    const QString before = valueWord(entry.servo, write.key, write.oldRaw);
-    const QString after = valueWord(entry.servo, write.key, write.newRaw);
+    const QString before = valueText(entry.servo, write.key, write.oldRaw);
+    const QString after = valueText(entry.servo, write.key, write.newRaw);
     if (reg->role == catalog::Role::BaudRate)
         return translate("ServoTasks", "It did not answer at the end and may be at either baud "
                                        "rate: %1 or %2. Port → Interrupted writes looks for it at "
@@ -130,37 +130,37 @@ QString mayAnswerAt(const session::ServoEntry& entry, const device::WriteResult&
 }
 } // namespace
 
-TaskWords writeWords(const session::ServoEntry& entry, const device::WriteReport& report,
-                     const QString& done)
+TaskText writeText(const session::ServoEntry& entry, const device::WriteReport& report,
+                   const QString& done)
 {
-    TaskWords told{Tone::Good, done};
+    TaskText result{Tone::Good, done};
     for (const device::WriteResult& write : report.writes) {
         const QString before =
-            write.oldRaw ? valueWord(entry.servo, write.key, write.oldRaw) : QStringLiteral("?");
-        told.more << QStringLiteral("%1: %2 → %3, %4")
-                         .arg(registerWord(entry.servo, write.key), before,
-                              valueWord(entry.servo, write.key, write.newRaw),
-                              text::outcomeWord(device::outcomeName(write.outcome)));
+            write.oldRaw ? valueText(entry.servo, write.key, write.oldRaw) : QStringLiteral("?");
+        result.details << QStringLiteral("%1: %2 → %3, %4")
+                              .arg(registerText(entry.servo, write.key), before,
+                                   valueText(entry.servo, write.key, write.newRaw),
+                                   text::outcomeLabel(device::outcomeName(write.outcome)));
         if (!write.error)
             continue;
-        const TaskWords failed = errorWords(*write.error);
-        told.tone = Tone::Bad;
-        told.what = failed.what;
-        told.more += failed.more;
+        const TaskText failed = errorText(*write.error);
+        result.tone = Tone::Bad;
+        result.message = failed.message;
+        result.details += failed.details;
     }
-    if (told.tone == Tone::Good && !report.allGood()) {
-        told.tone = Tone::Warn;
-        told.what = translate("ServoTasks", "Not everything ended as it should.");
+    if (result.tone == Tone::Good && !report.isSuccessful()) {
+        result.tone = Tone::Warn;
+        result.message = translate("ServoTasks", "Not everything ended as it should.");
     }
     if (const QString lock = lockLine(report.lock); !lock.isEmpty())
-        told.more << lock;
-    if (answeredAtTheEnd(report))
-        told.more << answersAt(entry.servo);
+        result.details << lock;
+    if (isAnswering(report))
+        result.details << addressText(entry.servo);
     for (const device::WriteResult& write : report.writes) {
-        if (const QString line = mayAnswerAt(entry, write);
-            !answeredAtTheEnd(report) && !line.isEmpty())
-            told.more << line;
+        if (const QString line = possibleAddressText(entry, write);
+            !isAnswering(report) && !line.isEmpty())
+            result.details << line;
     }
-    return told;
+    return result;
 }
 } // namespace ui

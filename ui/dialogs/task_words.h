@@ -10,27 +10,27 @@
 
 namespace ui {
 /// What a dialog tells: a headline with its sign, and what there is more to say.
-struct TaskWords {
+struct TaskText {
     Tone tone = Tone::Quiet;
-    QString what;
-    QStringList more{};
+    QString message;
+    QStringList details{};
 };
 
 QString servoTitle(const session::ServoEntry& entry); ///< "ID 3 · STS3250 · firmware 3.10"
 QString modelName(const session::ServoEntry& entry);
 
 /// A register's number as a person reads it, or a dash.
-QString valueWord(const device::Servo& servo, const QString& key,
+QString valueText(const device::Servo& servo, const QString& key,
                   const std::optional<std::int64_t>& raw);
 
-QString registerWord(const device::Servo& servo, const QString& key); ///< its name, else the key
+QString registerText(const device::Servo& servo, const QString& key); ///< its name, else the key
 
 QString lockLine(device::LockState lock); ///< "EPROM lock: closed"
 QStringList noticeLines(const device::Notices& notices);
-TaskWords errorWords(const base::Error& error); ///< what, likely cause, what to do
-TaskWords refusedWords(const base::Error& error, const QString& what);
+TaskText errorText(const base::Error& error); ///< what, likely cause, what to do
+TaskText refusedText(const base::Error& error, const QString& what);
 
 /// How a write ended, with where the servo answers now. `done` is the headline if all is well.
-TaskWords writeWords(const session::ServoEntry& entry, const device::WriteReport& report,
-                     const QString& done);
+TaskText writeText(const session::ServoEntry& entry, const device::WriteReport& report,
+                   const QString& done);
 } // namespace ui

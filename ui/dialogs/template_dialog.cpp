@@ -15,15 +15,15 @@
 
 namespace ui {
 namespace {
-constexpr int startWidth = 520;
-constexpr int startHeight = 560;
+constexpr int initialWidth = 520;
+constexpr int initialHeight = 560;
 constexpr int keyRole = Qt::UserRole;
 
 /// Settings that other servos may be given: no identity, nothing of the moment.
-bool forOthers(const catalog::Register& reg)
+bool isTransferable(const catalog::Register& reg)
 {
     using jobs::RestoreReason;
-    const auto nature = jobs::natureOf(reg);
+    const auto nature = jobs::registerReasons(reg);
     return !(nature & (jobs::RestoreReasons(RestoreReason::ReadOnly) | RestoreReason::Factory |
                        RestoreReason::Identity | RestoreReason::Live));
 }
@@ -33,13 +33,13 @@ TemplateDialog::TemplateDialog(const record::Snapshot& from, catalog::ProfilePtr
                                QWidget* parent)
     : QDialog(parent)
     , m_profile(std::move(profile))
-    , m_what(new QLabel(this))
+    , m_summary(new QLabel(this))
     , m_table(new QTableWidget(0, 3, this))
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this))
 {
     setObjectName(QStringLiteral("templateDialog"));
     setAttribute(Qt::WA_DeleteOnClose);
-    m_what->setWordWrap(true);
+    m_summary->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("templateTable"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -51,27 +51,27 @@ TemplateDialog::TemplateDialog(const record::Snapshot& from, catalog::ProfilePtr
     m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("templateSave"));
     m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("templateCancel"));
     auto* column = new QVBoxLayout(this);
-    column->addWidget(m_what);
+    column->addWidget(m_summary);
     column->addWidget(m_table, 1);
     column->addWidget(m_buttons);
-    connect(m_table, &QTableWidget::itemChanged, this, &TemplateDialog::showCount);
+    connect(m_table, &QTableWidget::itemChanged, this, &TemplateDialog::updateCount);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     fill(from);
     retranslate();
-    resize(startWidth, startHeight);
+    resize(initialWidth, initialHeight);
 }
 
 void TemplateDialog::fill(const record::Snapshot& from)
 {
-    const QSignalBlocker quiet(m_table);
+    const QSignalBlocker blocker(m_table);
     const auto lookup = [&](const QString& key) -> std::optional<std::int64_t> {
         const record::SnapshotRegister* other = from.find(key);
         return other != nullptr ? other->raw : std::nullopt;
     };
     for (const catalog::Register& reg : m_profile->registers) {
         const record::SnapshotRegister* has = from.find(reg.key);
-        if (has == nullptr || !has->raw || !forOthers(reg))
+        if (has == nullptr || !has->raw || !isTransferable(reg))
             continue;
         const int row = m_table->rowCount();
         m_table->insertRow(row);
@@ -84,7 +84,7 @@ void TemplateDialog::fill(const record::Snapshot& from)
         m_table->setItem(row, 0, tick);
         m_table->setItem(row, 1, new QTableWidgetItem(QString::number(qint64(*has->raw))));
         const QString words = catalog::formatValue(
-            *has->raw, reg, catalog::meaningOf(reg, *m_profile, lookup), text::inChinese());
+            *has->raw, reg, catalog::valueFormat(reg, *m_profile, lookup), text::isUiChinese());
         m_table->setItem(row, 2, new QTableWidgetItem(words));
         m_table->item(row, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
@@ -92,15 +92,15 @@ void TemplateDialog::fill(const record::Snapshot& from)
 
 QStringList TemplateDialog::keys() const
 {
-    QStringList ticked;
+    QStringList selected;
     for (int row = 0; row < m_table->rowCount(); ++row) {
         if (m_table->item(row, 0)->checkState() == Qt::Checked)
-            ticked << m_table->item(row, 0)->data(keyRole).toString();
+            selected << m_table->item(row, 0)->data(keyRole).toString();
     }
-    return ticked;
+    return selected;
 }
 
-void TemplateDialog::showCount()
+void TemplateDialog::updateCount()
 {
     QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
     const auto count = keys().size();
@@ -113,16 +113,16 @@ void TemplateDialog::retranslate()
 {
     setWindowTitle(tr("Make a template"));
     setAccessibleName(windowTitle());
-    m_what->setText(tr("Tick what other servos are to be given. ID and rate are never part of a "
-                       "template. Ticked at first is what differs from the factory default."));
+    m_summary->setText(tr("Tick what other servos are to be given. ID and rate are never part of a "
+                          "template. Ticked at first is what differs from the factory default."));
     m_table->setAccessibleName(tr("Rows of the template"));
     m_table->setHorizontalHeaderLabels({tr("Register"), tr("Value"), tr("Meaning")});
     m_table->horizontalHeaderItem(1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    const QSignalBlocker quiet(m_table);
+    const QSignalBlocker blocker(m_table);
     for (int row = 0; row < m_table->rowCount(); ++row) {
         QTableWidgetItem* item = m_table->item(row, 0);
         const QString key = item->data(keyRole).toString();
-        item->setText(m_profile->find(key)->name.in(text::inChinese()));
+        item->setText(m_profile->find(key)->name.in(text::isUiChinese()));
         item->setToolTip(key);
     }
     m_buttons->button(QDialogButtonBox::Save)->setToolTip(tr("Save the ticked rows as a file"));
@@ -130,7 +130,7 @@ void TemplateDialog::retranslate()
     cancel->setText(tr("Cancel"));
     cancel->setAccessibleName(cancel->text());
     cancel->setToolTip(tr("Save nothing"));
-    showCount();
+    updateCount();
 }
 
 void TemplateDialog::changeEvent(QEvent* event)

@@ -28,10 +28,10 @@ protected:
 private:
     void fill(const record::Snapshot& from);
     void retranslate();
-    void showCount();
+    void updateCount();
 
     catalog::ProfilePtr m_profile;
-    QLabel* m_what;
+    QLabel* m_summary;
     QTableWidget* m_table;
     QDialogButtonBox* m_buttons;
 };

@@ -17,8 +17,8 @@ using record::MarkKind;
 using record::TriggerSpec;
 
 namespace {
-constexpr double mostLevel = 1e6;
-constexpr double mostSeconds = 3600;
+constexpr double maxLevel = 1e6;
+constexpr double maxSeconds = 3600;
 /// The moving flag is 0 or 1.
 constexpr double halfWay = 0.5;
 
@@ -42,7 +42,7 @@ TriggerDialog::TriggerDialog(std::vector<TrendChannel> curves, record::ChannelId
     setAttribute(Qt::WA_DeleteOnClose);
     build();
     retranslate();
-    take(before);
+    setSpec(before);
     refresh();
 }
 
@@ -68,10 +68,10 @@ void TriggerDialog::build()
     m_curve = combo("triggerCurve");
     for (const TrendChannel& curve : m_curves)
         m_curve->addItem(curve.name, curve.id);
-    m_level = number("triggerLevel", -mostLevel, mostLevel);
-    m_hysteresis = number("triggerHysteresis", 0, mostLevel);
-    m_pre = number("triggerPre", 0, mostSeconds);
-    m_post = number("triggerPost", 0, mostSeconds);
+    m_level = number("triggerLevel", -maxLevel, maxLevel);
+    m_hysteresis = number("triggerHysteresis", 0, maxLevel);
+    m_pre = number("triggerPre", 0, maxSeconds);
+    m_post = number("triggerPost", 0, maxSeconds);
     auto* buttons = new QHBoxLayout;
     m_arm = new QPushButton(this);
     m_arm->setObjectName(QStringLiteral("triggerArm"));
@@ -88,38 +88,39 @@ void TriggerDialog::build()
         connect(box, &QComboBox::currentIndexChanged, this, &TriggerDialog::refresh);
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::close);
     connect(m_arm, &QPushButton::clicked, this, [this] {
-        Q_EMIT armed(spec());
+        Q_EMIT triggerArmed(spec());
         close();
     });
 }
 
-TriggerDialog::Choice TriggerDialog::choice() const
+TriggerDialog::TriggerKind TriggerDialog::triggerKind() const
 {
-    return static_cast<Choice>(std::max(m_kind->currentIndex(), 0));
+    return static_cast<TriggerKind>(std::max(m_kind->currentIndex(), 0));
 }
 
-bool TriggerDialog::aboutCurve() const
+bool TriggerDialog::isCurveTrigger() const
 {
-    return choice() <= Choice::Below;
+    return triggerKind() <= TriggerKind::Below;
 }
 
 void TriggerDialog::refresh()
 {
     for (QWidget* field : std::initializer_list<QWidget*>{m_curve, m_level, m_hysteresis}) {
-        const bool edge =
-            field != m_hysteresis || choice() == Choice::Rising || choice() == Choice::Falling;
-        field->setVisible(aboutCurve() && edge);
-        m_form->labelForField(field)->setVisible(aboutCurve() && edge);
+        const bool edge = field != m_hysteresis || triggerKind() == TriggerKind::Rising ||
+                          triggerKind() == TriggerKind::Falling;
+        field->setVisible(isCurveTrigger() && edge);
+        m_form->labelForField(field)->setVisible(isCurveTrigger() && edge);
     }
     const int index = m_curve->currentIndex();
     const QString unit = index >= 0 ? m_curves.at(static_cast<std::size_t>(index)).unit : QString();
     for (QDoubleSpinBox* box : {m_level, m_hysteresis})
         box->setSuffix(unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
-    const bool flag = choice() == Choice::MoveBegins || choice() == Choice::MoveEnds;
-    const bool possible = flag ? m_moving >= 0 : !aboutCurve() || index >= 0;
-    m_arm->setEnabled(possible);
-    m_arm->setToolTip(possible ? tr("The chart stands still when it has happened")
-                               : tr("Nothing is read that could tell"));
+    const bool flag =
+        triggerKind() == TriggerKind::MoveBegins || triggerKind() == TriggerKind::MoveEnds;
+    const bool canRun = flag ? m_moving >= 0 : !isCurveTrigger() || index >= 0;
+    m_arm->setEnabled(canRun);
+    m_arm->setToolTip(canRun ? tr("The chart stands still when it has happened")
+                             : tr("Nothing is read that could tell"));
 }
 
 TriggerSpec TriggerDialog::spec() const
@@ -130,41 +131,41 @@ TriggerSpec TriggerDialog::spec() const
     spec.hysteresis = m_hysteresis->value();
     spec.pre = seconds(m_pre->value());
     spec.post = seconds(m_post->value());
-    switch (choice()) {
-    case Choice::Rising:
+    switch (triggerKind()) {
+    case TriggerKind::Rising:
         spec.kind = TriggerSpec::Kind::Rising;
         break;
-    case Choice::Falling:
+    case TriggerKind::Falling:
         spec.kind = TriggerSpec::Kind::Falling;
         break;
-    case Choice::Above:
+    case TriggerKind::Above:
         spec.kind = TriggerSpec::Kind::Above;
         break;
-    case Choice::Below:
+    case TriggerKind::Below:
         spec.kind = TriggerSpec::Kind::Below;
         break;
-    case Choice::MoveBegins:
-    case Choice::MoveEnds:
-        spec.kind =
-            choice() == Choice::MoveBegins ? TriggerSpec::Kind::Rising : TriggerSpec::Kind::Falling;
+    case TriggerKind::MoveBegins:
+    case TriggerKind::MoveEnds:
+        spec.kind = triggerKind() == TriggerKind::MoveBegins ? TriggerSpec::Kind::Rising
+                                                             : TriggerSpec::Kind::Falling;
         spec.channel = m_moving;
         spec.level = halfWay;
         spec.hysteresis = 0;
         break;
-    case Choice::Fault:
-    case Choice::Write:
-    case Choice::LinkError:
+    case TriggerKind::Fault:
+    case TriggerKind::Write:
+    case TriggerKind::LinkError:
         spec.kind = TriggerSpec::Kind::Mark;
         spec.channel = -1;
-        spec.mark = choice() == Choice::Fault   ? MarkKind::Fault
-                    : choice() == Choice::Write ? MarkKind::Write
-                                                : MarkKind::LinkError;
+        spec.mark = triggerKind() == TriggerKind::Fault   ? MarkKind::Fault
+                    : triggerKind() == TriggerKind::Write ? MarkKind::Write
+                                                          : MarkKind::LinkError;
         break;
     }
     return spec;
 }
 
-void TriggerDialog::take(const TriggerSpec& before)
+void TriggerDialog::setSpec(const TriggerSpec& before)
 {
     m_pre->setValue(seconds(before.pre));
     m_post->setValue(seconds(before.post));
@@ -173,15 +174,15 @@ void TriggerDialog::take(const TriggerSpec& before)
     if (const int index = m_curve->findData(before.channel); index >= 0)
         m_curve->setCurrentIndex(index);
     if (before.kind == TriggerSpec::Kind::Falling)
-        m_kind->setCurrentIndex(int(Choice::Falling));
+        m_kind->setCurrentIndex(int(TriggerKind::Falling));
     else if (before.kind == TriggerSpec::Kind::Above)
-        m_kind->setCurrentIndex(int(Choice::Above));
+        m_kind->setCurrentIndex(int(TriggerKind::Above));
     else if (before.kind == TriggerSpec::Kind::Below)
-        m_kind->setCurrentIndex(int(Choice::Below));
+        m_kind->setCurrentIndex(int(TriggerKind::Below));
     else if (before.kind == TriggerSpec::Kind::Mark)
-        m_kind->setCurrentIndex(int(before.mark == MarkKind::Write       ? Choice::Write
-                                    : before.mark == MarkKind::LinkError ? Choice::LinkError
-                                                                         : Choice::Fault));
+        m_kind->setCurrentIndex(int(before.mark == MarkKind::Write       ? TriggerKind::Write
+                                    : before.mark == MarkKind::LinkError ? TriggerKind::LinkError
+                                                                         : TriggerKind::Fault));
 }
 
 void TriggerDialog::retranslate()

@@ -25,13 +25,13 @@ public:
     record::TriggerSpec spec() const;
 
 Q_SIGNALS:
-    void armed(const record::TriggerSpec& spec);
+    void triggerArmed(const record::TriggerSpec& spec);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    enum class Choice : std::uint8_t {
+    enum class TriggerKind : std::uint8_t {
         Rising,
         Falling,
         Above,
@@ -43,11 +43,11 @@ private:
         LinkError
     };
     void build();
-    void take(const record::TriggerSpec& before);
+    void setSpec(const record::TriggerSpec& before);
     void refresh();
     void retranslate();
-    Choice choice() const;
-    bool aboutCurve() const;
+    TriggerKind triggerKind() const;
+    bool isCurveTrigger() const;
 
     std::vector<TrendChannel> m_curves;
     record::ChannelId m_moving;

@@ -17,7 +17,7 @@
 
 namespace ui {
 namespace {
-QString hexWord(std::int64_t raw)
+QString hexText(std::int64_t raw)
 {
     return QStringLiteral("0x") + QStringLiteral("%1").arg(raw, 2, 16, QLatin1Char('0')).toUpper();
 }
@@ -31,12 +31,12 @@ BitsEditor::BitsEditor(const EditContext& context, QWidget* parent)
     , m_hex(new QLabel(this))
 {
     build();
-    connect(m_sum, &QLineEdit::textEdited, this, &BitsEditor::sumTyped);
+    connect(m_sum, &QLineEdit::textEdited, this, &BitsEditor::onSumEdited);
     setFocusProxy(m_sum);
     setAutoFillBackground(context.inCell);
     setBackgroundRole(QPalette::Base);
     retranslate();
-    showBits(0, true);
+    showBitValues(0, true);
 }
 
 void BitsEditor::build()
@@ -71,7 +71,7 @@ QCheckBox* BitsEditor::makeBox(int bit)
 {
     auto* box = new QCheckBox(this);
     box->setObjectName(QStringLiteral("bit%1").arg(bit));
-    connect(box, &QCheckBox::clicked, this, &BitsEditor::ticked);
+    connect(box, &QCheckBox::clicked, this, &BitsEditor::onBoxClicked);
     return box;
 }
 
@@ -82,38 +82,38 @@ bool BitsEditor::isNamed(int bit) const
                        [bit](const catalog::NamedValue& value) { return value.value == bit; });
 }
 
-QString BitsEditor::wordOf(int bit) const
+QString BitsEditor::bitLabel(int bit) const
 {
     for (const catalog::NamedValue& value : context().reg->values) {
         if (value.value == bit)
-            return value.name.in(text::inChinese());
+            return value.name.in(text::isUiChinese());
     }
     return tr("bit %1, no name").arg(bit);
 }
 
 void BitsEditor::setRaw(std::optional<std::int64_t> raw)
 {
-    showBits(raw.value_or(0), true);
+    showBitValues(raw.value_or(0), true);
     if (raw) {
         showSum(*raw);
     } else {
         m_sum->clear();
         m_hex->clear();
     }
-    untouched();
+    clearModified();
 }
 
-QString BitsEditor::typed() const
+QString BitsEditor::inputText() const
 {
     return m_sum->text();
 }
 
-QList<QWidget*> BitsEditor::keyTakers() const
+QList<QWidget*> BitsEditor::is() const
 {
-    QList<QWidget*> takers{m_sum};
+    QList<QWidget*> widgets{m_sum};
     for (const Box& one : m_boxes)
-        takers << one.box;
-    return takers;
+        widgets << one.box;
+    return widgets;
 }
 
 void BitsEditor::selectAll()
@@ -121,7 +121,7 @@ void BitsEditor::selectAll()
     m_sum->selectAll();
 }
 
-void BitsEditor::ticked()
+void BitsEditor::onBoxClicked()
 {
     std::int64_t raw = 0;
     for (const Box& one : m_boxes) {
@@ -129,27 +129,27 @@ void BitsEditor::ticked()
             raw |= std::int64_t{1} << one.bit;
     }
     showSum(raw);
-    userEdited();
+    markModified();
 }
 
-void BitsEditor::sumTyped()
+void BitsEditor::onSumEdited()
 {
     if (const auto raw = parse()) {
-        showBits(*raw, false);
-        m_hex->setText(hexWord(*raw));
+        showBitValues(*raw, false);
+        m_hex->setText(hexText(*raw));
     } else {
         m_hex->clear();
     }
-    userEdited();
+    markModified();
 }
 
 void BitsEditor::showSum(std::int64_t raw)
 {
     m_sum->setText(QString::number(raw));
-    m_hex->setText(hexWord(raw));
+    m_hex->setText(hexText(raw));
 }
 
-void BitsEditor::showBits(std::int64_t raw, bool fresh)
+void BitsEditor::showBitValues(std::int64_t raw, bool fresh)
 {
     for (Box& one : m_boxes) {
         const bool set = (raw >> one.bit & 1) != 0;
@@ -181,10 +181,10 @@ void BitsEditor::retranslate()
 {
     m_label->setText(tr("Value"));
     m_sum->setAccessibleName(accessibleName());
-    m_sum->setToolTip(tr("The sum of the ticked bits. %1").arg(keysHelp()));
+    m_sum->setToolTip(tr("The sum of the ticked bits. %1").arg(keyHint()));
     for (const Box& one : m_boxes) {
         const std::int64_t weight = std::int64_t{1} << one.bit;
-        one.box->setText(QStringLiteral("%1 (%2)").arg(wordOf(one.bit)).arg(weight));
+        one.box->setText(QStringLiteral("%1 (%2)").arg(bitLabel(one.bit)).arg(weight));
         one.box->setAccessibleName(one.box->text());
         one.box->setToolTip(isNamed(one.bit)
                                 ? tr("Bit %1, adds %2").arg(one.bit).arg(weight)

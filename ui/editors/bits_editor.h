@@ -19,8 +19,8 @@ public:
     BitsEditor(const EditContext& context, QWidget* parent);
 
     void setRaw(std::optional<std::int64_t> raw) override;
-    QString typed() const override;
-    QList<QWidget*> keyTakers() const override;
+    QString inputText() const override;
+    QList<QWidget*> is() const override;
     void selectAll() override;
 
 private:
@@ -32,10 +32,10 @@ private:
     void build();
     QCheckBox* makeBox(int bit);
     bool isNamed(int bit) const;
-    QString wordOf(int bit) const;
-    void ticked();
-    void sumTyped();
-    void showBits(std::int64_t raw, bool fresh);
+    QString bitLabel(int bit) const;
+    void onBoxClicked();
+    void onSumEdited();
+    void showBitValues(std::int64_t raw, bool fresh);
     void showSum(std::int64_t raw);
     void arrange();
     void retranslate();

@@ -9,32 +9,32 @@
 
 namespace ui {
 /// QComboBox calls a value activated that arrow keys or the wheel merely passed by.
-class ValueList final : public QComboBox {
+class ValueComboBox final : public QComboBox {
 public:
     using QComboBox::QComboBox;
-    bool passing() const { return m_passing; }
+    bool isStepping() const { return m_stepping; }
 
 protected:
     void keyPressEvent(QKeyEvent* event) override
     {
-        m_passing = true;
+        m_stepping = true;
         QComboBox::keyPressEvent(event);
-        m_passing = false;
+        m_stepping = false;
     }
     void wheelEvent(QWheelEvent* event) override
     {
-        m_passing = true;
+        m_stepping = true;
         QComboBox::wheelEvent(event);
-        m_passing = false;
+        m_stepping = false;
     }
 
 private:
-    bool m_passing = false;
+    bool m_stepping = false;
 };
 
 EnumEditor::EnumEditor(const EditContext& context, QWidget* parent)
     : RegisterEditor(context, parent)
-    , m_box(new ValueList(this))
+    , m_box(new ValueComboBox(this))
 {
     m_box->setObjectName(QStringLiteral("valueList"));
     m_box->setFrame(!context.inCell);
@@ -44,10 +44,10 @@ EnumEditor::EnumEditor(const EditContext& context, QWidget* parent)
     layout->addWidget(m_box);
     setFocusProxy(m_box);
     setAutoFillBackground(context.inCell);
-    connect(m_box, &QComboBox::currentIndexChanged, this, &EnumEditor::userEdited);
+    connect(m_box, &QComboBox::currentIndexChanged, this, &EnumEditor::markModified);
     connect(m_box, &QComboBox::activated, this, [this] {
-        if (!m_box->passing())
-            Q_EMIT chosen();
+        if (!m_box->isStepping())
+            Q_EMIT valueChosen();
     });
     fill(std::nullopt);
     retranslate();
@@ -55,14 +55,14 @@ EnumEditor::EnumEditor(const EditContext& context, QWidget* parent)
 
 void EnumEditor::fill(std::optional<std::int64_t> raw)
 {
-    const QSignalBlocker quiet(m_box);
+    const QSignalBlocker blocker(m_box);
     m_box->clear();
     const auto add = [this](std::int64_t number, const QString& name) {
         m_box->addItem(QStringLiteral("%1 — %2").arg(number).arg(name),
                        static_cast<qlonglong>(number));
     };
     for (const catalog::NamedValue& value : context().reg->values)
-        add(value.value, value.name.in(text::inChinese()));
+        add(value.value, value.name.in(text::isUiChinese()));
     if (raw && m_box->findData(static_cast<qlonglong>(*raw)) < 0)
         add(*raw, tr("not documented"));
     m_box->setCurrentIndex(raw ? m_box->findData(static_cast<qlonglong>(*raw)) : -1);
@@ -71,15 +71,15 @@ void EnumEditor::fill(std::optional<std::int64_t> raw)
 void EnumEditor::setRaw(std::optional<std::int64_t> raw)
 {
     fill(raw);
-    untouched();
+    clearModified();
 }
 
-QString EnumEditor::typed() const
+QString EnumEditor::inputText() const
 {
     return m_box->currentIndex() < 0 ? QString() : m_box->currentData().toString();
 }
 
-QList<QWidget*> EnumEditor::keyTakers() const
+QList<QWidget*> EnumEditor::is() const
 {
     return {m_box};
 }
@@ -89,7 +89,7 @@ void EnumEditor::retranslate()
     const QVariant chosen = m_box->currentData();
     fill(chosen.isValid() ? std::optional<std::int64_t>(chosen.toLongLong()) : std::nullopt);
     m_box->setAccessibleName(accessibleName());
-    m_box->setToolTip(tr("Choose a value. %1").arg(keysHelp()));
+    m_box->setToolTip(tr("Choose a value. %1").arg(keyHint()));
 }
 
 void EnumEditor::changeEvent(QEvent* event)

@@ -6,7 +6,7 @@
 #include "ui/editors/register_editor.h"
 
 namespace ui {
-class ValueList;
+class ValueComboBox;
 
 class EnumEditor final : public RegisterEditor {
     Q_OBJECT
@@ -15,14 +15,14 @@ public:
     EnumEditor(const EditContext& context, QWidget* parent);
 
     void setRaw(std::optional<std::int64_t> raw) override;
-    QString typed() const override;
-    QList<QWidget*> keyTakers() const override;
+    QString inputText() const override;
+    QList<QWidget*> is() const override;
 
 private:
     void fill(std::optional<std::int64_t> raw);
     void retranslate();
     void changeEvent(QEvent* event) override;
 
-    ValueList* m_box;
+    ValueComboBox* m_box;
 };
 } // namespace ui

@@ -13,15 +13,16 @@ namespace ui {
 namespace {
 catalog::RawRange allowed(const EditContext& context)
 {
-    const catalog::Meaning& meaning = context.meaning;
-    const auto fits = catalog::representable(context.reg->size, meaning.encoding, meaning.signBit);
+    const catalog::ValueFormat& meaning = context.meaning;
+    const auto fits =
+        catalog::representableRange(context.reg->size, meaning.encoding, meaning.signBit);
     return {std::max(fits.min, meaning.min.value_or(fits.min)),
             std::min(fits.max, meaning.max.value_or(fits.max))};
 }
 
 bool inUnit(const EditContext& context)
 {
-    return context.physical && !context.meaning.unit.isEmpty();
+    return context.inPhysicalUnit && !context.meaning.unit.isEmpty();
 }
 } // namespace
 
@@ -44,7 +45,7 @@ QString NumberSpin::typedText() const
 
 void NumberSpin::stepBy(int steps)
 {
-    m_editor.show(m_editor.stepped(steps));
+    m_editor.show(m_editor.valueAfterSteps(steps));
     selectAll();
     Q_EMIT textEdited();
 }
@@ -73,20 +74,20 @@ NumberEditor::NumberEditor(const EditContext& context, QWidget* parent)
     layout->addWidget(m_spin);
     setFocusProxy(m_spin);
     setAutoFillBackground(context.inCell);
-    connect(m_spin, &NumberSpin::textEdited, this, &NumberEditor::userEdited);
+    connect(m_spin, &NumberSpin::textEdited, this, &NumberEditor::markModified);
     retranslate();
 }
 
 void NumberEditor::show(std::int64_t raw)
 {
-    m_spin->setText(inUnit(context()) ? physicalWord(raw, *context().reg, context().meaning)
+    m_spin->setText(inUnit(context()) ? physicalText(raw, *context().reg, context().meaning)
                                       : QString::number(raw));
 }
 
-void NumberEditor::type(std::int64_t raw)
+void NumberEditor::enterValue(std::int64_t raw)
 {
     show(raw);
-    userEdited();
+    markModified();
 }
 
 void NumberEditor::setRaw(std::optional<std::int64_t> raw)
@@ -96,15 +97,15 @@ void NumberEditor::setRaw(std::optional<std::int64_t> raw)
         show(*raw);
     else
         m_spin->setText({});
-    untouched();
+    clearModified();
 }
 
-QString NumberEditor::typed() const
+QString NumberEditor::inputText() const
 {
     return m_spin->typedText();
 }
 
-QList<QWidget*> NumberEditor::keyTakers() const
+QList<QWidget*> NumberEditor::is() const
 {
     return {m_spin};
 }
@@ -117,13 +118,13 @@ void NumberEditor::selectAll()
 base::Result<std::int64_t> NumberEditor::parse() const
 {
     static const QRegularExpression bare(QStringLiteral("^\\s*[-+−]?\\d+(\\.\\d+)?\\s*$"));
-    QString text = typed();
+    QString text = inputText();
     if (inUnit(context()) && bare.match(text).hasMatch())
         text += context().meaning.unit;
     return catalog::parseValue(text, *context().reg, context().meaning);
 }
 
-std::int64_t NumberEditor::stepped(int steps) const
+std::int64_t NumberEditor::valueAfterSteps(int steps) const
 {
     const auto range = allowed(context());
     const auto typedNow = parse();
@@ -141,11 +142,11 @@ void NumberEditor::contextChanged()
 
 void NumberEditor::retranslate()
 {
-    const QString range = rangeWord(*context().reg, context().meaning, inUnit(context()));
+    const QString range = rangeText(*context().reg, context().meaning, inUnit(context()));
     m_spin->setAccessibleName(accessibleName());
     const QString what =
         inUnit(context()) ? tr("%1, in %2").arg(range, context().meaning.unit) : range;
-    m_spin->setToolTip(tr("%1. %2").arg(what, keysHelp()));
+    m_spin->setToolTip(tr("%1. %2").arg(what, keyHint()));
 }
 
 void NumberEditor::changeEvent(QEvent* event)

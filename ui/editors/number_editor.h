@@ -18,15 +18,15 @@ public:
     NumberEditor(const EditContext& context, QWidget* parent);
 
     void setRaw(std::optional<std::int64_t> raw) override;
-    QString typed() const override;
-    QList<QWidget*> keyTakers() const override;
+    QString inputText() const override;
+    QList<QWidget*> is() const override;
     void selectAll() override;
 
     /// As if the user had typed it.
-    void type(std::int64_t raw);
+    void enterValue(std::int64_t raw);
 
     /// The raw number that many steps away, inside the range.
-    std::int64_t stepped(int steps) const;
+    std::int64_t valueAfterSteps(int steps) const;
 
 protected:
     base::Result<std::int64_t> parse() const override;

@@ -14,7 +14,7 @@
 namespace ui {
 namespace {
 /// The row behind an index of the view, which sees the table through a filter.
-const MemoryRow* rowBehind(const QModelIndex& index)
+const MemoryRow* rowForIndex(const QModelIndex& index)
 {
     QModelIndex source = index;
     const QAbstractItemModel* model = index.model();
@@ -26,7 +26,7 @@ const MemoryRow* rowBehind(const QModelIndex& index)
     return memory != nullptr && source.isValid() ? &memory->row(source.row()) : nullptr;
 }
 
-bool quietColumn(MemoryColumn column)
+bool isSecondaryColumn(MemoryColumn column)
 {
     return column != MemoryColumn::Address && column != MemoryColumn::Name &&
            column != MemoryColumn::Value;
@@ -36,14 +36,14 @@ std::optional<Tone> toneOf(const MemoryRow& row, MemoryColumn column)
 {
     if (column == MemoryColumn::State)
         return stateTone(row.state);
-    if (column == MemoryColumn::Access && row.writable && row.reg->dangerous)
+    if (column == MemoryColumn::Access && row.isWritable && row.reg->dangerous)
         return Tone::Warn;
-    if (column == MemoryColumn::Value && (row.stale || !row.raw))
+    if (column == MemoryColumn::Value && (row.isStale || !row.raw))
         return Tone::Quiet;
-    return quietColumn(column) ? std::optional(Tone::Quiet) : std::nullopt;
+    return isSecondaryColumn(column) ? std::optional(Tone::Quiet) : std::nullopt;
 }
 
-QColor selectionColour(const QPalette& palette)
+QColor selectionColor(const QPalette& palette)
 {
     constexpr float share = 0.18F;
     const QColor base = palette.color(QPalette::Base);
@@ -53,7 +53,7 @@ QColor selectionColour(const QPalette& palette)
                             mix(base.blueF(), strong.blueF()));
 }
 
-RegisterEditor* editorAround(QObject* object)
+RegisterEditor* editorOf(QObject* object)
 {
     for (; object != nullptr; object = object->parent()) {
         if (auto* editor = qobject_cast<RegisterEditor*>(object))
@@ -66,18 +66,18 @@ RegisterEditor* editorAround(QObject* object)
 void RegisterDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const
 {
     QStyledItemDelegate::initStyleOption(option, index);
-    const MemoryRow* row = rowBehind(index);
+    const MemoryRow* row = rowForIndex(index);
     if (row == nullptr)
         return;
-    QPalette& colours = option->palette;
+    QPalette& colors = option->palette;
     const auto tone = toneOf(*row, memoryColumn(index));
-    const QColor text = tone ? ui::tone(*tone, colours) : colours.color(QPalette::Text);
-    colours.setColor(QPalette::Text, text);
+    const QColor text = tone ? ui::tone(*tone, colors) : colors.color(QPalette::Text);
+    colors.setColor(QPalette::Text, text);
     // A pale selection, so that the tones can be told apart on it as well.
-    const QColor pale = selectionColour(colours);
+    const QColor selection = selectionColor(colors);
     for (const auto group : {QPalette::Active, QPalette::Inactive}) {
-        colours.setColor(group, QPalette::Highlight, pale);
-        colours.setColor(group, QPalette::HighlightedText, text);
+        colors.setColor(group, QPalette::Highlight, selection);
+        colors.setColor(group, QPalette::HighlightedText, text);
     }
     // Space between a number and the column that begins behind it.
     if ((option->displayAlignment & Qt::AlignRight) != 0)
@@ -94,7 +94,7 @@ QSize RegisterDelegate::sizeHint(const QStyleOptionViewItem& option, const QMode
 QWidget* RegisterDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
                                         const QModelIndex& index) const
 {
-    const MemoryRow* row = rowBehind(index);
+    const MemoryRow* row = rowForIndex(index);
     if (row == nullptr)
         return nullptr;
     EditContext context{row->reg, row->meaning, row->raw,
@@ -102,13 +102,13 @@ QWidget* RegisterDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
     RegisterEditor* editor = makeRegisterEditor(context, parent);
     editor->setObjectName(QStringLiteral("cellEditor"));
     auto* self = const_cast<RegisterDelegate*>(this);
-    for (QWidget* taker : editor->keyTakers())
-        taker->installEventFilter(self);
-    connect(editor, &RegisterEditor::edited, this, [self, editor] {
-        const bool begun = editor->typed().trimmed().isEmpty();
-        self->showMessage(editor, begun ? QString() : editor->complaint());
+    for (QWidget* inputWidget : editor->is())
+        inputWidget->installEventFilter(self);
+    connect(editor, &RegisterEditor::userEdited, this, [self, editor] {
+        const bool isBlank = editor->inputText().trimmed().isEmpty();
+        self->showMessage(editor, isBlank ? QString() : editor->inputError());
     });
-    connect(editor, &RegisterEditor::chosen, self, [self, editor] { self->finish(editor); });
+    connect(editor, &RegisterEditor::valueChosen, self, [self, editor] { self->finish(editor); });
     m_editor = editor;
     return editor;
 }
@@ -116,12 +116,12 @@ QWidget* RegisterDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
 void RegisterDelegate::setEditorData(QWidget* widget, const QModelIndex& index) const
 {
     auto* editor = qobject_cast<RegisterEditor*>(widget);
-    const MemoryRow* row = rowBehind(index);
+    const MemoryRow* row = rowForIndex(index);
     // A live reading must not take away what is being typed.
-    if (editor == nullptr || row == nullptr || editor->touched() ||
+    if (editor == nullptr || row == nullptr || editor->isModified() ||
         editor->property("filled").toBool())
         return;
-    editor->setRaw(row->editable());
+    editor->setRaw(row->editValue());
     editor->selectAll();
     editor->setProperty("filled", true);
 }
@@ -131,11 +131,11 @@ void RegisterDelegate::setModelData(QWidget* widget, QAbstractItemModel* model,
 {
     auto* editor = qobject_cast<RegisterEditor*>(widget);
     const auto raw = editor != nullptr ? editor->value() : base::Result<std::int64_t>();
-    if (editor != nullptr && editor->touched() && raw)
+    if (editor != nullptr && editor->isModified() && raw)
         model->setData(index, static_cast<qlonglong>(*raw), Qt::EditRole);
 }
 
-/// A bit field needs more room than its cell: it stands above the neighbours, inside the table.
+/// A bit field needs more room than its cell: it stands above the neighbors, inside the table.
 void RegisterDelegate::updateEditorGeometry(QWidget* widget, const QStyleOptionViewItem& option,
                                             const QModelIndex&) const
 {
@@ -143,22 +143,22 @@ void RegisterDelegate::updateEditorGeometry(QWidget* widget, const QStyleOptionV
     if (editor == nullptr)
         return;
     QRect place = option.rect;
-    const QSize wanted = editor->sizeHint();
+    const QSize preferred = editor->sizeHint();
     const QRect room = editor->parentWidget()->rect();
     const bool bits = qobject_cast<BitsEditor*>(editor) != nullptr;
-    place.setWidth(std::max(place.width(), wanted.width()));
-    place.setHeight(bits ? wanted.height() : std::max(place.height(), 0));
+    place.setWidth(std::max(place.width(), preferred.width()));
+    place.setHeight(bits ? preferred.height() : std::max(place.height(), 0));
     place.moveLeft(std::max(0, std::min(place.left(), room.width() - place.width())));
     if (bits)
         place.moveBottom(std::max(std::min(place.bottom(), room.bottom()), place.height() - 1));
     editor->setGeometry(place);
     editor->raise();
-    placeMessage(editor);
+    positionMessage(editor);
 }
 
 bool RegisterDelegate::eventFilter(QObject* object, QEvent* event)
 {
-    RegisterEditor* editor = editorAround(object);
+    RegisterEditor* editor = editorOf(object);
     if (editor == nullptr || editor != m_editor)
         return false;
     switch (event->type()) {
@@ -173,8 +173,8 @@ bool RegisterDelegate::eventFilter(QObject* object, QEvent* event)
     case QEvent::FocusOut: {
         const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
         if (reason != Qt::PopupFocusReason && reason != Qt::ActiveWindowFocusReason &&
-            editorAround(QApplication::focusWidget()) != editor)
-            leave(editor);
+            editorOf(QApplication::focusWidget()) != editor)
+            discard(editor);
         return false;
     }
     default:
@@ -207,10 +207,10 @@ bool RegisterDelegate::keyPressed(RegisterEditor* editor, int key)
 
 void RegisterDelegate::finish(RegisterEditor* editor)
 {
-    if (editor->touched()) {
-        const QString complaint = editor->complaint();
-        showMessage(editor, complaint);
-        if (!complaint.isEmpty())
+    if (editor->isModified()) {
+        const QString inputError = editor->inputError();
+        showMessage(editor, inputError);
+        if (!inputError.isEmpty())
             return;
         Q_EMIT commitData(editor);
     }
@@ -219,16 +219,16 @@ void RegisterDelegate::finish(RegisterEditor* editor)
     Q_EMIT closeEditor(editor, NoHint);
 }
 
-void RegisterDelegate::leave(RegisterEditor* editor)
+void RegisterDelegate::discard(RegisterEditor* editor)
 {
     showMessage(editor, {});
     m_editor = nullptr;
-    const QString complaint = editor->touched() ? editor->complaint() : QString();
-    if (editor->touched())
-        Q_EMIT leftUnwritten(
-            complaint.isEmpty()
-                ? tr("“%1” was not written: the cell was left without Enter.").arg(editor->typed())
-                : complaint);
+    const QString inputError = editor->isModified() ? editor->inputError() : QString();
+    if (editor->isModified())
+        Q_EMIT editorLeft(inputError.isEmpty()
+                              ? tr("“%1” was not written: the cell was left without Enter.")
+                                    .arg(editor->inputText())
+                              : inputError);
     Q_EMIT closeEditor(editor, RevertModelCache);
 }
 
@@ -249,24 +249,24 @@ void RegisterDelegate::showMessage(RegisterEditor* editor, const QString& words)
         // It goes with the editor, however that ends.
         connect(editor, &QObject::destroyed, m_message, &QObject::deleteLater);
     }
-    QPalette colours = editor->palette();
-    colours.setColor(QPalette::WindowText, ui::tone(Tone::Bad, colours));
-    m_message->setPalette(colours);
+    QPalette colors = editor->palette();
+    colors.setColor(QPalette::WindowText, ui::tone(Tone::Bad, colors));
+    m_message->setPalette(colors);
     m_message->setText(QStringLiteral("✗ ") + words);
     m_message->setAccessibleName(words);
-    placeMessage(editor);
+    positionMessage(editor);
     m_message->show();
     m_message->raise();
 }
 
-void RegisterDelegate::placeMessage(RegisterEditor* editor) const
+void RegisterDelegate::positionMessage(RegisterEditor* editor) const
 {
     if (m_message == nullptr)
         return;
-    constexpr int widest = 380;
+    constexpr int maxWidth = 380;
     const QRect room = editor->parentWidget()->rect();
     const QRect at = editor->geometry();
-    const int width = std::min(widest, room.width());
+    const int width = std::min(maxWidth, room.width());
     const int height = m_message->heightForWidth(width);
     const int left = std::clamp(at.right() - width + 1, 0, std::max(0, room.width() - width));
     const bool below = at.bottom() + height <= room.bottom();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws the cells of the memory table in their colours and opens the editor a register needs.
+// Draws the cells of the memory table in their colors and opens the editor a register needs.
 // Enter writes, Esc cancels; a value that cannot be written keeps the editor open, with the reason
 // beside it; leaving the cell in any other way writes nothing and says so. Owned by the page; main
 // thread.
@@ -33,7 +33,7 @@ public:
     RegisterEditor* openEditor() const { return m_editor; } ///< null: none
 
 Q_SIGNALS:
-    void leftUnwritten(const QString& reason); ///< the editor was left without Enter
+    void editorLeft(const QString& reason); ///< the editor was left without Enter
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
@@ -42,9 +42,9 @@ protected:
 private:
     bool keyPressed(RegisterEditor* editor, int key);
     void finish(RegisterEditor* editor);
-    void leave(RegisterEditor* editor);
-    void placeMessage(RegisterEditor* editor) const;
-    void showMessage(RegisterEditor* editor, const QString& words) const;
+    void discard(RegisterEditor* editor);
+    void positionMessage(RegisterEditor* editor) const;
+    void showMessage(RegisterEditor* editor, const QString& message) const;
 
     mutable QPointer<RegisterEditor> m_editor;
     mutable QPointer<QLabel> m_message;

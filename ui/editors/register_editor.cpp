@@ -14,19 +14,19 @@ RegisterEditor::RegisterEditor(EditContext context, QWidget* parent)
     : QWidget(parent)
     , m_context(std::move(context))
 {
-    setAccessibleName(m_context.meaning.name.in(text::inChinese()));
+    setAccessibleName(m_context.meaning.name.in(text::isUiChinese()));
 }
 
 void RegisterEditor::setContext(const EditContext& context)
 {
     m_context = context;
-    setAccessibleName(m_context.meaning.name.in(text::inChinese()));
+    setAccessibleName(m_context.meaning.name.in(text::isUiChinese()));
     contextChanged();
 }
 
 base::Result<std::int64_t> RegisterEditor::parse() const
 {
-    return catalog::parseValue(typed(), *m_context.reg, m_context.meaning);
+    return catalog::parseValue(inputText(), *m_context.reg, m_context.meaning);
 }
 
 base::Result<std::int64_t> RegisterEditor::value() const
@@ -35,33 +35,33 @@ base::Result<std::int64_t> RegisterEditor::value() const
     if (!raw)
         return raw;
     const auto allowed =
-        catalog::checkNewValue(*raw, *m_context.reg, m_context.meaning, m_context.present);
+        catalog::checkNewValue(*raw, *m_context.reg, m_context.meaning, m_context.currentRaw);
     if (!allowed)
         return tl::unexpected(allowed.error());
     return raw;
 }
 
-QString RegisterEditor::complaint() const
+QString RegisterEditor::inputError() const
 {
     const auto raw = value();
     return raw ? QString()
-               : complaintWords(raw.error(), typed(), *m_context.reg, m_context.meaning);
+               : inputErrorText(raw.error(), inputText(), *m_context.reg, m_context.meaning);
 }
 
-void RegisterEditor::userEdited()
+void RegisterEditor::markModified()
 {
-    m_touched = true;
-    Q_EMIT edited();
+    m_modified = true;
+    Q_EMIT userEdited();
 }
 
 /// ui::StopKey leaves only the editors of cells their Esc.
-QString RegisterEditor::keysHelp() const
+QString RegisterEditor::keyHint() const
 {
     if (m_context.inCell)
         return tr("Enter writes, Esc cancels.");
     const QString stops =
         tr("Esc takes torque off the whole bus and shows the present value again.");
-    return m_context.enterSends ? tr("Enter sends it.") + QLatin1Char(' ') + stops : stops;
+    return m_context.ownerHandlesEnter ? tr("Enter sends it.") + QLatin1Char(' ') + stops : stops;
 }
 
 RegisterEditor* makeRegisterEditor(const EditContext& context, QWidget* parent)

@@ -12,11 +12,11 @@
 namespace ui {
 struct EditContext {
     const catalog::Register* reg = nullptr; ///< outlives the editor
-    catalog::Meaning meaning;
-    std::optional<std::int64_t> present; ///< as read: may always be written back
-    bool physical = false;               ///< numbers in their unit
-    bool inCell = false;                 ///< small, framed, above its neighbours
-    bool enterSends = false;             ///< outside a cell: whoever owns it takes Enter
+    catalog::ValueFormat meaning;
+    std::optional<std::int64_t> currentRaw; ///< as read: may always be written back
+    bool inPhysicalUnit = false;            ///< numbers in their unit
+    bool inCell = false;                    ///< small, framed, above its neighbors
+    bool ownerHandlesEnter = false;         ///< outside a cell: whoever owns it takes Enter
 };
 
 class RegisterEditor : public QWidget {
@@ -31,31 +31,31 @@ public:
 
     /// Nullopt: nothing is known, the editor starts empty. Not a change by the user.
     virtual void setRaw(std::optional<std::int64_t> raw) = 0;
-    virtual QString typed() const = 0;
+    virtual QString inputText() const = 0;
     /// BadArgument, ReadOnly, OutOfRange.
     base::Result<std::int64_t> value() const;
     /// Why value() fails, in words; empty when all is well.
-    QString complaint() const;
-    bool touched() const { return m_touched; } ///< by the user, since setRaw()
+    QString inputError() const;
+    bool isModified() const { return m_modified; } ///< by the user, since setRaw()
 
     /// The widgets that take keys, for the delegate's event filter.
-    virtual QList<QWidget*> keyTakers() const = 0;
+    virtual QList<QWidget*> is() const = 0;
     virtual void selectAll() {}
 
 Q_SIGNALS:
-    void edited(); ///< by the user
-    void chosen(); ///< picked from a list: there is nothing more to say
+    void userEdited();  ///< by the user
+    void valueChosen(); ///< picked from a list: there is nothing more to say
 
 protected:
     virtual base::Result<std::int64_t> parse() const;
     virtual void contextChanged() {}
-    QString keysHelp() const; ///< what Enter and Esc do here
-    void userEdited();
-    void untouched() { m_touched = false; }
+    QString keyHint() const; ///< what Enter and Esc do here
+    void markModified();
+    void clearModified() { m_modified = false; }
 
 private:
     EditContext m_context;
-    bool m_touched = false;
+    bool m_modified = false;
 };
 
 RegisterEditor* makeRegisterEditor(const EditContext& context, QWidget* parent);

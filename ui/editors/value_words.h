@@ -8,6 +8,6 @@
 
 namespace ui {
 /// Three short sentences. `typed` is shown back, shortened if it is long.
-QString complaintWords(const base::Error& error, const QString& typed, const catalog::Register& reg,
-                       const catalog::Meaning& meaning);
+QString inputErrorText(const base::Error& error, const QString& inputText,
+                       const catalog::Register& reg, const catalog::ValueFormat& meaning);
 } // namespace ui

@@ -18,13 +18,13 @@ Tone toneOf(record::CommissionVerdict verdict)
         return Tone::Warn;
     case record::CommissionVerdict::Failed:
         return Tone::Bad;
-    case record::CommissionVerdict::Aside:
+    case record::CommissionVerdict::Skipped:
         break;
     }
     return Tone::Quiet;
 }
 
-QString place(int id, int baud)
+QString idAndRateText(int id, int baud)
 {
     return id < 0 ? QStringLiteral("–")
                   : QStringLiteral("%1 · %2").arg(id).arg(record::rateLabel(baud));
@@ -47,17 +47,17 @@ void CommissionModel::show(const record::CommissionBatch& batch)
 
 void CommissionModel::retranslate()
 {
-    Q_EMIT headerDataChanged(Qt::Horizontal, 0, Columns - 1);
+    Q_EMIT headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
     if (!m_rows.empty())
-        Q_EMIT dataChanged(index(0, 0), index(int(m_rows.size()) - 1, Columns - 1));
+        Q_EMIT dataChanged(index(0, 0), index(int(m_rows.size()) - 1, ColumnCount - 1));
 }
 
 QStringList CommissionModel::labels(const QList<int>& rows) const
 {
     QStringList found;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        const bool wanted = rows.isEmpty() || rows.contains(int(i));
-        if (wanted && !m_rows[i].label.isEmpty())
+        const bool isSelected = rows.isEmpty() || rows.contains(int(i));
+        if (isSelected && !m_rows[i].label.isEmpty())
             found.append(m_rows[i].label);
     }
     return found;
@@ -70,37 +70,37 @@ int CommissionModel::rowCount(const QModelIndex& parent) const
 
 int CommissionModel::columnCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : int(Columns);
+    return parent.isValid() ? 0 : int(ColumnCount);
 }
 
 QString CommissionModel::text(const record::CommissionRow& row, int column) const
 {
-    const bool chinese = text::inChinese();
+    const bool chinese = text::isUiChinese();
     switch (column) {
     case Verdict:
         return report::commissionVerdictSign(row.verdict) + QLatin1Char(' ') +
-               report::commissionVerdictWords(row.verdict).in(chinese);
+               report::commissionVerdictText(row.verdict).in(chinese);
     case Label:
         return row.label;
     case Model:
         return row.servo.model;
-    case Was:
-        return place(row.servo.id, row.oldBaud);
-    case Now:
-        return place(row.newId, row.newBaud);
+    case Before:
+        return idAndRateText(row.servo.id, row.oldBaud);
+    case After:
+        return idAndRateText(row.newId, row.newBaud);
     case Written:
         return row.templateName.isEmpty() ? QStringLiteral("–") : QString::number(row.written);
-    case Volts:
+    case Voltage:
         return row.volts ? QStringLiteral("%1 V").arg(*row.volts, 0, 'f', 1) : QStringLiteral("–");
     default:
-        return report::commissionTroublesWords(row.troubles).in(chinese);
+        return report::commissionIssuesText(row.issues).in(chinese);
     }
 }
 
 QString CommissionModel::tip(const record::CommissionRow& row) const
 {
     QStringList lines{row.label.isEmpty() ? row.servo.model : row.label};
-    if (!row.troubles.empty())
+    if (!row.issues.empty())
         lines.append(text(row, Remarks));
     lines.append(row.snapshot.isEmpty() ? tr("Nothing was written")
                                         : tr("Table saved before the first write: %1")
@@ -133,13 +133,13 @@ QVariant CommissionModel::headerData(int section, Qt::Orientation orientation, i
         return tr("Label");
     case Model:
         return tr("Model");
-    case Was:
+    case Before:
         return tr("Was (ID, rate)");
-    case Now:
+    case After:
         return tr("Is (ID, rate)");
     case Written:
         return tr("Rows written");
-    case Volts:
+    case Voltage:
         return tr("Voltage");
     default:
         return tr("Remarks");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The batch of a commissioning line as a table, the latest servo last: verdict by sign, word and
-// colour, what it was and what it is, label, remarks. Owned by its page; main thread.
+// color, what it was and what it is, label, remarks. Owned by its page; main thread.
 #pragma once
 
 #include "record/commission_batch.h"
@@ -12,7 +12,7 @@ class CommissionModel final : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Verdict, Label, Model, Was, Now, Written, Volts, Remarks, Columns };
+    enum Column { Verdict, Label, Model, Before, After, Written, Voltage, Remarks, ColumnCount };
 
     using QAbstractTableModel::QAbstractTableModel;
 

@@ -12,7 +12,7 @@ using record::CompareRow;
 using record::RowVerdict;
 
 namespace {
-const QString between = QStringLiteral(" · ");
+const QString separator = QStringLiteral(" · ");
 constexpr int valueDigits = 6;
 
 const jobs::RestoreRow* rowOf(const std::optional<jobs::RestorePlan>& plan, const QString& key)
@@ -26,19 +26,19 @@ bool isTemporary(const jobs::RestoreRow* row)
 }
 
 /// The number as this table's own profile words it; its unit may hang on other rows of the table.
-QString formattedIn(const ComparedTable& in, const catalog::Register& reg, std::int64_t raw)
+QString formattedIn(const CompareColumn& in, const catalog::Register& reg, std::int64_t raw)
 {
     const auto lookup = [&](const QString& key) -> std::optional<std::int64_t> {
         const record::SnapshotRegister* other = in.table->find(key);
         return other != nullptr ? other->raw : std::nullopt;
     };
-    return catalog::formatValue(raw, reg, catalog::meaningOf(reg, *in.profile, lookup),
-                                text::inChinese());
+    return catalog::formatValue(raw, reg, catalog::valueFormat(reg, *in.profile, lookup),
+                                text::isUiChinese());
 }
 } // namespace
 
 namespace {
-bool sameRows(const record::SnapshotComparison& one, const record::SnapshotComparison& other)
+bool hasSameRows(const record::SnapshotComparison& one, const record::SnapshotComparison& other)
 {
     return std::equal(one.rows.begin(), one.rows.end(), other.rows.begin(), other.rows.end(),
                       [](const CompareRow& a, const CompareRow& b) {
@@ -48,14 +48,14 @@ bool sameRows(const record::SnapshotComparison& one, const record::SnapshotCompa
 } // namespace
 
 /// Where only numbers have changed, what is selected and in sight stays.
-void CompareModel::show(std::vector<ComparedTable> tables, std::optional<jobs::RestorePlan> plan)
+void CompareModel::show(std::vector<CompareColumn> tables, std::optional<jobs::RestorePlan> plan)
 {
     std::vector<const record::Snapshot*> compared;
-    for (const ComparedTable& one : tables)
+    for (const CompareColumn& one : tables)
         compared.push_back(one.table.get());
     auto found =
         compared.empty() ? record::SnapshotComparison{} : record::compareSnapshots(compared);
-    const bool same = tables.size() == m_tables.size() && sameRows(found, m_found);
+    const bool same = tables.size() == m_tables.size() && hasSameRows(found, m_found);
     if (!same)
         beginResetModel();
     m_tables = std::move(tables);
@@ -65,7 +65,7 @@ void CompareModel::show(std::vector<ComparedTable> tables, std::optional<jobs::R
         retranslate();
     else
         endResetModel();
-    Q_EMIT ticksChanged();
+    Q_EMIT selectedRowsChanged();
 }
 
 void CompareModel::retranslate()
@@ -75,36 +75,36 @@ void CompareModel::retranslate()
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
 }
 
-QStringList CompareModel::neverRestored() const
+QStringList CompareModel::unrestorableRows() const
 {
     QStringList rows;
     for (const CompareRow& row : m_found.rows) {
         const jobs::RestoreRow* planned =
             row.verdict == RowVerdict::Different ? rowOf(m_plan, row.key) : nullptr;
-        if (planned != nullptr && !planned->mayTick)
+        if (planned != nullptr && !planned->isSelectable)
             rows << QStringLiteral("%1: %2").arg(
                 nameOf(row.key),
-                text::restoreReasonWords(jobs::restoreReasonNames(planned->reasons)));
+                text::restoreReasonText(jobs::restoreReasonNames(planned->reasons)));
     }
     return rows;
 }
 
-void CompareModel::tickAll(jobs::RestoreReason reason, bool on)
+void CompareModel::setAllSelected(jobs::RestoreReason reason, bool on)
 {
     if (!m_plan)
         return;
     const std::vector<jobs::RestoreRow> rows = m_plan->rows;
     for (const jobs::RestoreRow& row : rows) {
-        if (row.reasons.testFlag(reason) && row.mayTick)
-            m_plan->tick(row.key, on);
+        if (row.reasons.testFlag(reason) && row.isSelectable)
+            m_plan->setSelected(row.key, on);
     }
     retranslate();
-    Q_EMIT ticksChanged();
+    Q_EMIT selectedRowsChanged();
 }
 
 const catalog::Register* CompareModel::registerOf(const QString& key) const
 {
-    for (const ComparedTable& one : m_tables) {
+    for (const CompareColumn& one : m_tables) {
         if (const catalog::Register* reg = one.profile ? one.profile->find(key) : nullptr)
             return reg;
     }
@@ -114,7 +114,7 @@ const catalog::Register* CompareModel::registerOf(const QString& key) const
 QString CompareModel::nameOf(const QString& key) const
 {
     const catalog::Register* reg = registerOf(key);
-    return reg != nullptr ? reg->name.in(text::inChinese()) : key;
+    return reg != nullptr ? reg->name.in(text::isUiChinese()) : key;
 }
 
 QString CompareModel::formatted(const QString& key, std::int64_t raw) const
@@ -124,7 +124,7 @@ QString CompareModel::formatted(const QString& key, std::int64_t raw) const
         return number;
     const catalog::Register* reg = m_tables.front().profile->find(key);
     const QString words = reg != nullptr ? formattedIn(m_tables.front(), *reg, raw) : number;
-    return words == number ? number : number + between + words;
+    return words == number ? number : number + separator + words;
 }
 
 int CompareModel::rowCount(const QModelIndex& parent) const
@@ -142,7 +142,7 @@ Qt::ItemFlags CompareModel::flags(const QModelIndex& index) const
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
     if (index.isValid() && index.column() == Name && m_plan) {
         const jobs::RestoreRow* row = rowOf(m_plan, m_found.rows[std::size_t(index.row())].key);
-        if (row != nullptr && row->mayTick)
+        if (row != nullptr && row->isSelectable)
             flags |= Qt::ItemIsUserCheckable;
     }
     return flags;
@@ -164,14 +164,14 @@ QString CompareModel::cellText(const CompareRow& row, std::size_t table) const
     if (!cell.raw)
         return {};
     const QString number = QString::number(qint64(*cell.raw));
-    const ComparedTable& in = m_tables[table];
+    const CompareColumn& in = m_tables[table];
     const catalog::Register* reg = in.profile ? in.profile->find(row.key) : nullptr;
     QString words;
     if (reg != nullptr)
         words = formattedIn(in, *reg, *cell.raw);
     else if (cell.value && !cell.unit.isEmpty())
         words = QString::number(*cell.value, 'g', valueDigits) + catalog::unitSuffix(cell.unit);
-    return words.isEmpty() || words == number ? number : number + between + words;
+    return words.isEmpty() || words == number ? number : number + separator + words;
 }
 
 QString CompareModel::stateText(const CompareRow& row) const
@@ -180,14 +180,14 @@ QString CompareModel::stateText(const CompareRow& row) const
         return {}; // nothing to be different from
     const QString verdict = record::verdictName(row.verdict);
     const QString word =
-        text::compareVerdictSign(verdict) + QLatin1Char(' ') + text::compareVerdictWord(verdict);
+        text::compareVerdictSymbol(verdict) + QLatin1Char(' ') + text::compareVerdictText(verdict);
     const jobs::RestoreRow* planned = rowOf(m_plan, row.key);
     if (planned == nullptr || (row.verdict == RowVerdict::Identical && !isTemporary(planned)))
         return word;
     const auto reasons = planned->reasons & ~jobs::RestoreReasons(jobs::RestoreReason::Same) &
                          ~jobs::RestoreReasons(jobs::RestoreReason::ReadOnly);
-    const QString why = text::restoreReasonWords(jobs::restoreReasonNames(reasons));
-    return why.isEmpty() ? word : word + between + why;
+    const QString why = text::restoreReasonText(jobs::restoreReasonNames(reasons));
+    return why.isEmpty() ? word : word + separator + why;
 }
 
 QString CompareModel::tip(const CompareRow& row, int column) const
@@ -196,7 +196,7 @@ QString CompareModel::tip(const CompareRow& row, int column) const
         const QString name = nameOf(row.key);
         const QString title = name == row.key ? name : QStringLiteral("%1 (%2)").arg(name, row.key);
         const catalog::Register* reg = registerOf(row.key);
-        const QString help = reg != nullptr ? reg->help.in(text::inChinese()) : QString();
+        const QString help = reg != nullptr ? reg->help.in(text::isUiChinese()) : QString();
         return help.isEmpty() ? title : title + QLatin1Char('\n') + help;
     }
     if (column == stateColumn()) {
@@ -211,7 +211,7 @@ QString CompareModel::tip(const CompareRow& row, int column) const
     return m_tables[table].title + QStringLiteral(": ") + cellText(row, table);
 }
 
-/// What differs from the first column stands out; colour beside the sign of the last column.
+/// What differs from the first column stands out; color beside the sign of the last column.
 QVariant CompareModel::toneOf(const CompareRow& row, int column) const
 {
     if (row.verdict == RowVerdict::Identical || row.verdict == RowVerdict::ReadOnly)
@@ -229,12 +229,12 @@ QVariant CompareModel::toneOf(const CompareRow& row, int column) const
     return other && row.verdict == RowVerdict::Different ? QVariant(int(Tone::Accent)) : QVariant();
 }
 
-QVariant CompareModel::tick(const CompareRow& row) const
+QVariant CompareModel::checkState(const CompareRow& row) const
 {
     const jobs::RestoreRow* planned = rowOf(m_plan, row.key);
-    if (planned == nullptr || !planned->mayTick)
+    if (planned == nullptr || !planned->isSelectable)
         return {};
-    return planned->ticked ? Qt::Checked : Qt::Unchecked;
+    return planned->selected ? Qt::Checked : Qt::Unchecked;
 }
 
 QVariant CompareModel::data(const QModelIndex& index, int role) const
@@ -250,7 +250,7 @@ QVariant CompareModel::data(const QModelIndex& index, int role) const
                : column == stateColumn() ? stateText(row)
                                          : cellText(row, std::size_t(column - FirstTable));
     case Qt::CheckStateRole:
-        return column == Name ? tick(row) : QVariant();
+        return column == Name ? checkState(row) : QVariant();
     case Qt::ToolTipRole:
         return tip(row, column);
     case Qt::TextAlignmentRole:
@@ -275,10 +275,10 @@ bool CompareModel::setData(const QModelIndex& index, const QVariant& value, int 
     if (!index.isValid() || role != Qt::CheckStateRole || index.column() != Name || !m_plan)
         return false;
     const QString key = m_found.rows[std::size_t(index.row())].key;
-    if (!m_plan->tick(key, value.toInt() == Qt::Checked))
+    if (!m_plan->setSelected(key, value.toInt() == Qt::Checked))
         return false;
     Q_EMIT dataChanged(index, index.siblingAtColumn(stateColumn()));
-    Q_EMIT ticksChanged();
+    Q_EMIT selectedRowsChanged();
     return true;
 }
 
@@ -308,9 +308,9 @@ QString readingText(const jobs::RestoreRow& row)
 
 QString alarmLine(const CompareModel& model, const jobs::RestoreRow& row)
 {
-    const QString limit = model.formatted(row.key, *row.wanted);
+    const QString limit = model.formatted(row.key, *row.newRaw);
     return model.nameOf(row.key) + QStringLiteral(": ") +
-           text::restoreAlarmWords(row.alarm, limit, readingText(row));
+           text::restoreAlarmText(row.alarm, limit, readingText(row));
 }
 
 void CompareFilter::setAll(bool all)

@@ -14,7 +14,7 @@
 
 namespace ui {
 /// One column.
-struct ComparedTable {
+struct CompareColumn {
     QString title{};
     QString tip{};
     std::shared_ptr<const record::Snapshot> table{};
@@ -31,17 +31,17 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void show(std::vector<ComparedTable> tables, std::optional<jobs::RestorePlan> plan);
+    void show(std::vector<CompareColumn> tables, std::optional<jobs::RestorePlan> plan);
     void retranslate();
 
     const record::SnapshotComparison& comparison() const { return m_found; }
-    const std::vector<ComparedTable>& tables() const { return m_tables; }
+    const std::vector<CompareColumn>& tables() const { return m_tables; }
     const std::optional<jobs::RestorePlan>& plan() const { return m_plan; }
     /// Of the rows that differ those the plan can never write, each with its name and the reason;
     /// none without a plan.
-    QStringList neverRestored() const;
+    QStringList unrestorableRows() const;
     /// All rows that may be ticked for this reason, or none of them.
-    void tickAll(jobs::RestoreReason reason, bool on);
+    void setAllSelected(jobs::RestoreReason reason, bool on);
     QString nameOf(const QString& key) const; ///< of a register, in the language of the window
     QString formatted(const QString& key, std::int64_t raw) const; ///< as the servo's own
 
@@ -54,7 +54,7 @@ public:
                         int role = Qt::DisplayRole) const override;
 
 Q_SIGNALS:
-    void ticksChanged();
+    void selectedRowsChanged();
 
 private:
     int stateColumn() const { return FirstTable + int(m_tables.size()); }
@@ -63,9 +63,9 @@ private:
     QString stateText(const record::CompareRow& row) const;
     QString tip(const record::CompareRow& row, int column) const;
     QVariant toneOf(const record::CompareRow& row, int column) const;
-    QVariant tick(const record::CompareRow& row) const;
+    QVariant checkState(const record::CompareRow& row) const;
 
-    std::vector<ComparedTable> m_tables;
+    std::vector<CompareColumn> m_tables;
     record::SnapshotComparison m_found;
     std::optional<jobs::RestorePlan> m_plan;
 };

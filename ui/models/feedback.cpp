@@ -16,28 +16,30 @@ using catalog::Role;
 using text::translate;
 
 namespace {
-struct Known {
-    Measure measure;
+struct QuantityInfo {
+    Quantity measure;
     Role role;
     const char* title; ///< context "Feedback"
     int decimals;
-    bool bothWays;
-    double usual; ///< end of the scale where the servo tells none
+    bool isBipolar;
+    double defaultMax; ///< end of the scale where the servo tells none
 };
-constexpr std::array known{
-    Known{Measure::Voltage, Role::PresentVoltage, QT_TRANSLATE_NOOP("Feedback", "Voltage"), 1,
-          false, 12},
-    Known{Measure::Temperature, Role::PresentTemperature,
-          QT_TRANSLATE_NOOP("Feedback", "Temperature"), 0, false, 100},
-    Known{Measure::Load, Role::PresentLoad, QT_TRANSLATE_NOOP("Feedback", "Load"), 1, true, 100},
-    Known{Measure::Current, Role::PresentCurrent, QT_TRANSLATE_NOOP("Feedback", "Current"), 0, true,
-          1000},
-    Known{Measure::Speed, Role::PresentSpeed, QT_TRANSLATE_NOOP("Feedback", "Speed"), 1, true, 60},
+constexpr std::array quantityTable{
+    QuantityInfo{Quantity::Voltage, Role::PresentVoltage, QT_TRANSLATE_NOOP("Feedback", "Voltage"),
+                 1, false, 12},
+    QuantityInfo{Quantity::Temperature, Role::PresentTemperature,
+                 QT_TRANSLATE_NOOP("Feedback", "Temperature"), 0, false, 100},
+    QuantityInfo{Quantity::Load, Role::PresentLoad, QT_TRANSLATE_NOOP("Feedback", "Load"), 1, true,
+                 100},
+    QuantityInfo{Quantity::Current, Role::PresentCurrent, QT_TRANSLATE_NOOP("Feedback", "Current"),
+                 0, true, 1000},
+    QuantityInfo{Quantity::Speed, Role::PresentSpeed, QT_TRANSLATE_NOOP("Feedback", "Speed"), 1,
+                 true, 60},
 };
 
-const Known& knownOf(Measure measure)
+const QuantityInfo& infoOf(Quantity measure)
 {
-    return known[static_cast<std::size_t>(measure)];
+    return quantityTable[static_cast<std::size_t>(measure)];
 }
 
 std::optional<double> limit(const device::Servo& servo, Role role)
@@ -54,11 +56,11 @@ QString number(double value, int decimals)
 /// The value the table may show, in its unit.
 std::optional<double> shown(const session::ServoEntry& entry, const catalog::Register& reg)
 {
-    const auto raw = entry.shown(reg);
+    const auto raw = entry.displayedRaw(reg);
     return raw ? std::optional(catalog::toPhysical(*raw, entry.servo.meaning(reg))) : std::nullopt;
 }
 
-void setVoltage(const device::Servo& servo, GaugeView& view)
+void setVoltage(const device::Servo& servo, GaugeState& view)
 {
     constexpr double below = 0.6;
     constexpr double above = 1.2;
@@ -67,65 +69,65 @@ void setVoltage(const device::Servo& servo, GaugeView& view)
     view.scale.low = low;
     view.scale.high = high;
     view.scale.min = low ? *low * below : 0;
-    view.scale.max = high ? *high * above : knownOf(Measure::Voltage).usual;
+    view.scale.max = high ? *high * above : infoOf(Quantity::Voltage).defaultMax;
     if (low && high)
-        view.foot = number(*low, 1) + QStringLiteral(" … ") + number(*high, 1);
+        view.caption = number(*low, 1) + QStringLiteral(" … ") + number(*high, 1);
 }
 
-void setTemperature(const device::Servo& servo, GaugeView& view)
+void setTemperature(const device::Servo& servo, GaugeState& view)
 {
     constexpr double above = 1.3;
     const auto high = limit(servo, Role::MaxTemperature);
     view.scale.high = high;
-    view.scale.max = high ? *high * above : knownOf(Measure::Temperature).usual;
+    view.scale.max = high ? *high * above : infoOf(Quantity::Temperature).defaultMax;
     if (high)
-        view.foot = QStringLiteral("≤ ") + number(*high, 0);
+        view.caption = QStringLiteral("≤ ") + number(*high, 0);
 }
 
 /// Above the overload threshold an alarm is near; the torque limit is what the servo gives at most.
-void setLoad(const device::Servo& servo, GaugeView& view)
+void setLoad(const device::Servo& servo, GaugeState& view)
 {
     const auto overload = limit(servo, Role::OverloadTorque);
-    auto most = servo.physical(Role::TorqueLimit);
-    if (!most)
-        most = servo.physical(Role::MaxTorque);
-    view.scale.max = knownOf(Measure::Load).usual;
+    auto maxValue = servo.physical(Role::TorqueLimit);
+    if (!maxValue)
+        maxValue = servo.physical(Role::MaxTorque);
+    view.scale.max = infoOf(Quantity::Load).defaultMax;
     view.scale.min = -view.scale.max;
     view.scale.high = overload;
     QStringList words;
     if (overload)
         words << QStringLiteral("≤ ") + number(*overload, 0);
-    if (most && *most < view.scale.max)
-        words << translate("Feedback", "limit %1", "torque limit in %").arg(number(*most, 0));
-    view.foot = words.join(QStringLiteral(" · "));
+    if (maxValue && *maxValue < view.scale.max)
+        words << translate("Feedback", "limit %1", "torque limit in %").arg(number(*maxValue, 0));
+    view.caption = words.join(QStringLiteral(" · "));
 }
 
-void setCurrent(const device::Servo& servo, GaugeView& view)
+void setCurrent(const device::Servo& servo, GaugeState& view)
 {
     constexpr double above = 1.2;
     const auto high = limit(servo, Role::ProtectionCurrent);
     view.scale.high = high;
-    view.scale.max = high ? *high * above : knownOf(Measure::Current).usual;
+    view.scale.max = high ? *high * above : infoOf(Quantity::Current).defaultMax;
     view.scale.min = -view.scale.max;
     if (high)
-        view.foot = QStringLiteral("≤ ") + number(*high, 0);
+        view.caption = QStringLiteral("≤ ") + number(*high, 0);
 }
 
 /// The scale grows with what is seen, in whole steps, so that it does not follow each value.
-void setSpeed(const session::ServoEntry& entry, GaugeView& view)
+void setSpeed(const session::ServoEntry& entry, GaugeState& view)
 {
     constexpr double step = 30;
-    double top = knownOf(Measure::Speed).usual;
+    double top = infoOf(Quantity::Speed).defaultMax;
     const catalog::Register* fastest = entry.servo.profile->find(QStringLiteral("max_speed_limit"));
-    if (const auto most = fastest != nullptr ? shown(entry, *fastest) : std::nullopt)
-        top = std::max(top, *most);
+    if (const auto maxValue = fastest != nullptr ? shown(entry, *fastest) : std::nullopt)
+        top = std::max(top, *maxValue);
     if (view.value)
         top = std::max(top, std::ceil(std::abs(*view.value) / step) * step);
     view.scale.max = top;
     view.scale.min = -top;
-    view.foot = view.value && *view.value != 0
-                    ? (*view.value > 0 ? QStringLiteral("↻") : QStringLiteral("↺"))
-                    : QString();
+    view.caption = view.value && *view.value != 0
+                       ? (*view.value > 0 ? QStringLiteral("↻") : QStringLiteral("↺"))
+                       : QString();
 }
 
 QString plainUnit(const QString& unit)
@@ -145,40 +147,42 @@ void addKeys(const device::Servo& servo, std::initializer_list<Role> roles, QStr
 
 bool isFresh(const session::ServoEntry& entry, const session::Desk& desk)
 {
-    return !entry.silent && !entry.link.lost() && desk.state() == session::LinkState::Open &&
+    return !entry.silent && !entry.linkMonitor.isLost() &&
+           desk.state() == session::LinkState::Open &&
            desk.now() - entry.lastSeen <= session::maxReadingAge;
 }
 
-GaugeView gaugeView(const session::ServoEntry& entry, Measure measure)
+GaugeState gaugeState(const session::ServoEntry& entry, Quantity measure)
 {
-    const Known& what = knownOf(measure);
-    GaugeView view;
+    const QuantityInfo& what = infoOf(measure);
+    GaugeState view;
     view.title = translate("Feedback", what.title);
     if (!entry.servo.profile)
         return view;
     const device::Servo& servo = entry.servo;
     const catalog::Register* reg = servo.profile->byRole(what.role);
     if (reg == nullptr || !servo.measures(*reg)) {
-        view.unmeasured = translate("Feedback", "not measured by %1").arg(servo.profile->modelName);
+        view.notMeasuredReason =
+            translate("Feedback", "not measured by %1").arg(servo.profile->modelName);
         return view;
     }
     view.value = shown(entry, *reg);
     view.scale.decimals = what.decimals;
     view.scale.unit = plainUnit(servo.meaning(*reg).unit);
     switch (measure) {
-    case Measure::Voltage:
+    case Quantity::Voltage:
         setVoltage(servo, view);
         break;
-    case Measure::Temperature:
+    case Quantity::Temperature:
         setTemperature(servo, view);
         break;
-    case Measure::Load:
+    case Quantity::Load:
         setLoad(servo, view);
         break;
-    case Measure::Current:
+    case Quantity::Current:
         setCurrent(servo, view);
         break;
-    case Measure::Speed:
+    case Quantity::Speed:
         setSpeed(entry, view);
         break;
     }
@@ -194,8 +198,8 @@ QStringList feedbackKeys(const device::Servo& servo)
             {Role::PresentPosition, Role::PresentSpeed, Role::PresentLoad, Role::PresentVoltage,
              Role::PresentTemperature, Role::Status, Role::Moving, Role::PresentCurrent},
             keys);
-    const bool tellsGoal = servo.profile->byRole(Role::ActiveGoal) != nullptr;
-    addKeys(servo, {tellsGoal ? Role::ActiveGoal : Role::GoalPosition}, keys);
+    const bool reportsGoal = servo.profile->byRole(Role::ActiveGoal) != nullptr;
+    addKeys(servo, {reportsGoal ? Role::ActiveGoal : Role::GoalPosition}, keys);
     return keys;
 }
 
@@ -213,9 +217,9 @@ QStringList settingKeys(const device::Servo& servo)
     return keys;
 }
 
-DialView dialView(const session::ServoEntry& entry, bool fresh)
+DialState dialState(const session::ServoEntry& entry, bool fresh)
 {
-    DialView view;
+    DialState view;
     const device::Servo& servo = entry.servo;
     if (!servo.profile)
         return view;
@@ -224,33 +228,33 @@ DialView dialView(const session::ServoEntry& entry, bool fresh)
         double(std::max<std::int64_t>(1, servo.raw(Role::AngleResolution).value_or(1)));
     view.stepsPerTurn = profile.stepsPerTurn / factor; // of a goal
     view.rangeDegrees = profile.angleRangeDeg.value_or(360);
-    view.old = !fresh;
+    view.isStale = !fresh;
     const catalog::Mode* mode = servo.mode();
     const bool drivesPosition = mode != nullptr && mode->command == Role::GoalPosition;
     const bool steps = mode != nullptr && mode->key == QLatin1StringView("step");
     const catalog::Register* present = profile.byRole(Role::PresentPosition);
-    const auto raw = present != nullptr ? entry.shown(*present) : std::nullopt;
+    const auto raw = present != nullptr ? entry.displayedRaw(*present) : std::nullopt;
     if (raw) {
         // Feedback comes in single steps, goals in steps of the resolution factor.
         view.position = double(*raw) / factor;
-        const catalog::Meaning meaning = servo.meaning(*present);
+        const catalog::ValueFormat meaning = servo.meaning(*present);
         view.value = withUnit(catalog::toPhysical(*raw, meaning), meaning.unit, 1);
-        view.below = QLocale::c().toString(qlonglong(*raw));
+        view.subtitle = QLocale::c().toString(qlonglong(*raw));
     } else {
         view.value = QStringLiteral("—");
-        view.below = translate("Feedback", "not read");
+        view.subtitle = translate("Feedback", "not read");
     }
     if (steps) { // 56 is what is left of the step: no place on the dial
         view.position.reset();
-        view.turns = translate("Feedback", "left to go");
+        view.turnsText = translate("Feedback", "left to go");
     }
     const catalog::Register* goal = profile.byRole(
         profile.byRole(Role::ActiveGoal) != nullptr ? Role::ActiveGoal : Role::GoalPosition);
-    const auto goalRaw = goal != nullptr ? entry.shown(*goal) : std::nullopt;
+    const auto goalRaw = goal != nullptr ? entry.displayedRaw(*goal) : std::nullopt;
     if (!drivesPosition || steps || !goalRaw)
         return view;
     view.goal = double(*goalRaw);
-    view.below += QStringLiteral(" → ") + QLocale::c().toString(qlonglong(*goalRaw));
+    view.subtitle += QStringLiteral(" → ") + QLocale::c().toString(qlonglong(*goalRaw));
     if (const auto range = device::goalRange(servo); range && !mode->limitsZero) {
         view.minGoal = range->min;
         view.maxGoal = range->max;
@@ -258,7 +262,7 @@ DialView dialView(const session::ServoEntry& entry, bool fresh)
     return view;
 }
 
-QString faultWord(const QString& key)
+QString faultText(const QString& key)
 {
     struct Word {
         const char* key;

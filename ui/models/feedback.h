@@ -12,31 +12,31 @@
 #include <array>
 
 namespace ui {
-enum class Measure : std::uint8_t { Voltage, Temperature, Load, Current, Speed };
-inline constexpr std::array allMeasures{Measure::Voltage, Measure::Temperature, Measure::Load,
-                                        Measure::Current, Measure::Speed};
+enum class Quantity : std::uint8_t { Voltage, Temperature, Load, Current, Speed };
+inline constexpr std::array allQuantities{Quantity::Voltage, Quantity::Temperature, Quantity::Load,
+                                          Quantity::Current, Quantity::Speed};
 
-struct GaugeView {
+struct GaugeState {
     QString title;
     GaugeScale scale;
     std::optional<double> value; ///< none: not read
-    QString foot;
-    QString unmeasured; ///< why there is no such measurement; empty: there is
+    QString caption;
+    QString notMeasuredReason; ///< why there is no such measurement; empty: there is
 };
-GaugeView gaugeView(const session::ServoEntry& entry, Measure measure);
+GaugeState gaugeState(const session::ServoEntry& entry, Quantity measure);
 
 /// The registers the page reads of a servo as fast as it can, and those it looks at now and then.
 QStringList feedbackKeys(const device::Servo& servo);
 QStringList settingKeys(const device::Servo& servo);
 
 /// Without turns in words and without leave to move the goal: whoever drives adds them.
-DialView dialView(const session::ServoEntry& entry, bool fresh);
+DialState dialState(const session::ServoEntry& entry, bool fresh);
 
 /// It answers, the port is open and the last answer is recent: what is shown is so now.
 bool isFresh(const session::ServoEntry& entry, const session::Desk& desk);
 
 /// "过温": what a fault bit is called beside its light. `key` as the catalog names the bit.
-QString faultWord(const QString& key);
+QString faultText(const QString& key);
 
 /// "12.3°", "30 rpm": a number with its unit, for labels.
 QString withUnit(double value, const QString& unit, int decimals);

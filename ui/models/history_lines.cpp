@@ -14,9 +14,9 @@ using record::HistoryKind;
 using text::translate;
 
 namespace {
-const QString dot = QStringLiteral(" · ");
+const QString separator = QStringLiteral(" · ");
 
-QString when(const QDateTime& at)
+QString timeText(const QDateTime& at)
 {
     return at.isValid() ? at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"))
                         : QString();
@@ -25,15 +25,15 @@ QString when(const QDateTime& at)
 QString who(const QString& model, int id, const QString& label)
 {
     const QString name = QStringLiteral("%1 · ID %2").arg(model).arg(id);
-    return label.isEmpty() ? name : name + dot + label;
+    return label.isEmpty() ? name : name + separator + label;
 }
 
-QString snapshotWord(record::SnapshotReason reason)
+QString snapshotText(record::SnapshotReason reason)
 {
     switch (reason) {
     case record::SnapshotReason::Automatic:
         return translate("History", "before a change");
-    case record::SnapshotReason::Asked:
+    case record::SnapshotReason::Manual:
         return translate("History", "taken");
     case record::SnapshotReason::Bundle:
         return translate("History", "with all servos");
@@ -44,9 +44,9 @@ QString snapshotWord(record::SnapshotReason reason)
 }
 
 /// Header and cell, line by line.
-QString tipOf(HistoryKind kind, const QStringList& cells, const QStringList& more)
+QString toolTipOf(HistoryKind kind, const QStringList& cells, const QStringList& more)
 {
-    const QStringList headers = HistoryWords::headers(kind);
+    const QStringList headers = HistoryFormatter::headers(kind);
     QStringList lines;
     for (int i = 0; i < int(cells.size()); ++i) {
         if (!cells[i].isEmpty())
@@ -60,7 +60,7 @@ QString tipOf(HistoryKind kind, const QStringList& cells, const QStringList& mor
 }
 } // namespace
 
-QString HistoryWords::kindName(HistoryKind kind)
+QString HistoryFormatter::kindName(HistoryKind kind)
 {
     switch (kind) {
     case HistoryKind::Writes:
@@ -79,7 +79,7 @@ QString HistoryWords::kindName(HistoryKind kind)
     return {};
 }
 
-QStringList HistoryWords::headers(HistoryKind kind)
+QStringList HistoryFormatter::headers(HistoryKind kind)
 {
     const QString time = translate("History", "Time");
     const QString servo = translate("History", "Servo");
@@ -122,7 +122,7 @@ QStringList HistoryWords::headers(HistoryKind kind)
     return {};
 }
 
-int HistoryWords::toneColumn(HistoryKind kind)
+int HistoryFormatter::toneColumn(HistoryKind kind)
 {
     return kind == HistoryKind::Writes   ? 5
            : kind == HistoryKind::Runs   ? 3
@@ -130,30 +130,30 @@ int HistoryWords::toneColumn(HistoryKind kind)
                                          : -1;
 }
 
-QString HistoryWords::servoTitle(const record::HistoryServo& servo)
+QString HistoryFormatter::servoTitle(const record::HistoryServo& servo)
 {
-    return who(servo.who.model, servo.who.id, servo.label);
+    return who(servo.identity.model, servo.identity.id, servo.label);
 }
 
-HistoryLine HistoryWords::line(const record::HistoryWrite& row) const
+HistoryLine HistoryFormatter::formatLine(const record::HistoryWrite& row) const
 {
-    const bool good = row.good();
-    const bool chinese = text::inChinese();
+    const bool isGood = row.isGood();
+    const bool chinese = text::isUiChinese();
     const auto value = [&](std::int64_t raw) { return m_profiles.valueText(row, raw, chinese); };
-    const QString sign = good                    ? QStringLiteral("✔ ")
+    const QString sign = isGood                  ? QStringLiteral("✔ ")
                          : row.outcome.isEmpty() ? QStringLiteral("⚠ ")
                                                  : QStringLiteral("✘ ");
     HistoryLine line{row.number, row.servo, row.at};
-    line.cells = {when(row.at),
+    line.cells = {timeText(row.at),
                   who(row.model, row.servoId, row.label),
                   m_profiles.registerName(row, chinese),
                   value(row.oldRaw),
                   row.newRaw ? value(*row.newRaw) : QStringLiteral("–"),
-                  sign + text::writeOutcomeWord(row.outcome),
-                  text::intentWord(row.kind, row.temporary, row.ownDefaults),
+                  sign + text::writeOutcomeLabel(row.outcome),
+                  text::intentLabel(row.kind, row.temporary, row.ownDefaults),
                   row.port};
-    line.tone = good ? Tone::Good : row.outcome.isEmpty() ? Tone::Warn : Tone::Bad;
-    line.tip = tipOf(
+    line.tone = isGood ? Tone::Good : row.outcome.isEmpty() ? Tone::Warn : Tone::Bad;
+    line.tip = toolTipOf(
         HistoryKind::Writes, line.cells,
         {QStringLiteral("%1 (%2)").arg(row.key).arg(row.address),
          row.readBack ? translate("History", "read back: %1").arg(value(*row.readBack)) : QString(),
@@ -162,67 +162,73 @@ HistoryLine HistoryWords::line(const record::HistoryWrite& row) const
     return line;
 }
 
-HistoryLine HistoryWords::line(const record::HistorySnapshot& row) const
+HistoryLine HistoryFormatter::formatLine(const record::HistorySnapshot& row) const
 {
     HistoryLine line{row.number, row.servo, row.at};
-    line.cells = {
-        when(row.at), who(row.model, row.servoId, {}), snapshotWord(row.reason),          row.label,
-        row.note,     QString::number(row.registers),  QDir::toNativeSeparators(row.file)};
-    line.tip = tipOf(HistoryKind::Snapshots, line.cells, {row.port, row.program});
+    line.cells = {timeText(row.at),
+                  who(row.model, row.servoId, {}),
+                  snapshotText(row.reason),
+                  row.label,
+                  row.note,
+                  QString::number(row.registers),
+                  QDir::toNativeSeparators(row.file)};
+    line.tip = toolTipOf(HistoryKind::Snapshots, line.cells, {row.port, row.program});
     line.label = row.label;
     line.note = row.note;
     return line;
 }
 
-HistoryLine HistoryWords::line(const record::HistoryAlarm& row) const
+HistoryLine HistoryFormatter::formatLine(const record::HistoryAlarm& row) const
 {
-    const bool gone = row.went.isValid();
+    const bool isCleared = row.clearedAt.isValid();
     HistoryLine line{row.number, row.servo, row.at};
-    line.cells = {when(row.at),
-                  gone ? QStringLiteral("✔ ") + when(row.went)
-                       : QStringLiteral("⚠ ") + translate("History", "not seen to go"),
-                  who(row.model, row.servoId, row.label), text::alarmWord(row.key), row.port};
-    line.tone = gone ? Tone::Good : Tone::Warn;
-    line.tip = tipOf(HistoryKind::Alarms, line.cells,
-                     {row.derived ? translate("History", "worked out from the limits, not reported "
-                                                         "by the servo")
-                                  : QString()});
+    line.cells = {timeText(row.at),
+                  isCleared ? QStringLiteral("✔ ") + timeText(row.clearedAt)
+                            : QStringLiteral("⚠ ") + translate("History", "not seen to go"),
+                  who(row.model, row.servoId, row.label), text::alarmLabel(row.key), row.port};
+    line.tone = isCleared ? Tone::Good : Tone::Warn;
+    line.tip =
+        toolTipOf(HistoryKind::Alarms, line.cells,
+                  {row.derived ? translate("History", "worked out from the limits, not reported "
+                                                      "by the servo")
+                               : QString()});
     line.label = row.label;
     return line;
 }
 
-HistoryLine HistoryWords::line(const record::HistoryRecording& row) const
+HistoryLine HistoryFormatter::formatLine(const record::HistoryRecording& row) const
 {
     QStringList servos;
     for (const record::HistoryRecording::Servo& one : row.servos)
         servos << who(one.model, one.id, one.label);
     const double seconds = std::chrono::duration<double>(row.length).count();
     HistoryLine line{row.number, 0, row.at};
-    line.cells = {when(row.at), servos.join(QStringLiteral(", ")),
+    line.cells = {timeText(row.at), servos.join(QStringLiteral(", ")),
                   QStringLiteral("%1 s").arg(seconds, 0, 'f', 1), QString::number(row.rows),
                   QDir::toNativeSeparators(row.file)};
-    line.tip = tipOf(HistoryKind::Recordings, line.cells, {row.port});
+    line.tip = toolTipOf(HistoryKind::Recordings, line.cells, {row.port});
     return line;
 }
 
-HistoryLine HistoryWords::line(const record::HistoryServo& row) const
+HistoryLine HistoryFormatter::formatLine(const record::HistoryServo& row) const
 {
     HistoryLine line{row.number, row.number, row.lastWrite};
-    line.cells = {who(row.who.model, row.who.id, {}),
-                  QStringLiteral("%1.%2").arg(row.who.firmwareMajor).arg(row.who.firmwareMinor),
-                  row.label, when(row.lastWrite), row.who.port};
-    line.tip = tipOf(HistoryKind::Servos, line.cells, {});
+    line.cells = {
+        who(row.identity.model, row.identity.id, {}),
+        QStringLiteral("%1.%2").arg(row.identity.firmwareMajor).arg(row.identity.firmwareMinor),
+        row.label, timeText(row.lastWrite), row.identity.port};
+    line.tip = toolTipOf(HistoryKind::Servos, line.cells, {});
     line.label = row.label;
     return line;
 }
 
-HistoryLine HistoryWords::line(const record::TestRun& row) const
+HistoryLine HistoryFormatter::formatLine(const record::TestRun& row) const
 {
     QStringList servos;
     for (const record::TestServo& one : row.servos)
         servos << who(one.model, one.id, one.label);
     HistoryLine line{row.number, 0, row.at};
-    line.cells = {when(row.at),
+    line.cells = {timeText(row.at),
                   row.kind == QLatin1StringView("step") ? translate("History", "step response")
                                                         : translate("History", "sweep test"),
                   servos.join(QStringLiteral(", ")),
@@ -230,7 +236,7 @@ HistoryLine HistoryWords::line(const record::TestRun& row) const
                   row.operatorName,
                   row.note};
     line.tone = gradeTone(row.verdict);
-    line.tip = tipOf(HistoryKind::Runs, line.cells, row.files);
+    line.tip = toolTipOf(HistoryKind::Runs, line.cells, row.files);
     line.note = row.note;
     return line;
 }

@@ -20,24 +20,24 @@ struct HistoryLine {
     QString note{};
 };
 
-class HistoryWords {
+class HistoryFormatter {
 public:
-    explicit HistoryWords(const catalog::Catalog& catalog)
+    explicit HistoryFormatter(const catalog::Catalog& catalog)
         : m_profiles(catalog)
     {}
 
-    void know(const std::vector<record::HistoryServo>& servos) { m_profiles.add(servos); }
+    void addServos(const std::vector<record::HistoryServo>& servos) { m_profiles.add(servos); }
     static QStringList headers(record::HistoryKind kind);
     static int toneColumn(record::HistoryKind kind); ///< -1: none
     static QString kindName(record::HistoryKind kind);
     static QString servoTitle(const record::HistoryServo& servo);
 
-    HistoryLine line(const record::HistoryWrite& row) const;
-    HistoryLine line(const record::HistorySnapshot& row) const;
-    HistoryLine line(const record::HistoryAlarm& row) const;
-    HistoryLine line(const record::HistoryRecording& row) const;
-    HistoryLine line(const record::HistoryServo& row) const;
-    HistoryLine line(const record::TestRun& row) const;
+    HistoryLine formatLine(const record::HistoryWrite& row) const;
+    HistoryLine formatLine(const record::HistorySnapshot& row) const;
+    HistoryLine formatLine(const record::HistoryAlarm& row) const;
+    HistoryLine formatLine(const record::HistoryRecording& row) const;
+    HistoryLine formatLine(const record::HistoryServo& row) const;
+    HistoryLine formatLine(const record::TestRun& row) const;
 
 private:
     record::HistoryProfiles m_profiles;

@@ -9,7 +9,7 @@
 namespace ui {
 namespace {
 /// How it ended, as a sign; the tool tip has the words.
-QString endSign(const QString& end, bool temporary)
+QString outcomeSymbol(const QString& end, bool temporary)
 {
     if (end == QLatin1String("done"))
         return temporary ? QStringLiteral("◷") : QStringLiteral("✓");
@@ -19,13 +19,13 @@ QString endSign(const QString& end, bool temporary)
 }
 } // namespace
 
-bool HistoryModel::Line::operator==(const Line& other) const
+bool ServoHistoryModel::Line::operator==(const Line& other) const
 {
     return uuid == other.uuid && end == other.end && item.key == other.item.key &&
            item.newRaw == other.item.newRaw;
 }
 
-std::vector<HistoryModel::Line> HistoryModel::linesOf(const session::ServoEntry& entry)
+std::vector<ServoHistoryModel::Line> ServoHistoryModel::linesOf(const session::ServoEntry& entry)
 {
     std::vector<Line> lines;
     for (auto it = entry.history.rbegin(); it != entry.history.rend(); ++it) {
@@ -37,7 +37,7 @@ std::vector<HistoryModel::Line> HistoryModel::linesOf(const session::ServoEntry&
     return lines;
 }
 
-void HistoryModel::setEntry(const session::ServoEntry* entry)
+void ServoHistoryModel::setEntry(const session::ServoEntry* entry)
 {
     std::vector<Line> fresh = entry != nullptr ? linesOf(*entry) : std::vector<Line>();
     const session::ServoRef ref = entry != nullptr ? entry->ref : 0;
@@ -51,67 +51,68 @@ void HistoryModel::setEntry(const session::ServoEntry* entry)
     endResetModel();
 }
 
-void HistoryModel::retranslate()
+void ServoHistoryModel::retranslate()
 {
     if (!m_lines.empty())
         Q_EMIT dataChanged(index(0), index(rowCount() - 1));
 }
 
-int HistoryModel::rowCount(const QModelIndex& parent) const
+int ServoHistoryModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
 }
 
-QString HistoryModel::valueWord(const Line& line, std::int64_t raw) const
+QString ServoHistoryModel::valueText(const Line& line, std::int64_t raw) const
 {
     const catalog::Register* reg = m_profile ? m_profile->find(line.item.key) : nullptr;
     if (reg == nullptr)
         return QString::number(raw);
-    return catalog::formatValue(
-        raw, *reg, catalog::meaningOf(*reg, *m_profile, catalog::knowNothing), ::text::inChinese());
+    return catalog::formatValue(raw, *reg,
+                                catalog::valueFormat(*reg, *m_profile, catalog::noLookup),
+                                ::text::isUiChinese());
 }
 
-QString HistoryModel::text(const Line& line) const
+QString ServoHistoryModel::text(const Line& line) const
 {
     const catalog::Register* reg = m_profile ? m_profile->find(line.item.key) : nullptr;
-    const QString name = reg != nullptr ? reg->name.in(::text::inChinese()) : line.item.key;
+    const QString name = reg != nullptr ? reg->name.in(::text::isUiChinese()) : line.item.key;
     const QDateTime at = line.at.toLocalTime();
     const bool today = at.date() == QDate::currentDate();
     const QString change =
         QStringLiteral("%1 %2 → %3")
-            .arg(name, valueWord(line, line.item.oldRaw), valueWord(line, line.item.newRaw));
+            .arg(name, valueText(line, line.item.oldRaw), valueText(line, line.item.newRaw));
     return QStringLiteral("%1  %2 %3")
         .arg(at.toString(today ? QStringLiteral("HH:mm:ss") : QStringLiteral("yyyy-MM-dd HH:mm")),
              line.kind == base::IntentKind::Undo ? tr("Undo: %1").arg(change) : change,
-             endSign(line.end, line.temporary));
+             outcomeSymbol(line.end, line.temporary));
 }
 
-QString HistoryModel::tip(const Line& line) const
+QString ServoHistoryModel::tip(const Line& line) const
 {
-    QString how;
+    QString outcomeText;
     if (line.end.isEmpty())
-        how = tr("Not ended: still being written, or interrupted.");
+        outcomeText = tr("Not ended: still being written, or interrupted.");
     else if (line.end == QLatin1String("undone"))
-        how = tr("Begun and taken back: the old value was restored.");
+        outcomeText = tr("Begun and taken back: the old value was restored.");
     else if (line.end == QLatin1String("abandoned"))
-        how = tr("Given up: it was never finished or undone.");
+        outcomeText = tr("Given up: it was never finished or undone.");
     else if (line.end != QLatin1String("done"))
-        how = tr("It did not end as wanted.");
+        outcomeText = tr("It did not end as wanted.");
     else if (line.temporary)
-        how = tr("Written temporarily: lost at power-off.");
+        outcomeText = tr("Written temporarily: lost at power-off.");
     else
-        how = tr("Written and read back.");
+        outcomeText = tr("Written and read back.");
     const auto both = [&](std::int64_t raw) {
         const QString number = QString::number(qint64(raw));
-        const QString words = valueWord(line, raw);
+        const QString words = valueText(line, raw);
         return words == number ? number : QStringLiteral("%1 (%2)").arg(words, number);
     };
     return QStringLiteral("%1\n%2: %3 → %4\n%5")
         .arg(QLocale().toString(line.at.toLocalTime(), QLocale::LongFormat), line.item.key,
-             both(line.item.oldRaw), both(line.item.newRaw), how);
+             both(line.item.oldRaw), both(line.item.newRaw), outcomeText);
 }
 
-QVariant HistoryModel::data(const QModelIndex& index, int role) const
+QVariant ServoHistoryModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
         return {};

@@ -8,7 +8,7 @@
 #include <QAbstractListModel>
 
 namespace ui {
-class HistoryModel final : public QAbstractListModel {
+class ServoHistoryModel final : public QAbstractListModel {
     Q_OBJECT
 
 public:
@@ -34,7 +34,7 @@ private:
     static std::vector<Line> linesOf(const session::ServoEntry& entry);
     QString text(const Line& line) const;
     QString tip(const Line& line) const;
-    QString valueWord(const Line& line, std::int64_t raw) const;
+    QString valueText(const Line& line, std::int64_t raw) const;
 
     session::ServoRef m_ref = 0;
     catalog::ProfilePtr m_profile;

@@ -11,7 +11,7 @@ namespace ui {
 using record::HistoryKind;
 
 namespace {
-constexpr int mostServos = 5000;
+constexpr int maxServos = 5000;
 
 bool numeric(HistoryKind kind, int column)
 {
@@ -30,130 +30,130 @@ bool numeric(HistoryKind kind, int column)
 record::HistoryFilter unpaged(record::HistoryFilter filter)
 {
     filter.after.reset();
-    filter.most = HistoryTable::page;
+    filter.limit = HistoryTableModel::pageSize;
     return filter;
 }
 } // namespace
 
-HistoryTable::HistoryTable(const catalog::Catalog& catalog, QObject* parent)
+HistoryTableModel::HistoryTableModel(const catalog::Catalog& catalog, QObject* parent)
     : QAbstractTableModel(parent)
-    , m_words(catalog)
+    , m_formatter(catalog)
 {}
 
-void HistoryTable::ask(session::Archive* archive, HistoryKind kind,
-                       const record::HistoryFilter& filter)
+void HistoryTableModel::query(session::HistoryService* historyService, HistoryKind kind,
+                              const record::HistoryFilter& filter)
 {
-    const bool same = archive != nullptr && archive == m_archive && kind == m_kind &&
-                      unpaged(filter) == unpaged(m_filter);
+    const bool same = historyService != nullptr && historyService == m_historyService &&
+                      kind == m_kind && unpaged(filter) == unpaged(m_filter);
     if (!same)
-        begin(archive, kind, filter);
-    else if (m_asking)
-        m_askAgain = true;
+        startQuery(historyService, kind, filter);
+    else if (m_loading)
+        m_queryPending = true;
     else
-        askAgain();
+        repeatQuery();
 }
 
-void HistoryTable::begin(session::Archive* archive, HistoryKind kind,
-                         const record::HistoryFilter& filter)
+void HistoryTableModel::startQuery(session::HistoryService* historyService, HistoryKind kind,
+                                   const record::HistoryFilter& filter)
 {
     beginResetModel();
-    m_archive = archive;
+    m_historyService = historyService;
     m_kind = kind;
     m_filter = unpaged(filter);
     m_lines.clear();
-    m_renewing = false;
-    m_askAgain = false;
-    m_complete = archive == nullptr;
-    ++m_question;
-    m_asking = archive != nullptr; // a view that looks now asks for nothing of its own
+    m_replacing = false;
+    m_queryPending = false;
+    m_complete = historyService == nullptr;
+    ++m_queryId;
+    m_loading = historyService != nullptr; // a view that looks now asks for nothing of its own
     endResetModel();
     Q_EMIT changed();
-    if (archive != nullptr)
-        askServos();
+    if (historyService != nullptr)
+        fetchServos();
 }
 
-void HistoryTable::retranslate()
+void HistoryTableModel::retranslate()
 {
-    begin(m_archive, m_kind, m_filter);
+    startQuery(m_historyService, m_kind, m_filter);
 }
 
 /// One page more than there is: what is new must not push out what is shown.
-void HistoryTable::askAgain()
+void HistoryTableModel::repeatQuery()
 {
-    m_askAgain = false;
-    m_renewing = true;
-    m_asking = true;
-    ++m_question;
+    m_queryPending = false;
+    m_replacing = true;
+    m_loading = true;
+    ++m_queryId;
     m_filter.after.reset();
-    m_filter.most = int(m_lines.size()) + page;
-    askServos();
+    m_filter.limit = int(m_lines.size()) + pageSize;
+    fetchServos();
 }
 
 /// Register names hang on what the servo is.
-void HistoryTable::askServos()
+void HistoryTableModel::fetchServos()
 {
     record::HistoryFilter all;
-    all.most = mostServos;
-    m_archive->servos(
+    all.limit = maxServos;
+    m_historyService->servos(
         all, this,
-        [this, mine = m_question](const base::Result<std::vector<record::HistoryServo>>& servos) {
-            if (mine != m_question)
+        [this, queryId = m_queryId](const base::Result<std::vector<record::HistoryServo>>& servos) {
+            if (queryId != m_queryId)
                 return;
             if (!servos) {
-                fail(servos.error());
+                handleError(servos.error());
                 return;
             }
-            m_words.know(*servos);
-            askPage();
+            m_formatter.addServos(*servos);
+            fetchPage();
         });
 }
 
 template <typename Row>
-std::function<void(const base::Result<std::vector<Row>>&)> HistoryTable::taker()
+std::function<void(const base::Result<std::vector<Row>>&)> HistoryTableModel::resultHandler()
 {
-    return [this, mine = m_question](const base::Result<std::vector<Row>>& rows) {
-        if (mine != m_question)
+    return [this, queryId = m_queryId](const base::Result<std::vector<Row>>& rows) {
+        if (queryId != m_queryId)
             return;
         if (!rows) {
-            fail(rows.error());
+            handleError(rows.error());
             return;
         }
         std::vector<HistoryLine> lines;
         lines.reserve(rows->size());
         for (const Row& row : *rows)
-            lines.push_back(m_words.line(row));
-        take(std::move(lines), int(rows->size()) < m_filter.most);
+            lines.push_back(m_formatter.formatLine(row));
+        addPage(std::move(lines), int(rows->size()) < m_filter.limit);
     };
 }
 
-void HistoryTable::fail(const base::Error& error)
+void HistoryTableModel::handleError(const base::Error& error)
 {
-    m_asking = false;
-    m_askAgain = false;
-    m_complete = m_complete || !std::exchange(m_renewing, false);
+    m_loading = false;
+    m_queryPending = false;
+    m_complete = m_complete || !std::exchange(m_replacing, false);
     markEnd();
     Q_EMIT failed(error);
     Q_EMIT changed();
 }
 
-void HistoryTable::askPage()
+void HistoryTableModel::fetchPage()
 {
-    m_asking = true;
+    m_loading = true;
     switch (m_kind) {
     case HistoryKind::Writes:
-        m_archive->writes(m_filter, this, taker<record::HistoryWrite>());
+        m_historyService->writes(m_filter, this, resultHandler<record::HistoryWrite>());
         break;
     case HistoryKind::Snapshots:
-        m_archive->snapshots(m_filter, this, taker<record::HistorySnapshot>());
+        m_historyService->snapshots(m_filter, this, resultHandler<record::HistorySnapshot>());
         break;
     case HistoryKind::Alarms:
-        m_archive->alarms(m_filter, this, taker<record::HistoryAlarm>());
+        m_historyService->alarms(m_filter, this, resultHandler<record::HistoryAlarm>());
         break;
     case HistoryKind::Recordings:
-        m_archive->recordings(m_filter, this, taker<record::HistoryRecording>());
+        m_historyService->recordings(m_filter, this, resultHandler<record::HistoryRecording>());
         break;
     case HistoryKind::Servos:
-        m_archive->servos(m_filter, this, taker<record::HistoryServo>());
+        m_historyService->servos(m_filter, this, resultHandler<record::HistoryServo>());
         break;
     case HistoryKind::Runs: {
         record::RunFilter runs;
@@ -161,38 +161,38 @@ void HistoryTable::askPage()
         runs.model = m_filter.model;
         runs.from = m_filter.from;
         runs.until = m_filter.until;
-        m_filter.most = runs.most; // this list is not paged
-        m_archive->list(runs, this, taker<record::TestRun>());
+        m_filter.limit = runs.limit; // this list is not paged
+        m_historyService->list(runs, this, resultHandler<record::TestRun>());
         break;
     }
     }
 }
 
-void HistoryTable::take(std::vector<HistoryLine> lines, bool last)
+void HistoryTableModel::addPage(std::vector<HistoryLine> lines, bool last)
 {
-    m_asking = false;
-    if (std::exchange(m_renewing, false))
-        renew(std::move(lines), last);
+    m_loading = false;
+    if (std::exchange(m_replacing, false))
+        replaceRows(std::move(lines), last);
     else
         add(std::move(lines), last);
     markEnd();
-    if (m_askAgain)
-        askAgain();
+    if (m_queryPending)
+        repeatQuery();
     Q_EMIT changed();
 }
 
 /// Where the next page begins.
-void HistoryTable::markEnd()
+void HistoryTableModel::markEnd()
 {
-    m_filter.most = page;
+    m_filter.limit = pageSize;
     if (!m_lines.empty())
-        m_filter.after = record::PageMark{m_lines.back().at, m_lines.back().number};
+        m_filter.after = record::PageCursor{m_lines.back().at, m_lines.back().number};
 }
 
 /// As far as was shown before, and a page at least; tests come all at once.
-void HistoryTable::renew(std::vector<HistoryLine> lines, bool last)
+void HistoryTableModel::replaceRows(std::vector<HistoryLine> lines, bool last)
 {
-    std::size_t shown = std::max(m_lines.size(), std::size_t(page));
+    std::size_t shown = std::max(m_lines.size(), std::size_t(pageSize));
     const auto old = std::find_if(lines.rbegin(), lines.rend(), [this](const HistoryLine& line) {
         return !m_lines.empty() && line.number == m_lines.back().number;
     });
@@ -206,13 +206,13 @@ void HistoryTable::renew(std::vector<HistoryLine> lines, bool last)
 }
 
 /// Row by row: a view keeps what it shows of rows that stay.
-void HistoryTable::merge(std::vector<HistoryLine> lines)
+void HistoryTableModel::merge(std::vector<HistoryLine> lines)
 {
-    std::set<std::int64_t> stay;
+    std::set<std::int64_t> remaining;
     for (const HistoryLine& line : lines)
-        stay.insert(line.number);
+        remaining.insert(line.number);
     for (int row = int(m_lines.size()); row-- > 0;) {
-        if (stay.count(at(row).number) > 0)
+        if (remaining.count(lineAt(row).number) > 0)
             continue;
         beginRemoveRows({}, row, row);
         m_lines.erase(m_lines.begin() + row);
@@ -242,7 +242,7 @@ void HistoryTable::merge(std::vector<HistoryLine> lines)
         Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }
 
-void HistoryTable::add(std::vector<HistoryLine> lines, bool last)
+void HistoryTableModel::add(std::vector<HistoryLine> lines, bool last)
 {
     m_complete = last || lines.empty();
     if (!lines.empty()) {
@@ -253,21 +253,21 @@ void HistoryTable::add(std::vector<HistoryLine> lines, bool last)
     }
 }
 
-int HistoryTable::rowCount(const QModelIndex& parent) const
+int HistoryTableModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : int(m_lines.size());
 }
 
-int HistoryTable::columnCount(const QModelIndex& parent) const
+int HistoryTableModel::columnCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : int(HistoryWords::headers(m_kind).size());
+    return parent.isValid() ? 0 : int(HistoryFormatter::headers(m_kind).size());
 }
 
-QVariant HistoryTable::data(const QModelIndex& index, int role) const
+QVariant HistoryTableModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
         return {};
-    const HistoryLine& line = at(index.row());
+    const HistoryLine& line = lineAt(index.row());
     switch (role) {
     case Qt::DisplayRole:
         return line.cells.value(index.column()).simplified();
@@ -277,32 +277,32 @@ QVariant HistoryTable::data(const QModelIndex& index, int role) const
         return int((numeric(m_kind, index.column()) ? Qt::AlignRight : Qt::AlignLeft) |
                    Qt::AlignVCenter);
     case toneRole:
-        return index.column() == HistoryWords::toneColumn(m_kind) ? QVariant(int(line.tone))
-                                                                  : QVariant();
+        return index.column() == HistoryFormatter::toneColumn(m_kind) ? QVariant(int(line.tone))
+                                                                      : QVariant();
     default:
         return {};
     }
 }
 
-QVariant HistoryTable::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant HistoryTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::DisplayRole)
-        return HistoryWords::headers(m_kind).value(section);
+        return HistoryFormatter::headers(m_kind).value(section);
     if (role == Qt::TextAlignmentRole)
         return int((numeric(m_kind, section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     return {};
 }
 
-bool HistoryTable::canFetchMore(const QModelIndex& parent) const
+bool HistoryTableModel::canFetchMore(const QModelIndex& parent) const
 {
-    return !parent.isValid() && !m_complete && !m_asking;
+    return !parent.isValid() && !m_complete && !m_loading;
 }
 
-void HistoryTable::fetchMore(const QModelIndex& parent)
+void HistoryTableModel::fetchMore(const QModelIndex& parent)
 {
     if (canFetchMore(parent))
-        askPage();
+        fetchPage();
 }
 } // namespace ui

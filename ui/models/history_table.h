@@ -9,24 +9,24 @@
 #include <QAbstractTableModel>
 
 namespace ui {
-class HistoryTable final : public QAbstractTableModel {
+class HistoryTableModel final : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    static constexpr int page = 200;
+    static constexpr int pageSize = 200;
 
-    explicit HistoryTable(const catalog::Catalog& catalog, QObject* parent = nullptr);
+    explicit HistoryTableModel(const catalog::Catalog& catalog, QObject* parent = nullptr);
 
     /// Asks the archive for the first page; null: an empty list. The same question again keeps
     /// the rows until the answer comes, and those that are still there after it: a selection and
     /// the place scrolled to stay.
-    void ask(session::Archive* archive, record::HistoryKind kind,
-             const record::HistoryFilter& filter);
+    void query(session::HistoryService* historyService, record::HistoryKind kind,
+               const record::HistoryFilter& filter);
     void retranslate(); ///< asks again: words are made with the rows
-    bool asking() const { return m_asking; }
-    bool complete() const { return m_complete; }
+    bool isLoading() const { return m_loading; }
+    bool isComplete() const { return m_complete; }
     record::HistoryKind kind() const { return m_kind; }
-    const HistoryLine& at(int row) const { return m_lines[std::size_t(row)]; }
+    const HistoryLine& lineAt(int row) const { return m_lines[std::size_t(row)]; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -41,29 +41,29 @@ Q_SIGNALS:
     void failed(const base::Error& error);
 
 private:
-    void begin(session::Archive* archive, record::HistoryKind kind,
-               const record::HistoryFilter& filter);
-    void askAgain();
-    void askServos();
-    void askPage();
+    void startQuery(session::HistoryService* historyService, record::HistoryKind kind,
+                    const record::HistoryFilter& filter);
+    void repeatQuery();
+    void fetchServos();
+    void fetchPage();
     template <typename Row>
-    std::function<void(const base::Result<std::vector<Row>>&)> taker();
-    void take(std::vector<HistoryLine> lines, bool last);
+    std::function<void(const base::Result<std::vector<Row>>&)> resultHandler();
+    void addPage(std::vector<HistoryLine> lines, bool last);
     void add(std::vector<HistoryLine> lines, bool last);
-    void renew(std::vector<HistoryLine> lines, bool last);
+    void replaceRows(std::vector<HistoryLine> lines, bool last);
     void merge(std::vector<HistoryLine> lines);
     void markEnd();
-    void fail(const base::Error& error);
+    void handleError(const base::Error& error);
 
-    session::Archive* m_archive = nullptr;
+    session::HistoryService* m_historyService = nullptr;
     record::HistoryKind m_kind = record::HistoryKind::Writes;
     record::HistoryFilter m_filter;
-    HistoryWords m_words;
+    HistoryFormatter m_formatter;
     std::vector<HistoryLine> m_lines;
-    int m_question = 0; ///< only answers to the latest count
-    bool m_asking = false;
+    int m_queryId = 0; ///< only answers to the latest count
+    bool m_loading = false;
     bool m_complete = true;
-    bool m_renewing = false; ///< the answer takes the place of the rows
-    bool m_askAgain = false; ///< when the present answer has come
+    bool m_replacing = false;    ///< the answer takes the place of the rows
+    bool m_queryPending = false; ///< when the present answer has come
 };
 } // namespace ui

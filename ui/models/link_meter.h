@@ -11,22 +11,22 @@
 namespace ui {
 class LinkMeter {
 public:
-    struct Figures {
+    struct Values {
         int readsPerSecond = 0;
         std::uint64_t errors = 0; ///< since the port was opened: lost, damaged, foreign answers
-        double wireUse = 0;       ///< 0…1
+        double busLoad = 0;       ///< 0…1
     };
 
     void reset();
     /// Call now and then, and when a search begins and ends. `searched`: a search has been running
     /// since the last look. `at`: any clock, as long as it is always the same.
-    void look(const bus::Statistics& now, bool searched, base::Duration at);
-    const Figures& figures() const { return m_figures; }
+    void addStatistics(const bus::Statistics& now, bool searched, base::Duration at);
+    const Values& values() const { return m_values; }
 
 private:
     bus::Statistics m_last;
     std::optional<bus::Statistics> m_rateFrom; ///< rates need some time between two looks
     base::Duration m_rateAt{};
-    Figures m_figures;
+    Values m_values;
 };
 } // namespace ui

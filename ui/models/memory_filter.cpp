@@ -16,18 +16,18 @@ void MemoryFilter::setGroup(std::optional<catalog::Area> group)
     invalidateFilter();
 }
 
-void MemoryFilter::setChoice(RowChoice choice)
+void MemoryFilter::setRowFilter(RowFilter rowFilter)
 {
-    m_choice = choice;
+    m_rowFilter = rowFilter;
     invalidateFilter();
 }
 
-bool MemoryFilter::narrows() const
+bool MemoryFilter::isActive() const
 {
-    return !m_words.isEmpty() || m_group || m_choice != RowChoice::All;
+    return !m_words.isEmpty() || m_group || m_rowFilter != RowFilter::All;
 }
 
-bool MemoryFilter::textFits(const QModelIndex& index) const
+bool MemoryFilter::matchesText(const QModelIndex& index) const
 {
     if (m_words.isEmpty())
         return true;
@@ -48,10 +48,10 @@ bool MemoryFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
     const QModelIndex index = sourceModel()->index(row, 0, parent);
     if (m_group && index.data(MemoryModel::AreaRole).toInt() != static_cast<int>(*m_group))
         return false;
-    if (m_choice == RowChoice::Changed && !index.data(MemoryModel::ChangedRole).toBool())
+    if (m_rowFilter == RowFilter::Changed && !index.data(MemoryModel::ChangedRole).toBool())
         return false;
-    if (m_choice == RowChoice::Different && !index.data(MemoryModel::DiffersRole).toBool())
+    if (m_rowFilter == RowFilter::Different && !index.data(MemoryModel::DiffersRole).toBool())
         return false;
-    return textFits(index);
+    return matchesText(index);
 }
 } // namespace ui

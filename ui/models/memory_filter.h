@@ -10,7 +10,7 @@
 #include <optional>
 
 namespace ui {
-enum class RowChoice : std::uint8_t {
+enum class RowFilter : std::uint8_t {
     All,
     Changed,   ///< not what was read first in this session
     Different, ///< not the factory's default, where that is known
@@ -26,17 +26,17 @@ public:
     /// short number alone is an address, or the beginning of one.
     void setText(const QString& text);
     void setGroup(std::optional<catalog::Area> group);
-    void setChoice(RowChoice choice);
-    bool narrows() const;
+    void setRowFilter(RowFilter rowFilter);
+    bool isActive() const;
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
 
 private:
-    bool textFits(const QModelIndex& index) const;
+    bool matchesText(const QModelIndex& index) const;
 
     QStringList m_words;
     std::optional<catalog::Area> m_group;
-    RowChoice m_choice = RowChoice::All;
+    RowFilter m_rowFilter = RowFilter::All;
 };
 } // namespace ui

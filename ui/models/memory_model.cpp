@@ -3,7 +3,7 @@
 
 namespace ui {
 namespace {
-bool rightAligned(MemoryColumn column)
+bool isRightAligned(MemoryColumn column)
 {
     return column == MemoryColumn::Address || column == MemoryColumn::Value ||
            column == MemoryColumn::Physical || column == MemoryColumn::Default;
@@ -13,7 +13,7 @@ bool rightAligned(MemoryColumn column)
 QString searchText(const MemoryRow& row)
 {
     const catalog::Register& reg = *row.reg;
-    QStringList words{QString::number(reg.address),
+    QStringList parts{QString::number(reg.address),
                       reg.key,
                       reg.name.en,
                       reg.name.zh,
@@ -22,8 +22,8 @@ QString searchText(const MemoryRow& row)
                       row.meaning.name.en,
                       row.meaning.name.zh};
     for (const catalog::NamedValue& value : reg.values)
-        words << value.key << value.name.en << value.name.zh;
-    return words.join(QLatin1Char('\n'));
+        parts << value.key << value.name.en << value.name.zh;
+    return parts.join(QLatin1Char('\n'));
 }
 
 /// A servo whose firmware is not known shows who it is and what it measures; one of unclear family
@@ -38,7 +38,7 @@ bool shownFor(const catalog::Profile& profile, const catalog::Register& reg)
            reg.role == Role::ModelMinor;
 }
 
-std::vector<MemoryRow> rowsOf(const session::ServoEntry& entry, const RowClock& clock)
+std::vector<MemoryRow> rowsOf(const session::ServoEntry& entry, const RowContext& clock)
 {
     std::vector<MemoryRow> rows;
     for (const catalog::Register& reg : entry.servo.profile->registers) {
@@ -53,7 +53,7 @@ MemoryModel::MemoryModel(QObject* parent)
     : QAbstractTableModel(parent)
 {}
 
-void MemoryModel::setEntry(const session::ServoEntry* entry, const RowClock& clock)
+void MemoryModel::setEntry(const session::ServoEntry* entry, const RowContext& clock)
 {
     const bool known = entry != nullptr && entry->servo.profile != nullptr;
     std::vector<MemoryRow> fresh = known ? rowsOf(*entry, clock) : std::vector<MemoryRow>();
@@ -82,16 +82,16 @@ void MemoryModel::setPhysicalFirst(bool on)
     if (on == m_physicalFirst)
         return;
     m_physicalFirst = on;
-    allChanged();
+    emitAllChanged();
 }
 
 void MemoryModel::retranslate()
 {
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, memoryColumns - 1);
-    allChanged();
+    emitAllChanged();
 }
 
-void MemoryModel::allChanged()
+void MemoryModel::emitAllChanged()
 {
     if (!m_rows.empty())
         Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, memoryColumns - 1));
@@ -126,11 +126,11 @@ QVariant MemoryModel::rawData(const MemoryRow& row, int role) const
     case StateRole:
         return static_cast<int>(row.state);
     case StaleRole:
-        return row.stale;
+        return row.isStale;
     case ChangedRole:
-        return row.changed();
+        return row.isChanged();
     case DiffersRole: {
-        const auto differs = row.differs();
+        const auto differs = row.differsFromDefault();
         return differs ? QVariant(*differs) : QVariant();
     }
     case AreaRole:
@@ -155,11 +155,11 @@ QVariant MemoryModel::data(const QModelIndex& index, int role) const
     case Qt::AccessibleDescriptionRole:
         return memoryTip(shown, column, m_physicalFirst);
     case Qt::EditRole: {
-        const auto raw = shown.editable();
+        const auto raw = shown.editValue();
         return raw ? QVariant(static_cast<qlonglong>(*raw)) : QVariant();
     }
     case Qt::TextAlignmentRole:
-        return int((rightAligned(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return int((isRightAligned(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     default:
         return rawData(shown, role);
     }
@@ -173,7 +173,7 @@ bool MemoryModel::setData(const QModelIndex& index, const QVariant& value, int r
     const qlonglong raw = value.toLongLong(&whole);
     if (!whole)
         return false;
-    Q_EMIT writeWanted(row(index.row()).reg->key, raw);
+    Q_EMIT writeRequested(row(index.row()).reg->key, raw);
     return true;
 }
 
@@ -185,8 +185,8 @@ Qt::ItemFlags MemoryModel::flags(const QModelIndex& index) const
     const MemoryRow& shown = row(index.row());
     const MemoryColumn column = memoryColumn(index);
     // A plain number has no unit to be typed in: the value column is the place for it.
-    const bool hasPhysical = !physicalWord(0, *shown.reg, shown.meaning).isEmpty();
-    if (shown.writable &&
+    const bool hasPhysical = !physicalText(0, *shown.reg, shown.meaning).isEmpty();
+    if (shown.isWritable &&
         (column == MemoryColumn::Value || (column == MemoryColumn::Physical && hasPhysical)))
         flags |= Qt::ItemIsEditable;
     return flags;
@@ -202,7 +202,7 @@ QVariant MemoryModel::headerData(int section, Qt::Orientation orientation, int r
     if (role == Qt::ToolTipRole)
         return memoryHeaderHelp(column);
     if (role == Qt::TextAlignmentRole)
-        return int((rightAligned(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return int((isRightAligned(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     return {};
 }
 } // namespace ui

@@ -2,7 +2,7 @@
 // The memory table of one servo, one row a register, in the order of the table. Shows what a
 // ServoEntry holds; setEntry() is called after every change and every second, and announces only
 // the rows that look different. Raw data has roles of its own; words come from memory_words.h.
-// Editing does not change the model: it emits writeWanted. Owned by the page; main thread.
+// Editing does not change the model: it emits writeRequested. Owned by the page; main thread.
 #pragma once
 
 #include "ui/models/memory_words.h"
@@ -28,7 +28,7 @@ public:
     explicit MemoryModel(QObject* parent = nullptr);
 
     /// Null, or a servo without a map: an empty table. The entry is not kept.
-    void setEntry(const session::ServoEntry* entry, const RowClock& clock);
+    void setEntry(const session::ServoEntry* entry, const RowContext& clock);
     void setPhysicalFirst(bool on);
     bool physicalFirst() const { return m_physicalFirst; }
     /// After a change of language.
@@ -47,10 +47,10 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 Q_SIGNALS:
-    void writeWanted(const QString& key, qint64 raw);
+    void writeRequested(const QString& key, qint64 raw);
 
 private:
-    void allChanged();
+    void emitAllChanged();
     QVariant rawData(const MemoryRow& row, int role) const;
 
     session::ServoRef m_ref = 0;

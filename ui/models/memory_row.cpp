@@ -42,8 +42,8 @@ RowState stateOf(WriteOutcome outcome)
         return RowState::Refused;
     case WriteOutcome::NotSent:
         return RowState::NotSent;
-    case WriteOutcome::NoAnswer:
-        return RowState::NoAnswer;
+    case WriteOutcome::NoReply:
+        return RowState::NoReply;
     case WriteOutcome::Unknown:
         break;
     }
@@ -51,7 +51,7 @@ RowState stateOf(WriteOutcome outcome)
 }
 
 /// Found before the first byte: the servo was not touched.
-bool refusedBefore(base::ErrorCode code)
+bool isRefusedBeforeSending(base::ErrorCode code)
 {
     using base::ErrorCode;
     switch (code) {
@@ -78,26 +78,26 @@ RowState readState(const session::ServoEntry& entry, const MemoryRow& row)
 
 /// What became of the latest write, as long as it still speaks of the value shown.
 RowState writeState(const session::ServoEntry& entry, const MemoryRow& row,
-                    const session::RowWrite& write)
+                    const session::RegisterWriteState& write)
 {
     if (row.pending > 0)
         return RowState::Pending;
     if (!write.outcome)
         return write.error ? RowState::NotWritten : readState(entry, row);
-    if (write.error && refusedBefore(write.error->code))
+    if (write.error && isRefusedBeforeSending(write.error->code))
         return RowState::NotWritten;
     const RowState state = stateOf(*write.outcome);
-    const bool landed = state == RowState::Kept || state == RowState::Temporary;
-    if (!landed)
+    const bool isDone = state == RowState::Kept || state == RowState::Temporary;
+    if (!isDone)
         return state;
     if (entry.unreadable.count(row.reg->key) > 0)
         return RowState::Unreadable;
     const auto readAt = entry.servo.image.readAt(row.reg->offset);
     const bool readSince = row.raw && readAt && *readAt > write.at;
-    if (!readSince || *row.raw == write.wanted)
+    if (!readSince || *row.raw == write.requested)
         return state;
     // Goals, torque and the like change by themselves; settings do not.
-    return device::lasting(*row.reg) ? RowState::Superseded : RowState::Read;
+    return device::isPersistent(*row.reg) ? RowState::Superseded : RowState::Read;
 }
 
 bool sameError(const std::optional<base::Error>& a, const std::optional<base::Error>& b)
@@ -107,7 +107,7 @@ bool sameError(const std::optional<base::Error>& a, const std::optional<base::Er
     return a->code == b->code && a->operation == b->operation && a->detail == b->detail;
 }
 
-bool sameMeaning(const catalog::Meaning& a, const catalog::Meaning& b)
+bool sameMeaning(const catalog::ValueFormat& a, const catalog::ValueFormat& b)
 {
     return a.encoding == b.encoding && a.scale == b.scale && a.unit == b.unit && a.min == b.min &&
            a.max == b.max && a.name.en == b.name.en && a.assumed == b.assumed;
@@ -130,7 +130,7 @@ RowAge rowAge(std::optional<base::Duration> readAt, base::Duration now)
     return {shown};
 }
 
-std::optional<bool> MemoryRow::differs() const
+std::optional<bool> MemoryRow::differsFromDefault() const
 {
     if (!raw || !reg->defaultRaw)
         return std::nullopt;
@@ -139,33 +139,34 @@ std::optional<bool> MemoryRow::differs() const
 
 bool MemoryRow::sameAs(const MemoryRow& other) const
 {
-    return reg == other.reg && raw == other.raw && first == other.first && wanted == other.wanted &&
-           pending == other.pending && state == other.state && age == other.age &&
-           stale == other.stale && measured == other.measured && writable == other.writable &&
-           sameError(error, other.error) && sameMeaning(meaning, other.meaning);
+    return reg == other.reg && raw == other.raw && firstRaw == other.firstRaw &&
+           requestedRaw == other.requestedRaw && pending == other.pending && state == other.state &&
+           age == other.age && isStale == other.isStale && hasSensor == other.hasSensor &&
+           isWritable == other.isWritable && sameError(error, other.error) &&
+           sameMeaning(meaning, other.meaning);
 }
 
 MemoryRow memoryRow(const session::ServoEntry& entry, const catalog::Register& reg,
-                    const RowClock& clock)
+                    const RowContext& clock)
 {
     MemoryRow row;
     row.reg = &reg;
     row.meaning = entry.servo.meaning(reg);
-    row.raw = entry.shown(reg);
-    row.first = entry.firstRaw(reg);
-    row.measured = entry.servo.measures(reg);
-    row.writable = entry.servo.profile->writable && reg.writable();
+    row.raw = entry.displayedRaw(reg);
+    row.firstRaw = entry.firstRaw(reg);
+    row.hasSensor = entry.servo.measures(reg);
+    row.isWritable = entry.servo.profile->writable && reg.writable();
     row.state = readState(entry, row);
     if (const auto found = entry.writes.find(reg.key); found != entry.writes.end()) {
         row.pending = found->second.pending;
-        row.wanted = found->second.wanted;
+        row.requestedRaw = found->second.requested;
         row.error = found->second.error;
         row.state = writeState(entry, row, found->second);
     }
     const auto readAt = entry.servo.image.readAt(reg.offset);
     row.age = rowAge(row.raw ? readAt : std::nullopt, clock.now);
-    row.stale = row.raw && (!clock.linkOpen || entry.silent ||
-                            clock.now - *readAt >= std::chrono::seconds(staleAfter(reg.area)));
+    row.isStale = row.raw && (!clock.isLinkOpen || entry.silent ||
+                              clock.now - *readAt >= std::chrono::seconds(staleAfter(reg.area)));
     return row;
 }
 

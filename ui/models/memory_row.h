@@ -16,7 +16,7 @@ enum class RowState : std::uint8_t {
     Temporary,
     Mismatch,
     Refused,
-    NoAnswer,
+    NoReply,
     Unknown,
     NotSent,    ///< its turn never came: stopped, or the cable was out
     NotWritten, ///< refused before the first byte; error says why
@@ -31,35 +31,35 @@ struct RowAge {
 RowAge rowAge(std::optional<base::Duration> readAt, base::Duration now);
 
 /// The circumstances all rows of one servo share.
-struct RowClock {
+struct RowContext {
     base::Duration now{};
-    bool linkOpen = true; ///< false: nothing shown is of this moment
+    bool isLinkOpen = true; ///< false: nothing shown is of this moment
 };
 
 struct MemoryRow {
     const catalog::Register* reg = nullptr; ///< lives as long as the profile
-    catalog::Meaning meaning;
-    std::optional<std::int64_t> raw;   ///< nullopt: not read, or the latest reading failed
-    std::optional<std::int64_t> first; ///< as read first in this session
-    std::int64_t wanted = 0;           ///< of the latest write
-    int pending = 0;                   ///< writes not ended yet
+    catalog::ValueFormat meaning;
+    std::optional<std::int64_t> raw;      ///< nullopt: not read, or the latest reading failed
+    std::optional<std::int64_t> firstRaw; ///< as read first in this session
+    std::int64_t requestedRaw = 0;        ///< of the latest write
+    int pending = 0;                      ///< writes not ended yet
     RowState state = RowState::NotRead;
     std::optional<base::Error> error; ///< of the latest write that failed
     RowAge age;
-    bool stale = false;    ///< too old to be taken for the present
-    bool measured = true;  ///< false: the servo has the register, but no sensor for it
-    bool writable = false; ///< of this servo, now that its map is known
+    bool isStale = false;    ///< too old to be taken for the present
+    bool hasSensor = true;   ///< false: the servo has the register, but no sensor for it
+    bool isWritable = false; ///< of this servo, now that its map is known
 
-    bool changed() const { return raw && first && *raw != *first; }
+    bool isChanged() const { return raw && firstRaw && *raw != *firstRaw; }
     /// Nullopt: the default or the value is not known.
-    std::optional<bool> differs() const;
+    std::optional<bool> differsFromDefault() const;
     /// What an editor starts from: the value on its way, else the one that was read.
-    std::optional<std::int64_t> editable() const { return pending > 0 ? wanted : raw; }
+    std::optional<std::int64_t> editValue() const { return pending > 0 ? requestedRaw : raw; }
     bool sameAs(const MemoryRow& other) const;
 };
 
 MemoryRow memoryRow(const session::ServoEntry& entry, const catalog::Register& reg,
-                    const RowClock& clock);
+                    const RowContext& clock);
 
 /// Registers whose write decides in which mode the servo is.
 bool decidesMode(const catalog::Register& reg);

@@ -38,12 +38,12 @@ TableSheet memorySheet(const MemoryModel& model, const std::vector<int>& rows,
     sheet.title = translate("MemorySheet", "Memory table of %1, ID %2")
                       .arg(servoName(entry), QString::number(servo.id));
     if (servo.profile)
-        sheet.about << translate("MemorySheet", "Firmware %1, map %2")
-                           .arg(servo.profile->identity.firmware(), servo.profile->mapKey);
-    sheet.about << translate("MemorySheet", "Port %1, %2 baud")
-                       .arg(servo.port, QString::number(servo.baud));
-    sheet.about << translate("MemorySheet", "Written down %1")
-                       .arg(at.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
+        sheet.captionLines << translate("MemorySheet", "Firmware %1, map %2")
+                                  .arg(servo.profile->identity.firmware(), servo.profile->mapKey);
+    sheet.captionLines << translate("MemorySheet", "Port %1, %2 baud")
+                              .arg(servo.port, QString::number(servo.baud));
+    sheet.captionLines << translate("MemorySheet", "Written down %1")
+                              .arg(at.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
     sheet.headers << memoryHeader(MemoryColumn::Address) << translate("MemorySheet", "Key");
     sheet.numeric = {true, false};
     for (int i = static_cast<int>(MemoryColumn::Name); i < memoryColumns; ++i) {
@@ -59,9 +59,9 @@ TableSheet memorySheet(const MemoryModel& model, const std::vector<int>& rows,
 
 QString memoryFileName(const session::ServoEntry& entry, const QDateTime& at)
 {
-    static const QRegularExpression awkward(QStringLiteral("[^A-Za-z0-9_.-]"));
+    static const QRegularExpression invalidChars(QStringLiteral("[^A-Za-z0-9_.-]"));
     QString model = servoName(entry);
-    model.replace(awkward, QStringLiteral("_"));
+    model.replace(invalidChars, QStringLiteral("_"));
     return QStringLiteral("%1-id%2-%3")
         .arg(model)
         .arg(entry.servo.id)

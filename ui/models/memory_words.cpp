@@ -16,23 +16,23 @@ const QString dash = QStringLiteral("—");
 const QString changedMark = QStringLiteral("  •");
 
 /// A list or tick boxes mean the same in both columns: the physical one shows their names.
-bool named(const catalog::Meaning& meaning)
+bool named(const catalog::ValueFormat& meaning)
 {
     return meaning.encoding == Encoding::Enum || meaning.encoding == Encoding::Bits;
 }
 
-QString accessText(const MemoryRow& row)
+QString accessCellText(const MemoryRow& row)
 {
-    if (!row.writable)
+    if (!row.isWritable)
         return QStringLiteral("r");
     return row.reg->dangerous ? QStringLiteral("⚠ rw") : QStringLiteral("rw");
 }
 
 QString accessHelp(const MemoryRow& row)
 {
-    if (!row.writable)
-        return text::accessWord(catalog::Access::ReadOnly);
-    const QString word = text::accessWord(catalog::Access::ReadWrite);
+    if (!row.isWritable)
+        return text::accessLabel(catalog::Access::ReadOnly);
+    const QString word = text::accessLabel(catalog::Access::ReadWrite);
     return row.reg->dangerous
                ? translate(
                      "MemoryTable",
@@ -47,17 +47,17 @@ QString defaultText(const MemoryRow& row, bool physical)
     if (!row.reg->defaultRaw)
         return {};
     return physical && !named(row.meaning)
-               ? physicalWord(*row.reg->defaultRaw, *row.reg, row.meaning)
+               ? physicalText(*row.reg->defaultRaw, *row.reg, row.meaning)
                : QString::number(*row.reg->defaultRaw);
 }
 
-QString physicalText(const MemoryRow& row)
+QString physicalCellText(const MemoryRow& row)
 {
     if (!row.raw)
         return {};
-    if (!row.measured)
+    if (!row.hasSensor)
         return translate("MemoryTable", "not measured");
-    return physicalWord(*row.raw, *row.reg, row.meaning);
+    return physicalText(*row.raw, *row.reg, row.meaning);
 }
 } // namespace
 
@@ -126,13 +126,13 @@ QString memoryHeaderHelp(MemoryColumn column)
 base::Error withName(base::Error error, const catalog::Register* reg)
 {
     if (reg != nullptr && error.registerKey == reg->key)
-        error.registerKey = reg->name.in(text::inChinese());
+        error.registerKey = reg->name.in(text::isUiChinese());
     return error;
 }
 
 QString registerName(const MemoryRow& row)
 {
-    return row.meaning.name.in(text::inChinese());
+    return row.meaning.name.in(text::isUiChinese());
 }
 
 QString memoryText(const MemoryRow& row, MemoryColumn column, bool physicalFirst)
@@ -141,21 +141,21 @@ QString memoryText(const MemoryRow& row, MemoryColumn column, bool physicalFirst
     case MemoryColumn::Address:
         return QString::number(row.reg->address);
     case MemoryColumn::Name:
-        return row.changed() ? registerName(row) + changedMark : registerName(row);
+        return row.isChanged() ? registerName(row) + changedMark : registerName(row);
     case MemoryColumn::Value:
         return row.raw ? QString::number(*row.raw) : dash;
     case MemoryColumn::Physical:
-        return physicalText(row);
+        return physicalCellText(row);
     case MemoryColumn::Area:
-        return text::areaWord(row.reg->area);
+        return text::areaLabel(row.reg->area);
     case MemoryColumn::Access:
-        return accessText(row);
+        return accessCellText(row);
     case MemoryColumn::Default:
         return defaultText(row, physicalFirst);
     case MemoryColumn::Range:
-        return row.writable ? rangeWord(*row.reg, row.meaning, physicalFirst) : QString();
+        return row.isWritable ? rangeText(*row.reg, row.meaning, physicalFirst) : QString();
     case MemoryColumn::State:
-        return stateWord(row);
+        return stateText(row);
     case MemoryColumn::Count:
         break;
     }
@@ -171,10 +171,10 @@ QString memoryTip(const MemoryRow& row, MemoryColumn column, bool physicalFirst)
             .arg(row.reg->address, 2, 16, QLatin1Char('0'))
             .arg(row.reg->key);
     case MemoryColumn::Name:
-        return row.changed()
+        return row.isChanged()
                    ? translate("MemoryTable", "%1: was %2 at the first reading of this session")
                          .arg(registerName(row))
-                         .arg(*row.first)
+                         .arg(*row.firstRaw)
                    : registerName(row);
     case MemoryColumn::Value:
     case MemoryColumn::Physical:
@@ -189,7 +189,7 @@ QString memoryTip(const MemoryRow& row, MemoryColumn column, bool physicalFirst)
         const QString range = memoryText(row, column, physicalFirst);
         return range.isEmpty() ? translate("MemoryTable", "There is nothing to write.")
                                : translate("MemoryTable", "New values: %1")
-                                     .arg(rangeWord(*row.reg, row.meaning, false));
+                                     .arg(rangeText(*row.reg, row.meaning, false));
     }
     case MemoryColumn::State:
         return stateHelp(row);
@@ -200,32 +200,32 @@ QString memoryTip(const MemoryRow& row, MemoryColumn column, bool physicalFirst)
     return memoryText(row, column, physicalFirst);
 }
 
-QString rangeWord(const catalog::Register& reg, const catalog::Meaning& meaning, bool physical)
+QString rangeText(const catalog::Register& reg, const catalog::ValueFormat& meaning, bool physical)
 {
-    const auto fits = catalog::representable(reg.size, meaning.encoding, meaning.signBit);
+    const auto fits = catalog::representableRange(reg.size, meaning.encoding, meaning.signBit);
     const std::int64_t min = std::max(fits.min, meaning.min.value_or(fits.min));
     const std::int64_t max = std::min(fits.max, meaning.max.value_or(fits.max));
     const bool inUnit = physical && !named(meaning) && !meaning.unit.isEmpty();
     const auto word = [&](std::int64_t raw) {
-        return inUnit ? physicalWord(raw, reg, meaning) : QString::number(raw);
+        return inUnit ? physicalText(raw, reg, meaning) : QString::number(raw);
     };
     if (min == -max)
         return QStringLiteral("±%1").arg(word(max));
     return QStringLiteral("%1–%2").arg(word(min), word(max));
 }
 
-QString physicalWord(std::int64_t raw, const catalog::Register& reg,
-                     const catalog::Meaning& meaning)
+QString physicalText(std::int64_t raw, const catalog::Register& reg,
+                     const catalog::ValueFormat& meaning)
 {
     // A plain number would only repeat the raw one.
     if (!named(meaning) && meaning.unit.isEmpty())
         return {};
-    return catalog::formatValue(raw, reg, meaning, text::inChinese());
+    return catalog::formatValue(raw, reg, meaning, text::isUiChinese());
 }
 
-QString rawWord(std::int64_t raw, const catalog::Register& reg, const catalog::Meaning& meaning)
+QString rawWord(std::int64_t raw, const catalog::Register& reg, const catalog::ValueFormat& meaning)
 {
-    const QString physical = physicalWord(raw, reg, meaning);
+    const QString physical = physicalText(raw, reg, meaning);
     const QString number = QString::number(raw);
     return physical.isEmpty() || physical == number
                ? number

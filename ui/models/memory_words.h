@@ -35,15 +35,16 @@ QString memoryTip(const MemoryRow& row, MemoryColumn column, bool physicalFirst)
 base::Error withName(base::Error error, const catalog::Register* reg);
 
 QString registerName(const MemoryRow& row); ///< without the mark of a changed row
-QString stateWord(const MemoryRow& row);    ///< with its sign: "✓ kept"
+QString stateText(const MemoryRow& row);    ///< with its sign: "✓ kept"
 QString stateHelp(const MemoryRow& row);    ///< a sentence, with the error's cause and remedy
-QString ageWord(RowAge age);                ///< "now", "5 s", "2 min"; empty: never read
+QString ageText(RowAge age);                ///< "now", "5 s", "2 min"; empty: never read
 Tone stateTone(RowState state);
 
 /// "0–254", "±2047", physical with its unit if wanted; empty where there is no range.
-QString rangeWord(const catalog::Register& reg, const catalog::Meaning& meaning, bool physical);
+QString rangeText(const catalog::Register& reg, const catalog::ValueFormat& meaning, bool physical);
 /// A number as the table shows it: "44", "1 — on", "8.5 V".
-QString rawWord(std::int64_t raw, const catalog::Register& reg, const catalog::Meaning& meaning);
-QString physicalWord(std::int64_t raw, const catalog::Register& reg,
-                     const catalog::Meaning& meaning);
+QString rawWord(std::int64_t raw, const catalog::Register& reg,
+                const catalog::ValueFormat& meaning);
+QString physicalText(std::int64_t raw, const catalog::Register& reg,
+                     const catalog::ValueFormat& meaning);
 } // namespace ui

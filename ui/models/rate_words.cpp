@@ -9,7 +9,7 @@ constexpr int mega = 1'000'000;
 constexpr int kilo = 1000;
 constexpr int roundKilo = 100'000;
 constexpr double minute = 60;
-constexpr double longest = 99;
+constexpr double maxSeconds = 99;
 } // namespace
 
 QString rateText(int baud)
@@ -34,7 +34,7 @@ QString spanText(base::Duration span)
     const double seconds = double(span.count()) / 1e6;
     if (seconds < 9.95)
         return QCoreApplication::translate("ui", "%1 s").arg(seconds, 0, 'f', 1);
-    if (seconds < longest)
+    if (seconds < maxSeconds)
         return QCoreApplication::translate("ui", "%1 s").arg(qRound(seconds));
     return QCoreApplication::translate("ui", "%1 min").arg(qRound(seconds / minute));
 }

@@ -23,17 +23,17 @@ using catalog::Text;
 constexpr int firstId = 0;
 constexpr int lastId = 253;
 
-enum Row { NothingOne = 1, NothingSeveral, OnlySome, Garbled, GoneAfterChange };
+enum Row { NoneFoundSingle = 1, NoneFoundMultiple, SomeMissing, Garbled, LostAfterChange };
 
-Text textIn(const QJsonObject& item, const char* member)
+Text textFrom(const QJsonObject& item, const char* member)
 {
     const QJsonObject both = item.value(QLatin1String(member)).toObject();
     return {both.value(QLatin1String("en")).toString(), both.value(QLatin1String("zh")).toString()};
 }
 
-Text filled(const QJsonObject& item, const char* member, const QString& value = {})
+Text withValue(const QJsonObject& item, const char* member, const QString& value = {})
 {
-    Text text = textIn(item, member);
+    Text text = textFrom(item, member);
     for (QString* one : {&text.en, &text.zh})
         one->replace(QLatin1String("%1"), value);
     return text;
@@ -60,51 +60,51 @@ bool allIds(const SearchFacts& facts)
 
 bool allRates(const SearchFacts& facts)
 {
-    const auto& known = session::knownRates();
+    const auto& known = session::standardBaudRates();
     const auto& searched = facts.report.rates;
-    return !facts.report.stopped && facts.hasBaud &&
+    return !facts.report.stopped && facts.canSetBaud &&
            std::all_of(known.begin(), known.end(), [&](int rate) {
                return std::find(searched.begin(), searched.end(), rate) != searched.end();
            });
 }
 
-std::vector<base::Protocol> protocolsTried(const SearchFacts& facts)
+std::vector<base::Protocol> triedProtocols(const SearchFacts& facts)
 {
     if (!facts.spec.protocols.empty())
         return facts.spec.protocols;
     if (facts.port.protocol)
         return {*facts.port.protocol};
-    return facts.possible;
+    return facts.candidates;
 }
 
 bool allProtocols(const SearchFacts& facts)
 {
-    return !facts.report.stopped && protocolsTried(facts).size() == base::allProtocols.size();
+    return !facts.report.stopped && triedProtocols(facts).size() == base::allProtocols.size();
 }
 
 QString ratesText(const std::vector<int>& rates)
 {
-    QStringList words;
+    QStringList parts;
     for (const int rate : rates)
-        words << QString::number(rate);
-    return words.join(QStringLiteral(", "));
+        parts << QString::number(rate);
+    return parts.join(QStringLiteral(", "));
 }
 
 QString protocolsText(const SearchFacts& facts)
 {
-    QStringList words;
-    for (const base::Protocol protocol : protocolsTried(facts))
-        words << (protocol == base::Protocol::Feetech  ? QStringLiteral("Feetech")
+    QStringList parts;
+    for (const base::Protocol protocol : triedProtocols(facts))
+        parts << (protocol == base::Protocol::Feetech  ? QStringLiteral("Feetech")
                   : protocol == base::Protocol::Modbus ? QStringLiteral("Modbus")
                                                        : QStringLiteral("LX"));
-    return words.join(QStringLiteral(", "));
+    return parts.join(QStringLiteral(", "));
 }
 
-QString twinsText(const SearchFacts& facts)
+QString duplicateIdsText(const SearchFacts& facts)
 {
     QStringList ids;
-    for (const jobs::Found& found : facts.report.found) {
-        if (found.twinsSuspected)
+    for (const jobs::FoundServo& found : facts.report.found) {
+        if (found.duplicateSuspected)
             ids << QString::number(found.servo.id);
     }
     return ids.join(QStringLiteral(", "));
@@ -116,89 +116,89 @@ struct Verdict {
     std::optional<QString> finding; ///< fills the sentence
 };
 
-Verdict ruledOutIf(bool so, const QString& value = {}, const std::optional<QString>& hint = {})
+Verdict verdictIf(bool so, const QString& value = {}, const std::optional<QString>& hint = {})
 {
     return so ? Verdict{true, value} : Verdict{false, hint};
 }
 
 Verdict sameId(const SearchFacts& facts, int row)
 {
-    const QString twins = twinsText(facts);
-    if (row == NothingSeveral)
-        return {false, facts.report.garbledHeard ? std::optional(QString()) : std::nullopt};
+    const QString twins = duplicateIdsText(facts);
+    if (row == NoneFoundMultiple)
+        return {false, facts.report.hasGarbledReplies ? std::optional(QString()) : std::nullopt};
     return {false, twins.isEmpty() ? std::nullopt : std::optional(twins)};
 }
 
-Verdict ofTheSearch(const SearchFacts& facts, const QString& key, int row)
+Verdict findingFromSearch(const SearchFacts& facts, const QString& key, int row)
 {
     const auto& report = facts.report;
-    const QString rateCount = QString::number(session::knownRates().size());
+    const QString rateCount = QString::number(session::standardBaudRates().size());
     if (key == QLatin1String("ids"))
-        return ruledOutIf(allIds(facts), {},
-                          QStringLiteral("%1–%2").arg(facts.spec.firstId).arg(facts.spec.lastId));
+        return verdictIf(allIds(facts), {},
+                         QStringLiteral("%1–%2").arg(facts.spec.firstId).arg(facts.spec.lastId));
     if (key == QLatin1String("rate"))
-        return ruledOutIf(allRates(facts), rateCount,
-                          report.rates.empty() || !facts.hasBaud
-                              ? std::nullopt
-                              : std::optional(ratesText(report.rates)));
+        return verdictIf(allRates(facts), rateCount,
+                         report.rates.empty() || !facts.canSetBaud
+                             ? std::nullopt
+                             : std::optional(ratesText(report.rates)));
     if (key == QLatin1String("protocol"))
-        return ruledOutIf(allProtocols(facts), {}, protocolsText(facts));
+        return verdictIf(allProtocols(facts), {}, protocolsText(facts));
     if (key == QLatin1String("late"))
-        return ruledOutIf(report.lateReplies == 0, {}, QString::number(report.lateReplies));
-    if (key == QLatin1String("rate_off") && !report.ratesRefused.empty())
-        return {false, ratesText(report.ratesRefused)};
+        return verdictIf(report.lateReplies == 0, {}, QString::number(report.lateReplies));
+    if (key == QLatin1String("rate_off") && !report.unsupportedRates.empty())
+        return {false, ratesText(report.unsupportedRates)};
     if (key == QLatin1String("old"))
-        return ruledOutIf(allIds(facts) && allRates(facts), rateCount);
+        return verdictIf(allIds(facts) && allRates(facts), rateCount);
     if (key == QLatin1String("same_id"))
         return sameId(facts, row);
     return {};
 }
 
-Verdict verdictOn(const SearchFacts& facts, const QString& key, int row)
+Verdict verdictFor(const SearchFacts& facts, const QString& key, int row)
 {
-    static const QStringList alwaysRuledOut{QStringLiteral("level"), QStringLiteral("echo"),
-                                            QStringLiteral("driver")};
-    static const QStringList byHand{
+    static const QStringList ruledOutKeys{QStringLiteral("level"), QStringLiteral("echo"),
+                                          QStringLiteral("driver")};
+    static const QStringList manualChecks{
         QStringLiteral("port"),    QStringLiteral("adapter_supply"), QStringLiteral("supply"),
         QStringLiteral("lead"),    QStringLiteral("damaged"),        QStringLiteral("drop"),
         QStringLiteral("blocked"), QStringLiteral("noise"),          QStringLiteral("line")};
-    if (alwaysRuledOut.contains(key)) // a search needs an open port
+    if (ruledOutKeys.contains(key)) // a search needs an open port
         return {true, QString()};
-    if (byHand.contains(key))
-        return ruledOutIf(isSimulated(facts));
+    if (manualChecks.contains(key))
+        return verdictIf(isSimulated(facts));
     if (key == QLatin1String("holder"))
-        return ruledOutIf(isSimulated(facts), {},
-                          facts.otherPrograms.isEmpty() ? std::nullopt
-                                                        : std::optional(facts.otherPrograms));
+        return verdictIf(isSimulated(facts), {},
+                         facts.otherPrograms.isEmpty() ? std::nullopt
+                                                       : std::optional(facts.otherPrograms));
     if (key == QLatin1String("locked"))
-        return ruledOutIf(facts.history.idOrRateChanged);
-    return ofTheSearch(facts, key, row);
+        return verdictIf(facts.history.idOrBaudChanged);
+    return findingFromSearch(facts, key, row);
 }
 
-bool fits(const SearchFacts& facts, int row)
+bool matches(const SearchFacts& facts, int row)
 {
     const bool nobody = facts.report.found.empty();
     switch (row) {
-    case NothingOne:
-    case NothingSeveral:
+    case NoneFoundSingle:
+    case NoneFoundMultiple:
         return nobody;
-    case OnlySome:
+    case SomeMissing:
         return !nobody;
     case Garbled:
-        return facts.report.garbledHeard || !twinsText(facts).isEmpty();
-    case GoneAfterChange:
-        return facts.history.idOrRateChanged || facts.history.vanished > 0;
+        return facts.report.hasGarbledReplies || !duplicateIdsText(facts).isEmpty();
+    case LostAfterChange:
+        return facts.history.idOrBaudChanged || facts.history.lostServos > 0;
     default:
         return false;
     }
 }
 
 /// What was really seen comes before what may be.
-int urgency(const AdviceRow& row)
+int sortPriority(const AdviceRow& row)
 {
-    if (!row.fits)
+    if (!row.matches)
         return 2;
-    return row.number == Garbled || row.number == GoneAfterChange ? 0 : 1;
+    return row.number == Garbled || row.number == LostAfterChange ? 0 : 1;
 }
 } // namespace
 
@@ -208,17 +208,17 @@ SearchFacts searchFacts(const session::Desk& desk, const SearchHistory& history)
     facts.spec = desk.lastSearchSpec();
     facts.report = desk.lastSearch().value_or(jobs::ScanReport{});
     facts.port = desk.lastRequest();
-    facts.hasBaud = desk.hasBaud() || desk.state() != session::LinkState::Open;
+    facts.canSetBaud = desk.canSetBaud() || desk.state() != session::LinkState::Open;
     facts.history = history;
     facts.otherPrograms = desk.otherPrograms();
     for (const base::Protocol protocol : base::allProtocols) {
-        const auto canBeMet = [&](int rate) {
+        const auto isPossibleAt = [&](int rate) {
             const auto met = desk.catalog().protocolsAt(rate);
             return std::find(met.begin(), met.end(), protocol) != met.end();
         };
         const auto& rates = facts.report.rates;
-        if (!facts.hasBaud || std::any_of(rates.begin(), rates.end(), canBeMet))
-            facts.possible.push_back(protocol);
+        if (!facts.canSetBaud || std::any_of(rates.begin(), rates.end(), isPossibleAt))
+            facts.candidates.push_back(protocol);
     }
     return facts;
 }
@@ -230,28 +230,29 @@ std::vector<AdviceRow> searchAdvice(const SearchFacts& facts)
         const QJsonObject object = value.toObject();
         AdviceRow row;
         row.number = object.value(QLatin1String("number")).toInt();
-        row.symptom = textIn(object, "symptom");
-        row.fits = fits(facts, row.number);
+        row.symptom = textFrom(object, "symptom");
+        row.matches = matches(facts, row.number);
         for (const QJsonValue& each : object.value(QLatin1String("items")).toArray()) {
             const QJsonObject item = each.toObject();
             const QString key = item.value(QLatin1String("key")).toString();
-            const Verdict verdict = verdictOn(facts, key, row.number);
+            const Verdict verdict = verdictFor(facts, key, row.number);
             Text finding;
             if (verdict.finding)
-                finding = filled(item, verdict.ruledOut ? "ruled_out" : "hint", *verdict.finding);
+                finding =
+                    withValue(item, verdict.ruledOut ? "ruled_out" : "hint", *verdict.finding);
             row.items.push_back(
-                {key, textIn(item, "cause"), textIn(item, "check"), finding, verdict.ruledOut});
+                {key, textFrom(item, "cause"), textFrom(item, "check"), finding, verdict.ruledOut});
         }
         rows.push_back(std::move(row));
     }
     std::stable_sort(rows.begin(), rows.end(), [](const AdviceRow& a, const AdviceRow& b) {
-        return urgency(a) < urgency(b);
+        return sortPriority(a) < sortPriority(b);
     });
     return rows;
 }
 
 bool canSearchWider(const SearchFacts& facts)
 {
-    return !allIds(facts) || !allProtocols(facts) || (facts.hasBaud && !allRates(facts));
+    return !allIds(facts) || !allProtocols(facts) || (facts.canSetBaud && !allRates(facts));
 }
 } // namespace ui

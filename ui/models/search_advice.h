@@ -11,17 +11,17 @@
 namespace ui {
 /// What happened before the search.
 struct SearchHistory {
-    bool idOrRateChanged = false; ///< by this program since it was started
-    int vanished = 0;             ///< servos that were in the list and did not answer
+    bool idOrBaudChanged = false; ///< by this program since it was started
+    int lostServos = 0;           ///< servos that were in the list and did not answer
 };
 
 struct SearchFacts {
     jobs::ScanSpec spec;
     jobs::ScanReport report;
     session::PortRequest port;
-    bool hasBaud = true; ///< false: a bridge sets the rate
+    bool canSetBaud = true; ///< false: a bridge sets the rate
     /// Those that were tried when nobody named any: what can be met at the rates searched.
-    std::vector<base::Protocol> possible{};
+    std::vector<base::Protocol> candidates{};
     SearchHistory history{};
     QString otherPrograms{}; ///< that have the port open too, as far as that can be seen
 };
@@ -37,7 +37,7 @@ struct AdviceItem {
 struct AdviceRow {
     int number = 0; ///< in the fault table
     catalog::Text symptom;
-    bool fits = false; ///< what was seen fits; those that do not come last
+    bool matches = false; ///< what was seen fits; those that do not come last
     std::vector<AdviceItem> items;
 };
 

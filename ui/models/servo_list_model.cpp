@@ -38,7 +38,7 @@ QVariant ServoListModel::data(const QModelIndex& index, int role) const
     if (role == RowRole)
         return QVariant::fromValue(row);
     if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
-        return row.everything();
+        return row.toolTipText();
     if (role != Qt::DisplayRole)
         return {};
     switch (Column(index.column())) {
@@ -103,7 +103,7 @@ int ServoListModel::rowOf(ServoRef ref) const
     return found == m_rows.end() ? -1 : int(found - m_rows.begin());
 }
 
-ServoRow ServoListModel::make(ServoRef ref)
+ServoRow ServoListModel::makeRow(ServoRef ref)
 {
     const session::ServoEntry* entry = m_desk.servo(ref);
     if (entry == nullptr)
@@ -128,7 +128,7 @@ void ServoListModel::added(ServoRef ref)
         return;
     const int row = std::min(int(place - order.begin()), rowCount());
     beginInsertRows({}, row, row);
-    m_rows.insert(m_rows.begin() + row, make(ref));
+    m_rows.insert(m_rows.begin() + row, makeRow(ref));
     endInsertRows();
 }
 
@@ -138,20 +138,20 @@ void ServoListModel::changed(ServoRef ref)
     const int row = rowOf(ref);
     if (row < 0 || m_desk.servo(ref) == nullptr)
         return;
-    ServoRow now = make(ref);
+    ServoRow now = makeRow(ref);
     if (now != m_rows[std::size_t(row)]) {
         m_rows[std::size_t(row)] = std::move(now);
         Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     }
     const auto& order = m_desk.servos();
-    const int wanted =
+    const int target =
         std::min(int(std::find(order.begin(), order.end(), ref) - order.begin()), rowCount() - 1);
-    if (wanted == row)
+    if (target == row)
         return;
-    beginMoveRows({}, row, row, {}, wanted > row ? wanted + 1 : wanted);
+    beginMoveRows({}, row, row, {}, target > row ? target + 1 : target);
     ServoRow moved = std::move(m_rows[std::size_t(row)]);
     m_rows.erase(m_rows.begin() + row);
-    m_rows.insert(m_rows.begin() + wanted, std::move(moved));
+    m_rows.insert(m_rows.begin() + target, std::move(moved));
     endMoveRows();
 }
 
@@ -170,18 +170,19 @@ void ServoListModel::reload()
     beginResetModel();
     m_rows.clear();
     for (const ServoRef ref : m_desk.servos())
-        m_rows.push_back(make(ref));
+        m_rows.push_back(makeRow(ref));
     endResetModel();
 }
 
-void ServoListModel::tick()
+void ServoListModel::updateAges()
 {
     for (int row = 0; row < rowCount(); ++row) {
         const session::ServoEntry* entry = m_desk.servo(m_rows[std::size_t(row)].ref);
-        const QString ago = entry != nullptr ? agoWords(m_desk.now() - entry->lastSeen) : QString();
+        const QString ago =
+            entry != nullptr ? timeAgoText(m_desk.now() - entry->lastSeen) : QString();
         if (ago.isEmpty() || ago == m_rows[std::size_t(row)].lastSeen)
             continue;
-        m_rows[std::size_t(row)] = make(entry->ref); // its colour may have aged as well
+        m_rows[std::size_t(row)] = makeRow(entry->ref); // its color may have aged as well
         // The first column as well: the delegate draws the whole row there.
         Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     }
@@ -190,7 +191,7 @@ void ServoListModel::tick()
 void ServoListModel::retranslate()
 {
     for (ServoRow& row : m_rows)
-        row = make(row.ref);
+        row = makeRow(row.ref);
     if (!m_rows.empty())
         Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);

@@ -28,8 +28,8 @@ public:
     int rowOf(session::ServoRef ref) const; ///< -1: not in the list
 
     /// The times of "last seen" have gone on. An answer that is too old is no longer shown in the
-    /// colour of a good one.
-    void tick();
+    /// color of a good one.
+    void updateAges();
     void retranslate();
 
 private:
@@ -37,7 +37,7 @@ private:
     void changed(session::ServoRef ref);
     void removed(session::ServoRef ref);
     void reload();
-    ServoRow make(session::ServoRef ref);
+    ServoRow makeRow(session::ServoRef ref);
     const std::optional<catalog::KnownFirmware>& newerFirmware(const catalog::ProfilePtr& profile);
 
     session::Desk& m_desk;

@@ -15,7 +15,7 @@ namespace {
 using catalog::Role;
 using text::translate;
 
-QString protocolWord(base::Protocol protocol)
+QString protocolText(base::Protocol protocol)
 {
     switch (protocol) {
     case base::Protocol::Modbus:
@@ -28,7 +28,7 @@ QString protocolWord(base::Protocol protocol)
     return translate("ServoRow", "Feetech");
 }
 
-QString shortLine(catalog::Line line)
+QString shortenedLine(catalog::Line line)
 {
     switch (line) {
     case catalog::Line::Ttl:
@@ -73,7 +73,7 @@ State stateOf(const session::ServoEntry& entry)
     if (entry.silent)
         return {translate("ServoRow", "no answer"), Tone::Quiet};
     if (servo.status != 0)
-        return {text::statusWords(servo.status, profile, text::inChinese()), Tone::Bad};
+        return {text::statusText(servo.status, profile, text::isUiChinese()), Tone::Bad};
     if (profile == nullptr)
         return {translate("ServoRow", "not identified"), Tone::Warn};
     if (servo.repliesCarryStatus())
@@ -85,7 +85,7 @@ State stateOf(const session::ServoEntry& entry)
 }
 
 /// A lock flag that was read during a write to the EPROM does not say how the write has left it.
-bool lockReadSinceWrites(const session::ServoEntry& entry)
+bool isLockReadSinceWrites(const session::ServoEntry& entry)
 {
     const catalog::Register* lock = entry.servo.profile->byRole(Role::Lock);
     const auto read = entry.servo.image.readAt(lock->offset);
@@ -99,11 +99,11 @@ bool lockReadSinceWrites(const session::ServoEntry& entry)
 /// Of one that was open when it was last read.
 QString lockRemark(const session::ServoEntry& entry, bool old)
 {
-    const bool sinceWrites = lockReadSinceWrites(entry);
+    const bool isReadSinceWrites = isLockReadSinceWrites(entry);
     if (!entry.lockOpenedByUs)
-        return sinceWrites ? translate("ServoRow", "EPROM lock open")
-                           : translate("ServoRow", "EPROM lock not proven closed");
-    return sinceWrites && !entry.silent && !old
+        return isReadSinceWrites ? translate("ServoRow", "EPROM lock open")
+                                 : translate("ServoRow", "EPROM lock not proven closed");
+    return isReadSinceWrites && !entry.silent && !old
                ? translate("ServoRow", "EPROM lock open, opened by ServoDesk")
                : translate("ServoRow", "EPROM lock not proven closed, opened by ServoDesk");
 }
@@ -113,11 +113,11 @@ std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
 {
     std::vector<ServoRemark> remarks;
     const catalog::Profile* profile = entry.servo.profile.get();
-    if (entry.twinsSuspected)
+    if (entry.duplicateSuspected)
         remarks.push_back({Tone::Bad, translate("ServoRow", "Two servos with this ID?")});
-    if (entry.lockOpen().value_or(false))
+    if (entry.isLockOpen().value_or(false))
         remarks.push_back({Tone::Warn, lockRemark(entry, old)});
-    if (entry.heardLate)
+    if (entry.lateReplySeen)
         remarks.push_back({Tone::Warn, translate("ServoRow", "Answers late")});
     if (profile != nullptr && profile->conflict)
         remarks.push_back({Tone::Bad, translate("ServoRow", "Family unclear: read only")});
@@ -132,12 +132,12 @@ std::vector<ServoRemark> remarksOf(const session::ServoEntry& entry,
 }
 } // namespace
 
-QString agoWords(base::Duration age)
+QString timeAgoText(base::Duration age)
 {
-    constexpr int soon = 2;
+    constexpr int nowThreshold = 2;
     constexpr int minute = 60;
     const auto seconds = int(age.count() / 1'000'000);
-    if (seconds < soon)
+    if (seconds < nowThreshold)
         return translate("ServoRow", "now", "last seen");
     if (seconds < minute)
         return translate("ServoRow", "%1 s ago").arg(seconds);
@@ -153,11 +153,11 @@ ServoRow servoRow(const session::ServoEntry& entry,
     row.ref = entry.ref;
     row.id = servo.id;
     row.model = profile != nullptr ? profile->modelName : translate("ServoRow", "Unknown servo");
-    row.protocol = protocolWord(servo.protocol);
+    row.protocol = protocolText(servo.protocol);
     row.rate = shortRate(servo.baud);
     if (profile != nullptr) {
         row.map = profile->mapKey;
-        row.line = shortLine(profile->line);
+        row.line = shortenedLine(profile->line);
         if (profile->identity.firmwareMajor >= 0)
             row.firmware = profile->identity.firmware();
     }
@@ -165,9 +165,9 @@ ServoRow servoRow(const session::ServoEntry& entry,
     row.alarm = state.alarm;
     const bool old = now - entry.lastSeen > session::maxReadingAge;
     row.alarmTone = state.tone == Tone::Good && old ? Tone::Quiet : state.tone;
-    row.lastSeen = agoWords(now - entry.lastSeen);
+    row.lastSeen = timeAgoText(now - entry.lastSeen);
     row.remarks = remarksOf(entry, newer, old);
-    row.silent = entry.silent;
+    row.isSilent = entry.silent;
     return row;
 }
 
@@ -183,7 +183,7 @@ QString ServoRow::details() const
     return parts.join(QStringLiteral(" · "));
 }
 
-QString ServoRow::everything() const
+QString ServoRow::toolTipText() const
 {
     const QString unknown = translate("ServoRow", "not known");
     const auto known = [&](const QString& text) { return text.isEmpty() ? unknown : text; };

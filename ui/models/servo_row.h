@@ -29,16 +29,16 @@ struct ServoRow {
     Tone alarmTone = Tone::Quiet;
     QString lastSeen; ///< "12 s ago"
     std::vector<ServoRemark> remarks;
-    bool silent = false;
+    bool isSilent = false;
 
-    QString details() const;    ///< "fw 3.10 · sts-sms · TTL · 1 M"
-    QString everything() const; ///< many lines: the tooltip
+    QString details() const;     ///< "fw 3.10 · sts-sms · TTL · 1 M"
+    QString toolTipText() const; ///< many lines: the tooltip
     bool operator==(const ServoRow&) const = default;
 };
 
 ServoRow servoRow(const session::ServoEntry& entry,
                   const std::optional<catalog::KnownFirmware>& newer, base::Duration now);
 /// "now", "12 s ago", "3 min ago".
-QString agoWords(base::Duration age);
+QString timeAgoText(base::Duration age);
 } // namespace ui
 Q_DECLARE_METATYPE(ui::ServoRow)

@@ -5,14 +5,14 @@
 
 namespace ui {
 base::Result<std::vector<record::HistorySnapshot>>
-listedSnapshots(const record::History& history, const std::optional<base::ServoIdentity>& who,
-                std::int64_t wanted, int most)
+findSnapshots(const record::History& history, const std::optional<base::ServoIdentity>& identity,
+              std::int64_t required, int limit)
 {
     const record::HistoryLog log = history.log();
     record::HistoryFilter filter;
-    filter.most = most;
-    if (who) {
-        const auto servo = log.of(*who);
+    filter.limit = limit;
+    if (identity) {
+        const auto servo = log.of(*identity);
         if (!servo)
             return tl::unexpected(servo.error());
         if (!*servo)
@@ -20,12 +20,12 @@ listedSnapshots(const record::History& history, const std::optional<base::ServoI
         filter.servo = (*servo)->number;
     }
     auto rows = log.snapshots(filter);
-    const bool there = !rows || wanted == 0 ||
-                       std::any_of(rows->begin(), rows->end(),
-                                   [&](const auto& row) { return row.number == wanted; });
-    if (there)
+    const bool isIncluded = !rows || required == 0 ||
+                            std::any_of(rows->begin(), rows->end(),
+                                        [&](const auto& row) { return row.number == required; });
+    if (isIncluded)
         return rows;
-    if (auto row = log.snapshotRow(wanted))
+    if (auto row = log.snapshotRow(required))
         rows->push_back(std::move(*row));
     return rows;
 }

@@ -7,6 +7,6 @@
 namespace ui {
 /// Of one servo, or of all. The snapshot numbered `wanted` comes along, however old it is; 0: none.
 base::Result<std::vector<record::HistorySnapshot>>
-listedSnapshots(const record::History& history, const std::optional<base::ServoIdentity>& who,
-                std::int64_t wanted, int most);
+findSnapshots(const record::History& history, const std::optional<base::ServoIdentity>& identity,
+              std::int64_t required, int most);
 } // namespace ui

@@ -10,11 +10,11 @@ using text::translate;
 namespace {
 QString outcome(device::WriteOutcome outcome)
 {
-    return text::outcomeWord(device::outcomeName(outcome));
+    return text::outcomeLabel(device::outcomeName(outcome));
 }
 
 /// Sign and word, without the age.
-QString plainState(const MemoryRow& row)
+QString stateName(const MemoryRow& row)
 {
     using device::WriteOutcome;
     switch (row.state) {
@@ -25,7 +25,7 @@ QString plainState(const MemoryRow& row)
     case RowState::Unreadable:
         return QStringLiteral("✗ ") + translate("MemoryTable", "not readable");
     case RowState::Pending:
-        return QStringLiteral("… ") + translate("MemoryTable", "pending: %1").arg(row.wanted);
+        return QStringLiteral("… ") + translate("MemoryTable", "pending: %1").arg(row.requestedRaw);
     case RowState::Kept:
         return QStringLiteral("✓ ") + outcome(WriteOutcome::Kept);
     case RowState::Temporary:
@@ -34,7 +34,7 @@ QString plainState(const MemoryRow& row)
         return QStringLiteral("≠ ") + outcome(WriteOutcome::Mismatch);
     case RowState::Refused:
         return QStringLiteral("✗ ") + outcome(WriteOutcome::Refused);
-    case RowState::NoAnswer:
+    case RowState::NoReply:
         // The value beside it may have been read since.
         return QStringLiteral("✗ ") + translate("MemoryTable", "write: no answer");
     case RowState::Unknown:
@@ -49,7 +49,7 @@ QString plainState(const MemoryRow& row)
     return {};
 }
 
-QString meaningOfState(const MemoryRow& row)
+QString stateDescription(const MemoryRow& row)
 {
     switch (row.state) {
     case RowState::NotRead:
@@ -59,47 +59,47 @@ QString meaningOfState(const MemoryRow& row)
     case RowState::Unreadable:
         return translate("MemoryTable", "The latest reading failed, so no number is shown.");
     case RowState::Pending:
-        return translate("MemoryTable", "%1 is being written.").arg(row.wanted);
+        return translate("MemoryTable", "%1 is being written.").arg(row.requestedRaw);
     case RowState::Kept:
         return translate("MemoryTable", "%1 was written, read back, and is kept at power-off.")
-            .arg(row.wanted);
+            .arg(row.requestedRaw);
     case RowState::Temporary:
         return translate("MemoryTable", "%1 was written and read back; it is lost at power-off.")
-            .arg(row.wanted);
+            .arg(row.requestedRaw);
     case RowState::Mismatch:
         return translate("MemoryTable", "%1 was written, but the servo shows another value.")
-            .arg(row.wanted);
+            .arg(row.requestedRaw);
     case RowState::Refused:
-        return translate("MemoryTable", "The servo did not take %1.").arg(row.wanted);
-    case RowState::NoAnswer:
+        return translate("MemoryTable", "The servo did not take %1.").arg(row.requestedRaw);
+    case RowState::NoReply:
         return translate("MemoryTable", "There was no answer while %1 was being written.")
-            .arg(row.wanted);
+            .arg(row.requestedRaw);
     case RowState::Unknown:
         return translate("MemoryTable",
                          "It is not known what became of writing %1. Read the register again.")
-            .arg(row.wanted);
+            .arg(row.requestedRaw);
     case RowState::NotSent:
     case RowState::NotWritten:
         return translate("MemoryTable", "%1 was not written; the servo was not touched.")
-            .arg(row.wanted);
+            .arg(row.requestedRaw);
     case RowState::Superseded:
         return translate("MemoryTable", "%1 was written here, but the servo shows another value "
                                         "since: a temporary value "
                                         "is lost at power-off, or somebody else wrote.")
-            .arg(row.wanted);
+            .arg(row.requestedRaw);
     }
     return {};
 }
 
-bool tellsError(RowState state)
+bool showsError(RowState state)
 {
     return state == RowState::Mismatch || state == RowState::Refused ||
-           state == RowState::NoAnswer || state == RowState::Unknown ||
+           state == RowState::NoReply || state == RowState::Unknown ||
            state == RowState::NotWritten || state == RowState::NotSent;
 }
 } // namespace
 
-QString ageWord(RowAge age)
+QString ageText(RowAge age)
 {
     constexpr int minute = 60;
     constexpr int hour = 60 * minute;
@@ -113,10 +113,10 @@ QString ageWord(RowAge age)
                               : translate("MemoryTable", "%1 h").arg(age.seconds / hour);
 }
 
-QString stateWord(const MemoryRow& row)
+QString stateText(const MemoryRow& row)
 {
-    const QString state = plainState(row);
-    const QString age = ageWord(row.age);
+    const QString state = stateName(row);
+    const QString age = ageText(row.age);
     if (state.isEmpty() || age.isEmpty())
         return state.isEmpty() ? age : state;
     return QStringLiteral("%1 · %2").arg(state, age);
@@ -124,15 +124,15 @@ QString stateWord(const MemoryRow& row)
 
 QString stateHelp(const MemoryRow& row)
 {
-    QStringList lines{meaningOfState(row)};
-    if (row.error && tellsError(row.state)) {
-        const text::Description words = text::describe(withName(*row.error, row.reg));
-        lines << words.what << words.cause << words.remedy;
+    QStringList lines{stateDescription(row)};
+    if (row.error && showsError(row.state)) {
+        const text::Description description = text::describe(withName(*row.error, row.reg));
+        lines << description.message << description.cause << description.remedy;
     }
     if (row.age.seconds == 0)
         lines << translate("MemoryTable", "The value shown is of this moment.");
     else if (row.age.seconds > 0)
-        lines << translate("MemoryTable", "The value shown was read %1 ago.").arg(ageWord(row.age));
+        lines << translate("MemoryTable", "The value shown was read %1 ago.").arg(ageText(row.age));
     lines.removeAll(QString());
     return lines.join(QLatin1Char('\n'));
 }
@@ -149,7 +149,7 @@ Tone stateTone(RowState state)
     case RowState::Unreadable:
     case RowState::Mismatch:
     case RowState::Refused:
-    case RowState::NoAnswer:
+    case RowState::NoReply:
     case RowState::Unknown:
     case RowState::NotSent:
     case RowState::NotWritten:

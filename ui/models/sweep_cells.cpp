@@ -13,9 +13,9 @@ namespace ui {
 using record::Grade;
 
 namespace {
-QString said(const catalog::Text& words)
+QString localized(const catalog::Text& words)
 {
-    return words.in(text::inChinese());
+    return words.in(text::isUiChinese());
 }
 } // namespace
 
@@ -26,30 +26,30 @@ QString sweepNumber(const std::optional<double>& value)
 
 QString unitName(const QString& unit)
 {
-    return said(report::unitWords(unit));
+    return localized(report::unitText(unit));
 }
 
 QString sweepValue(const std::optional<double>& value, const QString& unit)
 {
     if (!value || !std::isfinite(*value))
-        return said(report::sweepWords().notMeasured);
+        return localized(report::sweepTexts().notMeasured);
     const QString number = report::figure(*value);
     return unit.isEmpty() ? number : number + QLatin1Char(' ') + unitName(unit);
 }
 
 QString metricName(const QString& key)
 {
-    return said(report::metricWords(key));
+    return localized(report::metricLabel(key));
 }
 
 QString gradeText(Grade grade)
 {
-    return report::gradeSign(grade) + QLatin1Char(' ') + said(report::gradeWords(grade));
+    return report::gradeSign(grade) + QLatin1Char(' ') + localized(report::gradeLabel(grade));
 }
 
 QString lineGradeText(Grade grade)
 {
-    return report::gradeSign(grade) + QLatin1Char(' ') + said(report::lineGradeWords(grade));
+    return report::gradeSign(grade) + QLatin1Char(' ') + localized(report::lineGradeLabel(grade));
 }
 
 Tone gradeTone(Grade grade)
@@ -76,21 +76,21 @@ QString limitText(const record::SweepLimit& limit, const std::optional<double>& 
 
 QString reasonText(const record::VerdictLine& line)
 {
-    const report::SweepWords& words = report::sweepWords();
+    const report::SweepTexts& words = report::sweepTexts();
     if (line.grade == Grade::NotMeasured)
-        return said(words.noFeedback);
+        return localized(words.noFeedback);
     if (line.grade == Grade::Pass)
-        return said(words.within);
+        return localized(words.within);
     const auto bound = line.grade == Grade::Fail ? line.limit.fail : line.limit.warn;
-    const QString& form = said(line.limit.atLeast ? words.under : words.over);
+    const QString& form = localized(line.limit.atLeast ? words.under : words.over);
     return form.arg(bound ? sweepValue(bound, line.limit.unit) : QString());
 }
 
-QString torqueLeftText(const std::vector<jobs::TorqueLeft>& left)
+QString unreleasedTorqueText(const std::vector<jobs::UnreleasedTorque>& left)
 {
     QStringList torque;
     QStringList moving;
-    for (const jobs::TorqueLeft& one : left)
+    for (const jobs::UnreleasedTorque& one : left)
         (one.holding ? moving : torque).append(QStringLiteral("ID %1").arg(one.id));
     const QString comma = QStringLiteral(", ");
     QStringList sentences;
@@ -103,13 +103,13 @@ QString torqueLeftText(const std::vector<jobs::TorqueLeft>& left)
     return sentences.join(QLatin1Char(' '));
 }
 
-QString torqueLeftRemedy()
+QString unreleasedTorqueRemedy()
 {
     return text::translate("ui::SweepPage", "Such a servo may still hold or move to its last goal. "
                                             "Press the emergency stop or cut the supply.");
 }
 
-QString settingsLeftRemedy()
+QString unrevertedSettingsRemedy()
 {
     return text::translate("ui::StepPage",
                            "It is noted in the journal: when the servo answers again, put it back "
@@ -117,7 +117,7 @@ QString settingsLeftRemedy()
                            "itself.");
 }
 
-BannerWords notStartedWords()
+BannerText notStartedText()
 {
     return {Tone::Warn, text::translate("ui::SweepPage", "The test was not started."),
             text::translate("ui::SweepPage", "A servo it was meant for has left the list or was "
@@ -125,9 +125,9 @@ BannerWords notStartedWords()
             text::translate("ui::SweepPage", "Choose the servo and start again.")};
 }
 
-BannerWords failedWords(const base::Error& error, const std::vector<jobs::TorqueLeft>& left)
+BannerText failureText(const base::Error& error, const std::vector<jobs::UnreleasedTorque>& left)
 {
     const text::Description why = text::describe(error);
-    return {Tone::Bad, why.what, torqueLeftText(left), torqueLeftRemedy()};
+    return {Tone::Bad, why.message, unreleasedTorqueText(left), unreleasedTorqueRemedy()};
 }
 } // namespace ui

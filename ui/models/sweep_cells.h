@@ -22,12 +22,12 @@ Tone gradeTone(record::Grade grade);
 QString limitText(const record::SweepLimit& limit, const std::optional<double>& bound);
 QString reasonText(const record::VerdictLine& line); ///< "above 8 step"
 /// Of servos that could not be left at the end as they were to be.
-QString torqueLeftText(const std::vector<jobs::TorqueLeft>& left);
-QString torqueLeftRemedy();
+QString unreleasedTorqueText(const std::vector<jobs::UnreleasedTorque>& left);
+QString unreleasedTorqueRemedy();
 /// The way back of what a test has set and could not put back.
-QString settingsLeftRemedy();
+QString unrevertedSettingsRemedy();
 /// A test was agreed to, and its servo has left the list meanwhile.
-BannerWords notStartedWords();
+BannerText notStartedText();
 /// Why a test failed, and the servos that it has left so.
-BannerWords failedWords(const base::Error& error, const std::vector<jobs::TorqueLeft>& left);
+BannerText failureText(const base::Error& error, const std::vector<jobs::UnreleasedTorque>& left);
 } // namespace ui

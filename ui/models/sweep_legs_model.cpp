@@ -59,7 +59,7 @@ std::optional<double> number(const SweepLeg& leg, LegColumn column)
 const catalog::Text& heading(LegColumn column)
 {
     static const catalog::Text none;
-    const report::SweepWords& words = report::sweepWords();
+    const report::SweepTexts& words = report::sweepTexts();
     const std::array<const catalog::Text*, std::size_t(LegColumn::Count)> all{
         &words.leg,          &words.cycle,       &words.target,   &words.reached,
         &words.timeToTarget, &words.overshoot,   &words.settling, &words.steadyError,
@@ -81,19 +81,19 @@ void SweepLegsModel::append(std::span<const SweepLeg> legs)
 {
     if (legs.empty())
         return;
-    const bool wasFull = m_total > mostLegs;
+    const bool wasFull = m_total > maxLegs;
     m_total += legs.size();
-    Measured measured = m_measured;
+    MeasuredColumns measured = m_measured;
     for (const SweepLeg& leg : legs) {
         for (std::size_t i = 0; i < measured.size(); ++i)
             measured[i] = measured[i] || number(leg, LegColumn(i)).has_value();
     }
-    legs = legs.last(std::min(legs.size(), mostLegs));
-    const std::size_t room = mostLegs - legs.size();
-    if (m_legs.size() > room) {
-        const auto surplus = std::ptrdiff_t(m_legs.size() - room);
-        beginRemoveRows({}, 0, int(surplus) - 1);
-        m_legs.erase(m_legs.begin(), m_legs.begin() + surplus);
+    legs = legs.last(std::min(legs.size(), maxLegs));
+    const std::size_t capacity = maxLegs - legs.size();
+    if (m_legs.size() > capacity) {
+        const auto excess = std::ptrdiff_t(m_legs.size() - capacity);
+        beginRemoveRows({}, 0, int(excess) - 1);
+        m_legs.erase(m_legs.begin(), m_legs.begin() + excess);
         endRemoveRows();
     }
     const int first = rowCount();
@@ -101,11 +101,11 @@ void SweepLegsModel::append(std::span<const SweepLeg> legs)
     m_legs.insert(m_legs.end(), legs.begin(), legs.end());
     endInsertRows();
     setMeasured(measured);
-    if (wasFull || m_total > mostLegs)
+    if (wasFull || m_total > maxLegs)
         Q_EMIT noticeChanged();
 }
 
-void SweepLegsModel::setMeasured(const Measured& measured)
+void SweepLegsModel::setMeasured(const MeasuredColumns& measured)
 {
     if (measured == m_measured)
         return;
@@ -140,7 +140,7 @@ QString SweepLegsModel::notice() const
         .arg(locale.toString(qulonglong(m_legs.size())), locale.toString(qulonglong(m_total)));
 }
 
-bool SweepLegsModel::columnEmpty(LegColumn column) const
+bool SweepLegsModel::isColumnEmpty(LegColumn column) const
 {
     if (column == LegColumn::Remarks || column >= LegColumn::Count || m_total == 0)
         return false;
@@ -159,15 +159,15 @@ int SweepLegsModel::columnCount(const QModelIndex& parent) const
 
 QString SweepLegsModel::remarks(const SweepLeg& leg) const
 {
-    const report::SweepWords& words = report::sweepWords();
-    const bool chinese = text::inChinese();
+    const report::SweepTexts& words = report::sweepTexts();
+    const bool chinese = text::isUiChinese();
     QStringList parts;
     if (leg.missed)
         parts << QStringLiteral("✘ ") + words.missed.in(chinese);
     if (leg.flagWrong.value_or(false))
         parts << QStringLiteral("⚠ ") + words.flagWrong.in(chinese);
     if (leg.alarms != 0)
-        parts << QStringLiteral("⚠ ") + report::alarmBitsWords(leg.alarms).in(chinese);
+        parts << QStringLiteral("⚠ ") + report::alarmBitsText(leg.alarms).in(chinese);
     if (leg.lost > 0)
         parts << QStringLiteral("⚠ ") + tr("readings lost: %1").arg(leg.lost);
     return parts.join(chinese ? QStringLiteral("，") : QStringLiteral(", "));
@@ -178,7 +178,7 @@ QString SweepLegsModel::tip(const SweepLeg& leg) const
     QStringList lines;
     for (std::size_t i = 0; i < std::size_t(LegColumn::Remarks); ++i) {
         if (const auto value = number(leg, LegColumn(i)))
-            lines << QStringLiteral("%1: %2").arg(heading(LegColumn(i)).in(text::inChinese()),
+            lines << QStringLiteral("%1: %2").arg(heading(LegColumn(i)).in(text::isUiChinese()),
                                                   sweepNumber(value));
     }
     if (const QString noted = remarks(leg); !noted.isEmpty())
@@ -221,6 +221,6 @@ QVariant SweepLegsModel::headerData(int section, Qt::Orientation orientation, in
                    (column == LegColumn::Remarks ? Qt::AlignLeft : Qt::AlignRight));
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
-    return heading(column).in(text::inChinese());
+    return heading(column).in(text::isUiChinese());
 }
 } // namespace ui

@@ -37,7 +37,7 @@ class SweepLegsModel final : public QAbstractTableModel {
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged)
 
 public:
-    static constexpr std::size_t mostLegs = 1000;
+    static constexpr std::size_t maxLegs = 1000;
 
     using QAbstractTableModel::QAbstractTableModel;
 
@@ -50,7 +50,7 @@ public:
     /// "The latest 1000 of 2300 legs …"; empty while all are here.
     QString notice() const;
     /// Nothing was measured in any leg so far: views hide it. Always false for what every leg has.
-    bool columnEmpty(LegColumn column) const;
+    bool isColumnEmpty(LegColumn column) const;
     const record::SweepLeg& leg(int row) const { return m_legs[static_cast<std::size_t>(row)]; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -64,13 +64,13 @@ Q_SIGNALS:
     void emptyColumnsChanged();
 
 private:
-    using Measured = std::array<bool, std::size_t(LegColumn::Count)>;
+    using MeasuredColumns = std::array<bool, std::size_t(LegColumn::Count)>;
     QString remarks(const record::SweepLeg& leg) const;
     QString tip(const record::SweepLeg& leg) const;
-    void setMeasured(const Measured& measured);
+    void setMeasured(const MeasuredColumns& measured);
 
     std::deque<record::SweepLeg> m_legs;
     std::size_t m_total = 0;
-    Measured m_measured{};
+    MeasuredColumns m_measured{};
 };
 } // namespace ui

@@ -102,7 +102,7 @@ int SweepVerdictModel::columnCount(const QModelIndex& parent) const
 QString SweepVerdictModel::cell(const Row& row, VerdictColumn column) const
 {
     switch (column) {
-    case VerdictColumn::Figure:
+    case VerdictColumn::Metric:
         return metricName(row.figure.key);
     case VerdictColumn::Value:
         return row.value() ? sweepValue(row.value(), row.figure.unit) : QStringLiteral("–");
@@ -122,8 +122,8 @@ QString SweepVerdictModel::cell(const Row& row, VerdictColumn column) const
 
 QString SweepVerdictModel::tip(const Row& row) const
 {
-    const report::SweepWords& words = report::sweepWords();
-    const bool chinese = text::inChinese();
+    const report::SweepTexts& words = report::sweepTexts();
+    const bool chinese = text::isUiChinese();
     const QString& unit = row.figure.unit;
     QStringList lines{
         QStringLiteral("%1: %2").arg(metricName(row.figure.key), sweepValue(row.value(), unit))};
@@ -158,7 +158,7 @@ QVariant SweepVerdictModel::data(const QModelIndex& index, int role) const
     case toneRole:
         if (column == VerdictColumn::Grade)
             return int(row.line ? gradeTone(row.line->grade) : Tone::Quiet);
-        return column == VerdictColumn::Figure || (column == VerdictColumn::Value && row.value())
+        return column == VerdictColumn::Metric || (column == VerdictColumn::Value && row.value())
                    ? QVariant()
                    : int(Tone::Quiet);
     case MetricRole:
@@ -181,10 +181,10 @@ QVariant SweepVerdictModel::headerData(int section, Qt::Orientation orientation,
         return int(Qt::AlignVCenter | (isNumber(column) ? Qt::AlignRight : Qt::AlignLeft));
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
-    const report::SweepWords& words = report::sweepWords();
-    const bool chinese = text::inChinese();
+    const report::SweepTexts& words = report::sweepTexts();
+    const bool chinese = text::isUiChinese();
     switch (column) {
-    case VerdictColumn::Figure:
+    case VerdictColumn::Metric:
         return words.figure.in(chinese);
     case VerdictColumn::Value:
         return words.value.in(chinese);

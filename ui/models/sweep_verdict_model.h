@@ -9,7 +9,7 @@
 #include <QAbstractTableModel>
 
 namespace ui {
-enum class VerdictColumn : std::uint8_t { Figure, Value, Warn, Fail, Grade, Count };
+enum class VerdictColumn : std::uint8_t { Metric, Value, Warn, Fail, Grade, Count };
 
 class SweepVerdictModel final : public QAbstractTableModel {
     Q_OBJECT
@@ -28,7 +28,7 @@ public:
     void clear() { show({}, {}); }
     /// Also the figures without a limit. Off at first.
     void setShowAll(bool all);
-    bool showAll() const { return m_showAll; }
+    bool isShowingAll() const { return m_showAll; }
     void retranslate();
 
     int rowCount(const QModelIndex& parent = {}) const override;

@@ -12,7 +12,7 @@ const char* const style =
     "th{font-weight:600}td.n,th.n{text-align:right}";
 
 /// A spreadsheet would run what begins like a formula. Numbers are left alone.
-QString harmless(const QString& cell)
+QString withoutFormula(const QString& cell)
 {
     static const QString formulas = QStringLiteral("=+-@");
     if (cell.isEmpty() || !formulas.contains(cell.front()))
@@ -24,7 +24,7 @@ QString harmless(const QString& cell)
 
 QString csvCell(const QString& cell)
 {
-    QString text = harmless(cell);
+    QString text = withoutFormula(cell);
     const bool quoted = text.contains(QLatin1Char(',')) || text.contains(QLatin1Char('"')) ||
                         text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\r'));
     if (!quoted)
@@ -55,7 +55,7 @@ QString htmlRow(const QStringList& cells, const QString& tag, const std::vector<
     return row + QStringLiteral("</tr>\n");
 }
 
-QString tabbedLine(const QStringList& cells)
+QString tsvLine(const QStringList& cells)
 {
     QStringList line;
     for (const QString& cell : cells)
@@ -77,7 +77,7 @@ QByteArray toHtml(const TableSheet& sheet)
     QString page = QStringLiteral("<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>%1"
                                   "</title>\n<style>%2</style></head><body>\n<h1>%1</h1>\n")
                        .arg(sheet.title.toHtmlEscaped(), QLatin1String(style));
-    for (const QString& line : sheet.about)
+    for (const QString& line : sheet.captionLines)
         page += QStringLiteral("<p>") + line.toHtmlEscaped() + QStringLiteral("</p>\n");
     page += QStringLiteral("<table>\n<thead>\n");
     page += htmlRow(sheet.headers, QStringLiteral("th"), sheet.numeric);
@@ -88,11 +88,11 @@ QByteArray toHtml(const TableSheet& sheet)
     return page.toUtf8();
 }
 
-QString toTabbed(const TableSheet& sheet)
+QString toTsv(const TableSheet& sheet)
 {
-    QString text = tabbedLine(sheet.headers);
+    QString text = tsvLine(sheet.headers);
     for (const QStringList& row : sheet.rows)
-        text += tabbedLine(row);
+        text += tsvLine(row);
     return text;
 }
 } // namespace ui

@@ -10,7 +10,7 @@
 namespace ui {
 struct TableSheet {
     QString title;
-    QStringList about; ///< lines above the table: servo, port, time
+    QStringList captionLines; ///< lines above the table: servo, port, time
     QStringList headers;
     std::vector<QStringList> rows;
     std::vector<bool> numeric; ///< by column: right-aligned; shorter: false
@@ -24,5 +24,5 @@ QByteArray toCsv(const TableSheet& sheet);
 QByteArray toHtml(const TableSheet& sheet);
 
 /// Header and rows for the clipboard. Tabs and line breaks in cells become blanks.
-QString toTabbed(const TableSheet& sheet);
+QString toTsv(const TableSheet& sheet);
 } // namespace ui

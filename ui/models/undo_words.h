@@ -7,11 +7,11 @@
 #include <QStringList>
 
 namespace ui {
-struct UndoWords {
+struct UndoText {
     QString brief;     ///< for a button: "ID 2 · position P"
     QStringList lines; ///< one a register: "ID 2 · position P: 40 → 32"
 };
 
 /// `back`: as Undo writes it; else as Redo does.
-UndoWords undoWords(const session::Desk& desk, const session::UndoStep& step, bool back);
+UndoText undoText(const session::Desk& desk, const session::UndoStep& step, bool undo);
 } // namespace ui

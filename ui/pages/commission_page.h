@@ -29,9 +29,9 @@ class CommissionPage final : public QWidget {
     Q_OBJECT
 
 public:
-    CommissionPage(Bench& bench, session::Settings& settings, QWidget* parent = nullptr);
+    CommissionPage(AppContext& appContext, session::Settings& settings, QWidget* parent = nullptr);
 
-    session::Commissioning& line() { return m_line; }
+    session::Commissioning& commissioning() { return m_commissioning; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -47,33 +47,34 @@ private:
     void retranslate();
 
     void connectAll();
-    void restoreChoices();
-    void rememberChoices();
+    void loadSettings();
+    void saveSettings();
     void chooseTemplate();
     void chooseBatch();
     void start();
-    void looked();
-    void begin();
-    void askFirst();
-    void tellDangerous();
+    void onFilesChecked();
+    void startCommissioning();
+    void askForConfirmation();
+    void updateDangerousText();
     void copyLabels();
     void showState();
     void showView();
-    QString whyNot() const; ///< it cannot be started; empty: it can
-    bool pathsFine() const;
+    QString blockedReason() const; ///< it cannot be started; empty: it can
+    bool arePathsValid() const;
     QString headline() const;
     QString detail() const;
-    QString unfinishedWords() const;
-    QString askedWords() const;
+    QString unfinishedText() const;
+    QString pendingQuestionText() const;
 
     session::Desk& m_desk;
-    QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
+    QPointer<session::Desk> m_deskGuard; ///< a window may hide its pages on its way out
     session::Settings& m_settings;
-    session::Commissioning m_line;
+    session::Commissioning m_commissioning;
     CommissionModel* m_model = nullptr;
-    QTimer m_lookSoon;     ///< at the files, when typing has come to rest
-    bool m_wanted = false; ///< Start was clicked: it begins when the files have been looked at
-    bool m_ended = false;  ///< the line has run on this batch
+    QTimer m_fileCheckTimer; ///< at the files, when typing has come to rest
+    bool m_startPending =
+        false;                 ///< Start was clicked: it begins when the files have been looked at
+    bool m_batchEnded = false; ///< the line has run on this batch
 
     Banner* m_banner = nullptr;
     QWidget* m_setup = nullptr; ///< locked while the line runs
@@ -89,7 +90,7 @@ private:
     QLineEdit* m_label = nullptr;
     QLineEdit* m_batch = nullptr;
     QToolButton* m_browseBatch = nullptr;
-    QLabel* m_why = nullptr;
+    QLabel* m_reasonLabel = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_stop = nullptr;
     QPushButton* m_plug = nullptr; ///< simulated servos only
@@ -102,6 +103,6 @@ private:
     QPushButton* m_aside = nullptr;
     QTableView* m_table = nullptr;
     QPushButton* m_copy = nullptr;
-    QLabel* m_sum = nullptr;
+    QLabel* m_summary = nullptr;
 };
 } // namespace ui

@@ -26,7 +26,7 @@ constexpr double headlineScale = 2.0;
 constexpr int headlineLines = 2; ///< room for the longest one
 
 /// What stands below it stays where it is when it is hidden.
-void keepRoom(QWidget* widget)
+void keepSizeWhenHidden(QWidget* widget)
 {
     QSizePolicy policy = widget->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
@@ -34,9 +34,9 @@ void keepRoom(QWidget* widget)
 }
 
 /// QFormLayout keeps no room by itself.
-QWidget* roomFor(QWidget* widget)
+QWidget* fixedHeightRow(QWidget* widget)
 {
-    keepRoom(widget);
+    keepSizeWhenHidden(widget);
     auto* room = new QWidget(widget->parentWidget());
     auto* column = new QVBoxLayout(room);
     column->setContentsMargins({});
@@ -76,13 +76,13 @@ void CommissionPage::build()
     column->setContentsMargins(0, 6, 0, 0);
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("commissionBanner"));
-    m_banner->clear();
+    m_banner->hideMessage();
     auto* row = new QHBoxLayout;
     row->setSpacing(12);
     row->addWidget(buildSetup());
     row->addWidget(buildWork(), 1);
     column->addLayout(row, 1);
-    new FloatOver(m_banner, this, FloatOver::Corner::BottomRight);
+    new FloatingOverlay(m_banner, this, FloatingOverlay::Corner::BottomRight);
     for (QWidget* writer : {m_start, m_continue, m_same})
         new PressGuard(writer);
 }
@@ -123,10 +123,10 @@ QWidget* CommissionPage::buildSetup()
     m_dangerous = new QCheckBox(m_setup);
     m_dangerous->setObjectName(QStringLiteral("commissionDangerous"));
     m_dangerous->hide();
-    m_form->addRow(roomFor(m_dangerous));
-    m_why = new QLabel(left);
-    m_why->setObjectName(QStringLiteral("commissionWhy"));
-    m_why->setWordWrap(true);
+    m_form->addRow(fixedHeightRow(m_dangerous));
+    m_reasonLabel = new QLabel(left);
+    m_reasonLabel->setObjectName(QStringLiteral("commissionWhy"));
+    m_reasonLabel->setWordWrap(true);
     m_start = button("commissionStart");
     m_start->setProperty("mainAction", true);
     m_stop = button("commissionStop");
@@ -135,14 +135,14 @@ QWidget* CommissionPage::buildSetup()
     auto* run = new QHBoxLayout;
     run->addWidget(m_start, 1);
     run->addWidget(m_stop);
-    auto* hand = new QHBoxLayout;
-    hand->addWidget(m_plug, 1);
-    hand->addWidget(m_unplug);
+    auto* simButtons = new QHBoxLayout;
+    simButtons->addWidget(m_plug, 1);
+    simButtons->addWidget(m_unplug);
     column->addWidget(m_setup);
     // What comes and goes stands below the buttons, so that it does not move them.
     column->addLayout(run);
-    column->addLayout(hand);
-    column->addWidget(m_why);
+    column->addLayout(simButtons);
+    column->addWidget(m_reasonLabel);
     column->addStretch();
     return left;
 }
@@ -178,7 +178,7 @@ QWidget* CommissionPage::buildWork()
     click->addWidget(m_aside);
     click->addWidget(m_same); // last: it is not always there
     click->addStretch();
-    keepRoom(m_continue);
+    keepSizeWhenHidden(m_continue);
     m_table = new QTableView(right);
     m_table->setObjectName(QStringLiteral("commissionTable"));
     m_table->setModel(m_model);
@@ -191,12 +191,12 @@ QWidget* CommissionPage::buildWork()
     m_table->horizontalHeader()->moveSection(CommissionModel::Remarks, 1);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_sum = new QLabel(right);
-    m_sum->setObjectName(QStringLiteral("commissionSum"));
-    m_sum->setWordWrap(true);
+    m_summary = new QLabel(right);
+    m_summary->setObjectName(QStringLiteral("commissionSum"));
+    m_summary->setWordWrap(true);
     m_copy = button("commissionCopy");
     auto* foot = new QHBoxLayout;
-    foot->addWidget(m_sum, 1);
+    foot->addWidget(m_summary, 1);
     foot->addWidget(m_copy);
     column->addWidget(m_headline);
     column->addLayout(click);
@@ -238,7 +238,7 @@ void CommissionPage::retranslate()
     m_automatic->setText(tr("Set up without asking"));
     m_automatic->setToolTip(tr("No click: what has an alarm or does not fit is set aside"));
     m_dangerous->setText(tr("Dangerous rows of the template too"));
-    tellDangerous();
+    updateDangerousText();
     const auto words = [](QPushButton* one, const QString& text, const QString& tip) {
         one->setText(text);
         one->setAccessibleName(text);

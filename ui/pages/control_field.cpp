@@ -15,7 +15,7 @@
 
 namespace ui {
 namespace {
-QString notAcceptedWords()
+QString notAcceptedText()
 {
     return QStringLiteral("✗ ") + ControlField::tr("not accepted");
 }
@@ -25,7 +25,7 @@ ControlField::ControlField(const QString& name, QWidget* parent)
     : QWidget(parent)
     , m_name(name)
     , m_title(new QLabel(this))
-    , m_place(new QVBoxLayout)
+    , m_editorLayout(new QVBoxLayout)
     , m_physical(new QLabel(this))
 {
     setObjectName(name + QStringLiteral("Field"));
@@ -35,7 +35,7 @@ ControlField::ControlField(const QString& name, QWidget* parent)
     column->setContentsMargins({});
     column->setSpacing(2);
     column->addWidget(m_title);
-    column->addLayout(m_place);
+    column->addLayout(m_editorLayout);
     column->addWidget(m_physical);
     hide();
 }
@@ -46,8 +46,8 @@ void ControlField::setTitle(const QString& title)
     reservePhysical(); // also after a change of language
     m_title->setText(title);
     if (m_editor != nullptr) {
-        for (QWidget* taker : m_editor->keyTakers())
-            taker->setAccessibleName(title);
+        for (QWidget* inputWidget : m_editor->is())
+            inputWidget->setAccessibleName(title);
     }
 }
 
@@ -67,27 +67,28 @@ void ControlField::makeEditor(const device::Servo& servo)
 {
     const EditContext context{.reg = m_reg,
                               .meaning = servo.meaning(*m_reg),
-                              .present = servo.raw(*m_reg),
-                              .enterSends = true};
+                              .currentRaw = servo.raw(*m_reg),
+                              .ownerHandlesEnter = true};
     m_editor = new NumberEditor(context, this);
     m_editor->setObjectName(m_name + QStringLiteral("Editor"));
-    m_place->addWidget(m_editor);
-    for (QWidget* taker : m_editor->keyTakers()) {
-        taker->setObjectName(m_name);
-        taker->installEventFilter(this);
-        taker->setFocusPolicy(Qt::StrongFocus); // the wheel only where somebody has clicked
-        taker->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("−30719")) + 40);
+    m_editorLayout->addWidget(m_editor);
+    for (QWidget* inputWidget : m_editor->is()) {
+        inputWidget->setObjectName(m_name);
+        inputWidget->installEventFilter(this);
+        inputWidget->setFocusPolicy(Qt::StrongFocus); // the wheel only where somebody has clicked
+        inputWidget->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("−30719")) +
+                                     40);
     }
     m_title->setBuddy(m_editor);
     setTitle(m_titleText);
-    connect(m_editor, &NumberEditor::edited, this, [this] {
+    connect(m_editor, &NumberEditor::userEdited, this, [this] {
         showPhysical();
-        Q_EMIT changed();
+        Q_EMIT edited();
     });
     m_editor->setVisible(true);
 }
 
-std::optional<std::int64_t> ControlField::standing(const device::Servo& servo) const
+std::optional<std::int64_t> ControlField::effectiveRaw(const device::Servo& servo) const
 {
     if (m_reg == nullptr)
         return std::nullopt;
@@ -96,11 +97,11 @@ std::optional<std::int64_t> ControlField::standing(const device::Servo& servo) c
     return m_sent && !newer ? m_sent : servo.raw(*m_reg);
 }
 
-void ControlField::follow(const device::Servo& servo, std::optional<std::int64_t> raw)
+void ControlField::showReading(const device::Servo& servo, std::optional<std::int64_t> raw)
 {
     if (m_reg == nullptr)
         return;
-    const catalog::Meaning meaning = servo.meaning(*m_reg);
+    const catalog::ValueFormat meaning = servo.meaning(*m_reg);
     // The same register may hold another kind of number in another mode.
     if (m_editor != nullptr && m_editor->context().meaning.encoding != meaning.encoding) {
         delete m_editor.data();
@@ -110,10 +111,10 @@ void ControlField::follow(const device::Servo& servo, std::optional<std::int64_t
         makeEditor(servo);
     EditContext context = m_editor->context();
     context.meaning = meaning;
-    context.present = servo.raw(*m_reg);
+    context.currentRaw = servo.raw(*m_reg);
     m_editor->setContext(context);
     setTitle(m_titleText);
-    if (!m_start && !m_editor->touched()) {
+    if (!m_start && !m_editor->isModified()) {
         const auto now = m_editor->value();
         if (!(raw && now && *raw == *now))
             m_editor->setRaw(raw);
@@ -137,30 +138,30 @@ std::optional<std::int64_t> ControlField::value() const
     return raw ? std::optional(*raw) : std::nullopt;
 }
 
-bool ControlField::edited() const
+bool ControlField::isEdited() const
 {
-    return m_editor != nullptr && m_editor->touched();
+    return m_editor != nullptr && m_editor->isModified();
 }
 
-void ControlField::forgetEdit()
+void ControlField::discardEdit()
 {
-    if (m_editor != nullptr && m_editor->touched())
-        m_editor->setRaw(m_start ? m_start : m_sent ? m_sent : m_editor->context().present);
+    if (m_editor != nullptr && m_editor->isModified())
+        m_editor->setRaw(m_start ? m_start : m_sent ? m_sent : m_editor->context().currentRaw);
     showPhysical();
 }
 
-QString ControlField::complaint() const
+QString ControlField::inputError() const
 {
-    return m_editor != nullptr ? m_editor->complaint() : QString();
+    return m_editor != nullptr ? m_editor->inputError() : QString();
 }
 
-void ControlField::isSending(std::int64_t raw)
+void ControlField::setPending(std::int64_t raw)
 {
     m_sent = raw;
     m_sentAt = base::Duration::max();
 }
 
-void ControlField::wasSent(std::int64_t raw, base::Duration at)
+void ControlField::setSent(std::int64_t raw, base::Duration at)
 {
     m_sent = raw;
     m_sentAt = at;
@@ -169,26 +170,26 @@ void ControlField::wasSent(std::int64_t raw, base::Duration at)
         m_editor->setRaw(raw);
 }
 
-bool ControlField::sentAfter(const device::Servo& servo, const catalog::Register* read) const
+bool ControlField::isSentAfterRead(const device::Servo& servo, const catalog::Register* read) const
 {
     const auto readAt = read != nullptr ? servo.image.readAt(read->offset) : std::nullopt;
     return m_sent && (!readAt || *readAt <= m_sentAt);
 }
 
-void ControlField::type(std::int64_t raw)
+void ControlField::enterValue(std::int64_t raw)
 {
     if (m_editor != nullptr)
-        m_editor->type(raw);
+        m_editor->enterValue(raw);
 }
 
-void ControlField::forgetSent()
+void ControlField::clearSent()
 {
     m_sent.reset();
-    if (m_editor != nullptr && !m_editor->touched() && !m_start)
+    if (m_editor != nullptr && !m_editor->isModified() && !m_start)
         m_editor->setRaw(std::nullopt);
 }
 
-void ControlField::startAnew()
+void ControlField::resetValue()
 {
     m_sent.reset();
     m_start.reset();
@@ -202,7 +203,7 @@ void ControlField::reservePhysical()
 {
     const QRect room(0, 0, std::numeric_limits<short>::max(), std::numeric_limits<short>::max());
     int height = 0;
-    for (const QString& words : {notAcceptedWords(), QStringLiteral("0.0°")})
+    for (const QString& words : {notAcceptedText(), QStringLiteral("0.0°")})
         height = std::max(height, m_physical->fontMetrics().boundingRect(room, 0, words).height());
     m_physical->setMinimumHeight(height);
 }
@@ -210,18 +211,18 @@ void ControlField::reservePhysical()
 void ControlField::showPhysical()
 {
     const auto raw = value();
-    const bool wrong = edited() && !raw;
-    const QString words = wrong ? notAcceptedWords()
+    const bool wrong = isEdited() && !raw;
+    const QString words = wrong ? notAcceptedText()
                           : raw && m_editor != nullptr
-                              ? physicalWords(*raw, *m_reg, m_editor->context().meaning)
+                              ? physicalValueText(*raw, *m_reg, m_editor->context().meaning)
                               : QString();
     if (m_physical->text() != words)
         m_physical->setText(words);
-    m_physical->setToolTip(wrong ? complaint() : QString());
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, tone(wrong ? Tone::Bad : Tone::Quiet, palette()));
-    if (m_physical->palette() != colours)
-        m_physical->setPalette(colours);
+    m_physical->setToolTip(wrong ? inputError() : QString());
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(wrong ? Tone::Bad : Tone::Quiet, palette()));
+    if (m_physical->palette() != colors)
+        m_physical->setPalette(colors);
 }
 
 bool ControlField::eventFilter(QObject* watched, QEvent* event)
@@ -229,7 +230,7 @@ bool ControlField::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-            Q_EMIT entered();
+            Q_EMIT returnPressed();
             return true;
         }
     }

@@ -28,35 +28,35 @@ public:
     void setRegister(const catalog::ProfilePtr& profile, const catalog::Register* reg);
     const catalog::Register* reg() const { return m_reg; }
     /// The latest reading, or what was sent since, as long as nobody is typing.
-    void follow(const device::Servo& servo) { follow(servo, standing(servo)); }
+    void showReading(const device::Servo& servo) { showReading(servo, effectiveRaw(servo)); }
     /// The same with another number than the register's own.
-    void follow(const device::Servo& servo, std::optional<std::int64_t> raw);
+    void showReading(const device::Servo& servo, std::optional<std::int64_t> raw);
     /// A start that is not the register's (the size of a step).
     void setRaw(std::int64_t raw);
 
     /// As shown and understood; nullopt while it is empty or makes no sense.
     std::optional<std::int64_t> value() const;
-    bool edited() const;
+    bool isEdited() const;
     /// What was typed is dropped: it shows again what the servo has, or its own start.
-    void forgetEdit();
-    QString complaint() const;
+    void discardEdit();
+    QString inputError() const;
     /// On its way: newer than anything that is read. What was typed stays typed until it is there.
-    void isSending(std::int64_t raw);
+    void setPending(std::int64_t raw);
     /// This is in the servo now: newer than what was read before `at`.
-    void wasSent(std::int64_t raw, base::Duration at);
+    void setSent(std::int64_t raw, base::Duration at);
     /// Something was sent later than this register was read.
-    bool sentAfter(const device::Servo& servo, const catalog::Register* read) const;
+    bool isSentAfterRead(const device::Servo& servo, const catalog::Register* read) const;
     /// What was sent did not get there, or is out of date; what is being typed stays.
-    void forgetSent();
+    void clearSent();
     /// Another servo or another mode: nothing that was shown still counts.
-    void startAnew();
-    void type(std::int64_t raw); ///< as if somebody had typed it
+    void resetValue();
+    void enterValue(std::int64_t raw); ///< as if somebody had typed it
     /// What the servo is to have, whatever is being typed.
-    std::optional<std::int64_t> standing(const device::Servo& servo) const;
+    std::optional<std::int64_t> effectiveRaw(const device::Servo& servo) const;
 
 Q_SIGNALS:
-    void changed(); ///< typed or stepped by the user
-    void entered(); ///< Enter
+    void edited();        ///< typed or stepped by the user
+    void returnPressed(); ///< Enter
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -70,7 +70,7 @@ private:
     QString m_name;
     QString m_titleText;
     QLabel* m_title;
-    QVBoxLayout* m_place;
+    QVBoxLayout* m_editorLayout;
     QLabel* m_physical;
     QPointer<NumberEditor> m_editor;
     catalog::ProfilePtr m_profile;

@@ -22,7 +22,7 @@ namespace {
 constexpr std::array roles{Role::GoalSpeed, Role::Acceleration, Role::GoalTime, Role::GoalCurrent};
 constexpr int columns = 2;
 
-QString noCurrentWords()
+QString noCurrentText()
 {
     return ControlFields::tr("Current 0 = no torque at all");
 }
@@ -38,8 +38,9 @@ ControlFields::ControlFields(QWidget* parent)
     for (std::size_t i = 0; i < Count; ++i) {
         auto* field = new ControlField(QString::fromLatin1(names[i]), this);
         m_fields[i] = field;
-        connect(field, &ControlField::entered, this, &ControlFields::entered);
-        connect(field, &ControlField::changed, this, [this, i] { typed(static_cast<Which>(i)); });
+        connect(field, &ControlField::returnPressed, this, &ControlFields::returnPressed);
+        connect(field, &ControlField::edited, this,
+                [this, i] { onFieldEdited(static_cast<Field>(i)); });
     }
     m_hint->setObjectName(QStringLiteral("speedHint"));
     m_hint->setWordWrap(true);
@@ -53,7 +54,7 @@ ControlFields::ControlFields(QWidget* parent)
     retranslate();
 }
 
-void ControlFields::showServo(const session::ServoEntry& entry, bool several)
+void ControlFields::showServo(const session::ServoEntry& entry, bool multiple)
 {
     const device::MoveFieldSet set = device::moveFields(entry.servo);
     const catalog::Mode* mode = entry.servo.mode();
@@ -61,14 +62,14 @@ void ControlFields::showServo(const session::ServoEntry& entry, bool several)
     const bool other = entry.ref != m_ref || key != m_mode;
     m_ref = entry.ref;
     m_mode = key;
-    m_several = several;
+    m_multiple = multiple;
     const std::array has{set.speed, set.acceleration, set.time, set.current};
     for (std::size_t i = 0; i < Count; ++i) {
         const auto& profile = entry.servo.profile;
         m_fields[i]->setRegister(profile, has[i] ? profile->byRole(roles[i]) : nullptr);
         if (other)
-            m_fields[i]->startAnew();
-        m_fields[i]->follow(entry.servo);
+            m_fields[i]->resetValue();
+        m_fields[i]->showReading(entry.servo);
     }
     m_servo = entry.servo;
     if (std::exchange(m_has, has) != has)
@@ -93,33 +94,33 @@ void ControlFields::arrange()
 }
 
 /// Speed and time exclude each other: the one typed last counts.
-void ControlFields::typed(Which which)
+void ControlFields::onFieldEdited(Field which)
 {
     if (which == Speed && m_fields[Time]->reg() != nullptr)
-        m_fields[Time]->forgetEdit();
+        m_fields[Time]->discardEdit();
     if (which == Time && m_fields[Speed]->reg() != nullptr)
-        m_fields[Speed]->forgetEdit();
+        m_fields[Speed]->discardEdit();
     showHint();
 }
 
 /// Not changed, but seen. Of speed and time only the one that counts, as typed() has it.
-bool ControlFields::forAll(Which which) const
+bool ControlFields::appliesToAll(Field which) const
 {
     const bool byTime = device::zeroSpeed(m_servo) == device::ZeroSpeed::ByTime &&
                         m_fields[Speed]->value() == 0 && m_fields[Time]->reg() != nullptr;
     switch (which) {
     case Speed:
-        return m_several && !byTime && !m_fields[Time]->edited();
+        return m_multiple && !byTime && !m_fields[Time]->isEdited();
     case Acceleration:
-        return m_several;
+        return m_multiple;
     case Time:
-        return m_several && byTime && !m_fields[Speed]->edited();
+        return m_multiple && byTime && !m_fields[Speed]->isEdited();
     default:
         return false;
     }
 }
 
-std::optional<QString> ControlFields::wished(Which which) const
+std::optional<QString> ControlFields::requestedValue(Field which) const
 {
     const ControlField& field = *m_fields[which];
     const catalog::Register* reg = field.reg();
@@ -128,44 +129,44 @@ std::optional<QString> ControlFields::wished(Which which) const
         return std::nullopt;
     // A travel time that shares the goal's frame goes out with it, as shown or as 0.
     const catalog::Register* goal = device::goalRegister(m_servo);
-    const bool travels =
+    const bool isRequired =
         which == Time && goal != nullptr && reg->block && reg->block == goal->block;
-    if (!field.edited() && !travels && !forAll(which))
+    if (!field.isEdited() && !isRequired && !appliesToAll(which))
         return std::nullopt;
-    return device::exactText(*raw, m_servo.meaning(*reg));
+    return device::exactValueText(*raw, m_servo.meaning(*reg));
 }
 
-void ControlFields::fill(session::MoveWish& wish) const
+void ControlFields::fill(session::MoveRequest& request) const
 {
-    wish.speed = wished(Speed);
-    wish.acceleration = wished(Acceleration);
-    wish.time = wished(Time);
-    wish.current = wished(Current);
+    request.speed = requestedValue(Speed);
+    request.acceleration = requestedValue(Acceleration);
+    request.time = requestedValue(Time);
+    request.current = requestedValue(Current);
 }
 
-QString ControlFields::complaint() const
+QString ControlFields::inputError() const
 {
     for (const ControlField* field : m_fields) {
-        if (field->reg() != nullptr && field->edited() && !field->value())
-            return field->complaint();
+        if (field->reg() != nullptr && field->isEdited() && !field->value())
+            return field->inputError();
     }
     return {};
 }
 
-void ControlFields::wasSent(const session::MoveWish& wish, base::Duration at)
+void ControlFields::setSent(const session::MoveRequest& request, base::Duration at)
 {
-    const std::array sent{wish.speed, wish.acceleration, wish.time, wish.current};
+    const std::array sent{request.speed, request.acceleration, request.time, request.current};
     for (std::size_t i = 0; i < Count; ++i) {
         ControlField& field = *m_fields[i];
         if (!sent[i] || field.reg() == nullptr)
             continue;
         const auto raw = catalog::parseValue(*sent[i], *field.reg(), m_servo.meaning(*field.reg()));
         if (raw)
-            field.wasSent(*raw, at);
+            field.setSent(*raw, at);
     }
     // A time acts only while the speed is 0, so that is what the servo has now.
-    if (wish.time && m_fields[Speed]->reg() != nullptr)
-        m_fields[Speed]->wasSent(0, at);
+    if (request.time && m_fields[Speed]->reg() != nullptr)
+        m_fields[Speed]->setSent(0, at);
     showHint();
 }
 
@@ -176,13 +177,13 @@ void ControlFields::showHint()
     const bool limit = m_fields[Current]->reg() != nullptr && m_fields[Current]->value() == 0;
     QString words = speed ? speedHint(m_servo, raw) : QString();
     if (limit)
-        words = noCurrentWords();
+        words = noCurrentText();
     m_hint->setText(words);
     reserveHint();
-    QPalette colours = palette();
-    const bool warns = limit || (speed && noFaster(m_servo, raw));
-    colours.setColor(QPalette::WindowText, tone(warns ? Tone::Warn : Tone::Quiet, palette()));
-    m_hint->setPalette(colours);
+    QPalette colors = palette();
+    const bool warns = limit || (speed && isAboveMaxSpeed(m_servo, raw));
+    colors.setColor(QPalette::WindowText, tone(warns ? Tone::Warn : Tone::Quiet, palette()));
+    m_hint->setPalette(colors);
 }
 
 /// As much room as the longest sentence needs: what stands below must not move while a speed is
@@ -193,7 +194,7 @@ void ControlFields::reserveHint()
     if (m_fields[Speed]->reg() != nullptr)
         all << speedHint(m_servo, 0) << speedHint(m_servo, std::numeric_limits<int>::max());
     if (m_fields[Current]->reg() != nullptr)
-        all << noCurrentWords();
+        all << noCurrentText();
     int height = 0;
     for (const QString& words : all) {
         if (words.isEmpty())
@@ -206,10 +207,10 @@ void ControlFields::reserveHint()
     m_hint->setMinimumHeight(height);
 }
 
-void ControlFields::forgetEdits()
+void ControlFields::discardEdits()
 {
     for (ControlField* field : m_fields)
-        field->forgetEdit();
+        field->discardEdit();
     showHint();
 }
 

@@ -23,33 +23,33 @@ public:
 
     /// `several`: others are to get the same; what is shown is sent to all of them, whatever they
     /// had. One alone gets only what was changed.
-    void showServo(const session::ServoEntry& entry, bool several);
+    void showServo(const session::ServoEntry& entry, bool multiple);
     void retranslate();
 
     /// Adds to the wish what the user has changed (several servos: what he sees), and what goes out
     /// with every goal.
-    void fill(session::MoveWish& wish) const;
+    void fill(session::MoveRequest& request) const;
     /// Why a changed field makes no sense; empty: all is well.
-    QString complaint() const;
-    void wasSent(const session::MoveWish& wish, base::Duration at);
+    QString inputError() const;
+    void setSent(const session::MoveRequest& request, base::Duration at);
     /// What was typed is dropped.
-    void forgetEdits();
+    void discardEdits();
 
 Q_SIGNALS:
-    void entered();
+    void returnPressed();
 
 protected:
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    enum Which : std::uint8_t { Speed, Acceleration, Time, Current, Count };
+    enum Field : std::uint8_t { Speed, Acceleration, Time, Current, Count };
     void arrange();
-    void typed(Which which);
+    void onFieldEdited(Field which);
     void showHint();
     void reserveHint();
-    std::optional<QString> wished(Which which) const;
-    bool forAll(Which which) const;
+    std::optional<QString> requestedValue(Field which) const;
+    bool appliesToAll(Field which) const;
 
     std::array<ControlField*, Count> m_fields{};
     QGridLayout* m_grid;
@@ -57,7 +57,7 @@ private:
     device::Servo m_servo; ///< as shown
     session::ServoRef m_ref = 0;
     QString m_mode;
-    bool m_several = false;
+    bool m_multiple = false;
     std::array<bool, Count> m_has{}; ///< as they are laid out
 };
 } // namespace ui

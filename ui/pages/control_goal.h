@@ -32,57 +32,57 @@ public:
 
     /// What stands in the box: to be sent by Set. Nullopt: nothing that makes sense.
     std::optional<std::int64_t> goal() const;
-    QString complaint() const;
+    QString inputError() const;
     /// The goal as the servo has it, or as it is being dragged.
-    std::optional<std::int64_t> shown() const { return m_shown; }
+    std::optional<std::int64_t> shownGoal() const { return m_shown; }
     /// It is on its way: shown until it is there or given up. Nothing is on its way any more.
-    void isSending(std::int64_t raw);
-    void endSending();
+    void setPending(std::int64_t raw);
+    void clearPending();
     /// It is there, and shown until a newer reading.
-    void wasSent(std::int64_t raw, base::Duration at);
-    void forgetSent();
+    void setSent(std::int64_t raw, base::Duration at);
+    void clearSent();
     /// What was typed is dropped.
-    void forgetEdit();
+    void discardEdit();
     /// As if it had been typed: nothing is sent.
-    void type(std::int64_t raw);
+    void enterValue(std::int64_t raw);
     /// What was being dragged did not get there. What is typed stays, to be corrected.
-    void giveUp();
+    void cancelDrag();
     /// From the dial: as if the slider had been dragged there, and let go.
-    void put(std::int64_t raw);
-    void endPut();
+    void setFromDial(std::int64_t raw);
+    void endDialDrag();
 
 Q_SIGNALS:
-    void moved(std::int64_t raw, bool dragged);
+    void goalMoved(std::int64_t raw, bool dragged);
     void dragEnded();
-    void entered(); ///< Enter in the box
-    void stopWanted();
-    void stepWanted(std::int64_t raw);
-    void againWanted();
+    void returnPressed(); ///< Enter in the box
+    void stopRequested();
+    void stepRequested(std::int64_t raw);
+    void repeatRequested();
     void goalShown(std::int64_t raw);
 
 private:
     void buildSteps();
-    QString turning(const QString& sign, const QString& words) const;
+    QString withDirection(const QString& sign, const QString& text) const;
     void fillSlider(const session::ServoEntry& entry);
     void fillSteps(const Steps& steps);
-    void show(std::optional<std::int64_t> raw);
-    std::optional<std::int64_t> standing(const session::ServoEntry& entry) const;
+    void setShownGoal(std::optional<std::int64_t> raw);
+    std::optional<std::int64_t> effectiveRaw(const session::ServoEntry& entry) const;
 
     ControlSlider* m_slider;
     ControlField* m_field;
     QWidget* m_steps;
     QPushButton* m_minus;
     QPushButton* m_plus;
-    QPushButton* m_again;
-    QLabel* m_left;
+    QPushButton* m_repeat;
+    QLabel* m_stepsLeft;
     QPushButton* m_stop;
-    QLabel* m_way; ///< which way + and − turn
+    QLabel* m_directionLabel; ///< which way + and − turn
 
     std::optional<device::GoalKind> m_kind;
-    device::Positive m_positive = device::Positive::Forward;
+    device::PositiveDirection m_positive = device::PositiveDirection::Forward;
     session::ServoRef m_servo = 0;
     std::optional<std::int64_t> m_shown;
     bool m_dialDrag = false;
-    std::optional<std::int64_t> m_sending; ///< on its way
+    std::optional<std::int64_t> m_pendingGoal; ///< on its way
 };
 } // namespace ui

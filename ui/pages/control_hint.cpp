@@ -15,22 +15,22 @@
 
 namespace ui {
 namespace {
-const QString neverChoice = QStringLiteral("operate/no_torque_hint");
+const QString neverAskKey = QStringLiteral("operate/no_torque_hint");
 }
 
-ControlHint::ControlHint(session::Settings& settings, QWidget* parent)
+TorqueHint::TorqueHint(session::Settings& settings, QWidget* parent)
     : QFrame(parent)
     , m_settings(settings)
     , m_title(new QLabel(this))
     , m_text(new QLabel(this))
-    , m_never(new QCheckBox(this))
+    , m_neverAsk(new QCheckBox(this))
     , m_cancel(new QPushButton(this))
     , m_yes(new QPushButton(this))
 {
     setObjectName(QStringLiteral("torqueHint"));
     m_title->setObjectName(QStringLiteral("torqueHintTitle"));
     m_text->setObjectName(QStringLiteral("torqueHintText"));
-    m_never->setObjectName(QStringLiteral("torqueHintNever"));
+    m_neverAsk->setObjectName(QStringLiteral("torqueHintNever"));
     m_cancel->setObjectName(QStringLiteral("torqueHintCancel"));
     m_yes->setObjectName(QStringLiteral("torqueHintGo"));
     m_text->setWordWrap(true);
@@ -41,56 +41,56 @@ ControlHint::ControlHint(session::Settings& settings, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_title);
     column->addWidget(m_text);
-    column->addWidget(m_never);
+    column->addWidget(m_neverAsk);
     auto* row = new QHBoxLayout;
     row->addStretch();
     row->addWidget(m_cancel);
     row->addWidget(m_yes);
     column->addLayout(row);
-    connect(m_cancel, &QPushButton::clicked, this, &ControlHint::dismiss);
-    connect(m_yes, &QPushButton::clicked, this, &ControlHint::goOn);
+    connect(m_cancel, &QPushButton::clicked, this, &TorqueHint::dismiss);
+    connect(m_yes, &QPushButton::clicked, this, &TorqueHint::proceed);
     new PressGuard(m_yes); // what it lets go on moves the servo
     retranslate();
     hide();
 }
 
-bool ControlHint::passed(std::function<void()> deed)
+bool TorqueHint::isConfirmed(std::function<void()> action)
 {
-    if (m_answered || m_settings.choice(neverChoice, false).toBool())
+    if (m_answered || m_settings.pageValue(neverAskKey, false).toBool())
         return true;
-    m_deed = std::move(deed);
+    m_action = std::move(action);
     show();
     m_yes->setFocus();
     return false;
 }
 
-void ControlHint::dismiss()
+void TorqueHint::dismiss()
 {
-    m_deed = nullptr;
+    m_action = nullptr;
     hide();
 }
 
-void ControlHint::goOn()
+void TorqueHint::proceed()
 {
     m_answered = true;
-    if (m_never->isChecked())
-        m_settings.setChoice(neverChoice, true);
-    const auto deed = std::exchange(m_deed, nullptr);
+    if (m_neverAsk->isChecked())
+        m_settings.setPageValue(neverAskKey, true);
+    const auto action = std::exchange(m_action, nullptr);
     hide();
-    if (deed)
-        deed();
+    if (action)
+        action();
 }
 
-void ControlHint::retranslate()
+void TorqueHint::retranslate()
 {
     m_title->setText(QStringLiteral("⚠ ") + tr("Before the first torque of this session"));
     m_text->setText(tr("• No bracket or horn that could catch or jam\n"
                        "• Fingers and cables away from the shaft\n"
                        "• Polarity and voltage of the supply checked\n"
                        "• Thick leads above 12 V"));
-    m_never->setText(tr("Do not show this again"));
-    m_never->setAccessibleName(m_never->text());
-    m_never->setToolTip(tr("Also not in later sessions"));
+    m_neverAsk->setText(tr("Do not show this again"));
+    m_neverAsk->setAccessibleName(m_neverAsk->text());
+    m_neverAsk->setToolTip(tr("Also not in later sessions"));
     m_cancel->setText(tr("Cancel"));
     m_cancel->setAccessibleName(m_cancel->text());
     m_cancel->setToolTip(tr("Leave the servo as it is"));
@@ -100,7 +100,7 @@ void ControlHint::retranslate()
                          "again"));
 }
 
-void ControlHint::paintEvent(QPaintEvent*)
+void TorqueHint::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);

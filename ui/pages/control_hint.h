@@ -14,15 +14,15 @@ class QLabel;
 class QPushButton;
 
 namespace ui {
-class ControlHint final : public QFrame {
+class TorqueHint final : public QFrame {
     Q_OBJECT
 
 public:
-    ControlHint(session::Settings& settings, QWidget* parent);
+    TorqueHint(session::Settings& settings, QWidget* parent);
 
     /// True: it has been answered, or is never to be shown. False: it is shown now, and `deed`
     /// (which may be empty) is done when the user goes on.
-    bool passed(std::function<void()> deed);
+    bool isConfirmed(std::function<void()> action);
     /// The question has lost its point: another servo, the port closed.
     void dismiss();
     void retranslate();
@@ -31,15 +31,15 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void goOn();
+    void proceed();
 
     session::Settings& m_settings;
     QLabel* m_title;
     QLabel* m_text;
-    QCheckBox* m_never;
+    QCheckBox* m_neverAsk;
     QPushButton* m_cancel;
     QPushButton* m_yes;
-    std::function<void()> m_deed;
+    std::function<void()> m_action;
     bool m_answered = false;
 };
 } // namespace ui

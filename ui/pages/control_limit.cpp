@@ -18,11 +18,11 @@
 
 namespace ui {
 namespace {
-constexpr std::int64_t full = 1000; ///< raw: 100 %
+constexpr std::int64_t fullScale = 1000; ///< raw: 100 %
 constexpr double rawPerPercent = 10;
-constexpr double mostStall = 500; ///< kg·cm
+constexpr double maxStallTorque = 500; ///< kg·cm
 
-QString stallChoice(const QString& model)
+QString stallTorqueKey(const QString& model)
 {
     return QStringLiteral("stall_torque/") + model;
 }
@@ -45,23 +45,23 @@ ControlLimit::ControlLimit(session::Settings& settings, QWidget* parent)
         m_percent->setValue(static_cast<double>(raw) / rawPerPercent);
         m_editing = true;
         if (!dragged)
-            order(raw);
+            request(raw);
     });
     connect(m_slider, &ControlSlider::released, this, [this] {
         if (const auto raw = m_slider->value(); raw && m_editing)
-            order(*raw);
+            request(*raw);
     });
     connect(m_percent->findChild<QLineEdit*>(), &QLineEdit::textEdited, this,
             [this] { m_editing = true; });
     connect(m_percent, &QDoubleSpinBox::valueChanged, this, &ControlLimit::edited);
     connect(m_percent, &QDoubleSpinBox::editingFinished, this, [this] {
         if (m_editing)
-            order(std::llround(m_percent->value() * rawPerPercent));
+            request(std::llround(m_percent->value() * rawPerPercent));
     });
     connect(m_stall, &QDoubleSpinBox::editingFinished, this, [this] {
         if (m_model.isEmpty() || m_stall->value() == stallTorque())
             return;
-        m_settings.setChoice(stallChoice(m_model), m_stall->value());
+        m_settings.setPageValue(stallTorqueKey(m_model), m_stall->value());
         fill();
     });
     new PressGuard(m_slider);
@@ -73,15 +73,16 @@ void ControlLimit::build()
 {
     m_title->setObjectName(QStringLiteral("torqueLimitTitle"));
     m_percent->setObjectName(QStringLiteral("torqueLimitPercent"));
-    m_percent->setRange(0, full / rawPerPercent);
+    m_percent->setRange(0, fullScale / rawPerPercent);
     m_percent->setDecimals(1);
     m_percent->setSuffix(QStringLiteral(" %"));
     m_percent->setKeyboardTracking(false);
     m_slider->setObjectName(QStringLiteral("torqueLimitSlider"));
-    m_slider->setScale({0, full, 0, full, false, QStringLiteral("0"), QStringLiteral("100 %")});
+    m_slider->setScale(
+        {0, fullScale, 0, fullScale, false, QStringLiteral("0"), QStringLiteral("100 %")});
     m_force->setObjectName(QStringLiteral("torqueLimitForce"));
     m_stall->setObjectName(QStringLiteral("stallTorque"));
-    m_stall->setRange(0, mostStall);
+    m_stall->setRange(0, maxStallTorque);
     m_stall->setDecimals(1);
     m_stall->setSuffix(QStringLiteral(" kg·cm"));
     m_stall->setKeyboardTracking(false);
@@ -112,7 +113,7 @@ void ControlLimit::build()
 
 double ControlLimit::stallTorque() const
 {
-    return m_model.isEmpty() ? 0 : m_settings.choice(stallChoice(m_model), 0.0).toDouble();
+    return m_model.isEmpty() ? 0 : m_settings.pageValue(stallTorqueKey(m_model), 0.0).toDouble();
 }
 
 /// By the user: typed and settled, stepped, or moved with the slider.
@@ -124,7 +125,7 @@ void ControlLimit::edited()
 }
 
 /// Notch upon notch of a wheel: one write at a time, and of those that wait only the latest.
-void ControlLimit::order(std::int64_t raw)
+void ControlLimit::request(std::int64_t raw)
 {
     m_editing = false;
     if (m_pending) {
@@ -140,7 +141,7 @@ void ControlLimit::send(std::int64_t raw)
     m_sent = raw;
     m_next.reset();
     m_pending = true;
-    Q_EMIT wanted(raw);
+    Q_EMIT limitRequested(raw);
 }
 
 void ControlLimit::showServo(const session::ServoEntry* entry, bool usable)
@@ -174,7 +175,7 @@ void ControlLimit::showServo(const session::ServoEntry* entry, bool usable)
     fill();
 }
 
-void ControlLimit::forgetEdit()
+void ControlLimit::discardEdit()
 {
     m_editing = false;
     m_next.reset();
@@ -186,7 +187,7 @@ void ControlLimit::fill()
     m_title->setText(m_temporary ? tr("Torque limit (until power-off)") : tr("Torque limit"));
     const auto raw = m_sent ? m_sent : m_read;
     if (!m_editing && raw) {
-        const QSignalBlocker quiet(m_percent);
+        const QSignalBlocker blocker(m_percent);
         m_slider->setValue(raw);
         m_percent->setValue(static_cast<double>(*raw) / rawPerPercent);
     }
@@ -198,10 +199,10 @@ void ControlLimit::showForce()
     const double stall = stallTorque();
     const double share = m_percent->value() / 100;
     m_force->setText(stall > 0 ? tr("≈ %1 kg·cm").arg(stall * share, 0, 'f', 1) : QString());
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, tone(Tone::Quiet, palette()));
-    m_advice->setPalette(colours);
-    m_force->setPalette(colours);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(Tone::Quiet, palette()));
+    m_advice->setPalette(colors);
+    m_force->setPalette(colors);
 }
 
 void ControlLimit::retranslate()

@@ -23,11 +23,11 @@ public:
 
     void showServo(const session::ServoEntry* entry, bool usable);
     /// What was typed or dragged and not sent is dropped.
-    void forgetEdit();
+    void discardEdit();
     void retranslate();
 
 Q_SIGNALS:
-    void wanted(std::int64_t raw);
+    void limitRequested(std::int64_t raw);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -38,7 +38,7 @@ private:
     void fill();
     void showForce();
     void edited();
-    void order(std::int64_t raw);
+    void request(std::int64_t raw);
     void send(std::int64_t raw);
     double stallTorque() const; ///< kg·cm; 0: not entered
 

@@ -48,7 +48,7 @@ void ControlMode::build()
         connect(button, &SegmentButton::clicked, this, [this, key = mode.key] {
             check(); // the servo decides which one it is in
             if (key != m_mode)
-                Q_EMIT wanted(key);
+                Q_EMIT requested(key);
         });
     }
     check();

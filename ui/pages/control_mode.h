@@ -22,7 +22,7 @@ public:
     void retranslate();
 
 Q_SIGNALS:
-    void wanted(const QString& mode);
+    void requested(const QString& mode);
 
 private:
     void build();

@@ -18,7 +18,7 @@
 
 namespace ui {
 using device::GoalKind;
-using device::MoveHow;
+using device::MoveMethod;
 
 namespace {
 /// The stop did not reach it, or another program has switched it on again.
@@ -36,43 +36,43 @@ const session::ServoEntry* ControlPanel::entry() const
     return m_desk.servo(m_selection.current());
 }
 
-std::size_t ControlPanel::others() const
+std::size_t ControlPanel::otherCount() const
 {
-    return m_drive.servos().empty() ? 0 : m_drive.servos().size() - 1;
+    return m_motion.servos().empty() ? 0 : m_motion.servos().size() - 1;
 }
 
-void ControlPanel::choose()
+void ControlPanel::onSelectionChanged()
 {
-    m_drive.setServos(m_selection.chosen());
-    m_banner->clear();
-    unsay();
-    m_said->setMinimumHeight(0);
+    m_motion.setServos(m_selection.selected());
+    m_banner->hideMessage();
+    clearResult();
+    m_resultLabel->setMinimumHeight(0);
     m_hint->dismiss();
     if (isVisible())
-        readUnread();
-    m_chosenAnew = true;
+        readUnreadTables();
+    m_selectionChanged = true;
     refresh();
 }
 
 /// Limits and modes belong on the panel; nobody needs them while it is not seen.
-void ControlPanel::readUnread()
+void ControlPanel::readUnreadTables()
 {
-    for (const session::ServoRef ref : m_drive.servos()) {
+    for (const session::ServoRef ref : m_motion.servos()) {
         const session::ServoEntry* known = m_desk.servo(ref);
-        const bool unread = known != nullptr && known->servo.profile && !known->tableRead;
+        const bool unread = known != nullptr && known->servo.profile && !known->hasFullTable;
         if (unread && m_desk.state() == session::LinkState::Open)
             m_desk.readTable(ref);
     }
 }
 
-void ControlPanel::refreshSoon()
+void ControlPanel::scheduleRefresh()
 {
     if (!m_refresh.isActive())
         m_refresh.start();
 }
 
 /// Why there is nothing to control; empty: there is.
-QString ControlPanel::whyEmpty() const
+QString ControlPanel::emptyReason() const
 {
     const session::ServoEntry* known = entry();
     if (known == nullptr)
@@ -81,9 +81,9 @@ QString ControlPanel::whyEmpty() const
         return tr("This servo answers, but does not say what it is, so nobody knows how to move "
                   "it. Search again, or check whether two servos share the ID.");
     if (known->servo.profile->conflict) {
-        const auto bar = device::writeBar(known->servo);
+        const auto bar = device::writeObstacle(known->servo);
         const text::Description words = text::describe(*bar);
-        return words.what + QLatin1Char('\n') + words.cause + QLatin1Char('\n') + words.remedy;
+        return words.message + QLatin1Char('\n') + words.cause + QLatin1Char('\n') + words.remedy;
     }
     if (!known->servo.profile->writable)
         return tr("The firmware of this servo is not known. Its measurements are shown; moving it "
@@ -94,41 +94,41 @@ QString ControlPanel::whyEmpty() const
     return {};
 }
 
-bool ControlPanel::usable() const
+bool ControlPanel::isUsable() const
 {
     return m_desk.state() == session::LinkState::Open;
 }
 
 void ControlPanel::refresh()
 {
-    const QString why = whyEmpty();
+    const QString why = emptyReason();
     if (m_empty->text() != why)
         m_empty->setText(why);
     m_empty->setVisible(!why.isEmpty());
     m_content->setVisible(why.isEmpty());
     showTitle();
     const session::ServoEntry* known = entry();
-    m_torque->showServo(why.isEmpty() ? known : nullptr, usable());
+    m_torque->showServo(why.isEmpty() ? known : nullptr, isUsable());
     showStopped();
-    if (m_meant && !isStill(*m_meant))
+    if (m_hintTargets && !isUnchanged(*m_hintTargets))
         m_hint->dismiss();
     if (!why.isEmpty()) {
-        Q_EMIT shownAnew();
+        Q_EMIT goalStateChanged();
         return;
     }
-    const bool drives = usable() && !m_drive.stopped();
-    if (!m_drive.busy())
-        m_goal->endSending();
-    m_mode->showServo(known, usable());
-    m_goal->showServo(*known, {m_drive.stepSum(known->ref), m_drive.canRepeat()});
-    m_fields->showServo(*known, others() > 0);
-    m_limit->showServo(known, usable());
+    const bool drives = isUsable() && !m_motion.isStopped();
+    if (!m_motion.isBusy())
+        m_goal->clearPending();
+    m_mode->showServo(known, isUsable());
+    m_goal->showServo(*known, {m_motion.totalSteps(known->ref), m_motion.canRepeatStep()});
+    m_fields->showServo(*known, otherCount() > 0);
+    m_limit->showServo(known, isUsable());
     m_goal->setEnabled(drives);
     m_fields->setEnabled(drives);
     if (m_dial != nullptr)
         m_dial->setVisible(device::goalRegister(known->servo) != nullptr);
     showWrite();
-    Q_EMIT shownAnew();
+    Q_EMIT goalStateChanged();
 }
 
 void ControlPanel::showTitle()
@@ -139,8 +139,8 @@ void ControlPanel::showTitle()
         words = tr("Motion — ID %1").arg(known->servo.id);
         if (known->servo.profile)
             words += QStringLiteral(" · ") + known->servo.profile->modelName;
-        if (others() > 0)
-            words += QLatin1Char(' ') + tr("+ %1 more").arg(others());
+        if (otherCount() > 0)
+            words += QLatin1Char(' ') + tr("+ %1 more").arg(otherCount());
     }
     if (m_title->text() != words)
         m_title->setText(words);
@@ -148,15 +148,15 @@ void ControlPanel::showTitle()
 
 void ControlPanel::showStopped()
 {
-    const bool stopped = m_drive.stopped() && entry() != nullptr;
+    const bool stopped = m_motion.isStopped() && entry() != nullptr;
     m_stopped->setVisible(stopped);
     const bool stillOn = stopped && isOnSinceStop(*entry());
     m_stopped->setText(QStringLiteral("■ ") +
                        (stillOn ? tr("Stopped, but torque is on. Press Esc to switch it off.")
                                 : tr("Stopped. Switch torque on to go on.")));
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, tone(Tone::Warn, palette()));
-    m_stopped->setPalette(colours);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(Tone::Warn, palette()));
+    m_stopped->setPalette(colors);
 }
 
 void ControlPanel::showWrite()
@@ -165,42 +165,44 @@ void ControlPanel::showWrite()
     if (known == nullptr || !known->servo.profile)
         return;
     const bool step = device::goalKind(known->servo) == GoalKind::Step;
-    const bool drives = usable() && !m_drive.stopped();
-    for (const MoveHow one : {MoveHow::Write, MoveHow::Sync, MoveHow::Async}) {
-        const bool offered = device::offers(known->servo, one);
-        m_how->button(static_cast<int>(one))->setVisible(offered);
-        if (!offered && how() == one)
-            m_how->button(0)->setChecked(true);
+    const bool drives = isUsable() && !m_motion.isStopped();
+    for (const MoveMethod one : {MoveMethod::Write, MoveMethod::Sync, MoveMethod::Async}) {
+        const bool offered = device::supports(known->servo, one);
+        m_writeMode->button(static_cast<int>(one))->setVisible(offered);
+        if (!offered && writeMode() == one)
+            m_writeMode->button(0)->setChecked(true);
     }
-    chooseHow(*known);
-    const bool async = device::offers(known->servo, MoveHow::Async);
-    m_execute->setVisible(async || m_drive.held() > 0);
-    m_execute->setEnabled(drives && m_drive.held() > 0);
-    m_execute->setText(m_drive.held() > 0 ? tr("Execute (%1)").arg(m_drive.held()) : tr("Execute"));
+    selectWriteMode(*known);
+    const bool async = device::supports(known->servo, MoveMethod::Async);
+    m_execute->setVisible(async || m_motion.heldCount() > 0);
+    m_execute->setEnabled(drives && m_motion.heldCount() > 0);
+    m_execute->setText(m_motion.heldCount() > 0 ? tr("Execute (%1)").arg(m_motion.heldCount())
+                                                : tr("Execute"));
     m_execute->setAccessibleName(m_execute->text());
     m_set->setVisible(!step);
     m_set->setEnabled(drives);
 }
 
 /// Several start together unless the user says otherwise; one alone goes back to the plain write.
-void ControlPanel::chooseHow(const session::ServoEntry& known)
+void ControlPanel::selectWriteMode(const session::ServoEntry& known)
 {
-    if (!m_chosenAnew || known.servo.mode() == nullptr)
+    if (!m_selectionChanged || known.servo.mode() == nullptr)
         return;
-    m_chosenAnew = false;
-    const bool several = others() > 0;
-    if (several && how() == MoveHow::Write && device::offers(known.servo, MoveHow::Sync))
-        m_how->button(static_cast<int>(MoveHow::Sync))->setChecked(true);
-    else if (!several && how() == MoveHow::Sync)
-        m_how->button(static_cast<int>(MoveHow::Write))->setChecked(true);
+    m_selectionChanged = false;
+    const bool several = otherCount() > 0;
+    if (several && writeMode() == MoveMethod::Write &&
+        device::supports(known.servo, MoveMethod::Sync))
+        m_writeMode->button(static_cast<int>(MoveMethod::Sync))->setChecked(true);
+    else if (!several && writeMode() == MoveMethod::Sync)
+        m_writeMode->button(static_cast<int>(MoveMethod::Write))->setChecked(true);
 }
 
-MoveHow ControlPanel::how() const
+MoveMethod ControlPanel::writeMode() const
 {
-    return static_cast<MoveHow>(std::max(0, m_how->checkedId()));
+    return static_cast<MoveMethod>(std::max(0, m_writeMode->checkedId()));
 }
 
-void ControlPanel::goalArrived(const session::MoveWish& wish)
+void ControlPanel::onGoalSent(const session::MoveRequest& request)
 {
     const session::ServoEntry* known = entry();
     const catalog::Register* reg =
@@ -208,26 +210,26 @@ void ControlPanel::goalArrived(const session::MoveWish& wish)
     if (reg == nullptr)
         return;
     const base::Duration now = m_desk.now();
-    m_fields->wasSent(wish, now);
-    const auto raw = catalog::parseValue(wish.goal, *reg, known->servo.meaning(*reg));
-    if (raw && wish.how != MoveHow::Async)
-        m_goal->wasSent(*raw, now);
-    m_banner->clear();
-    refreshSoon();
+    m_fields->setSent(request, now);
+    const auto raw = catalog::parseValue(request.goal, *reg, known->servo.meaning(*reg));
+    if (raw && request.how != MoveMethod::Async)
+        m_goal->setSent(*raw, now);
+    m_banner->hideMessage();
+    scheduleRefresh();
 }
 
-std::optional<std::int64_t> ControlPanel::placeGoal() const
+std::optional<std::int64_t> ControlPanel::positionGoal() const
 {
     const session::ServoEntry* known = entry();
     const auto kind =
         known != nullptr && known->servo.profile ? device::goalKind(known->servo) : std::nullopt;
     const bool place = kind == GoalKind::Position || kind == GoalKind::Turns;
-    return place ? m_goal->shown() : std::nullopt;
+    return place ? m_goal->shownGoal() : std::nullopt;
 }
 
-bool ControlPanel::goalMovable() const
+bool ControlPanel::isGoalMovable() const
 {
-    return placeGoal() && m_goal->isEnabled() && whyEmpty().isEmpty();
+    return positionGoal() && m_goal->isEnabled() && emptyReason().isEmpty();
 }
 
 void ControlPanel::retranslate()
@@ -240,7 +242,7 @@ void ControlPanel::retranslate()
                   QT_TR_NOOP("One packet for all chosen servos: they start together")},
         std::pair{QT_TR_NOOP("Async"), QT_TR_NOOP("The goal waits in the servo until Execute")}};
     for (int i = 0; i < 3; ++i) {
-        auto* button = m_how->button(i);
+        auto* button = m_writeMode->button(i);
         button->setText(tr(words[static_cast<std::size_t>(i)].first));
         button->setAccessibleName(button->text());
         button->setToolTip(tr(words[static_cast<std::size_t>(i)].second));
@@ -256,7 +258,7 @@ void ControlPanel::retranslate()
     m_fields->retranslate();
     m_limit->retranslate();
     m_hint->retranslate();
-    showSaid();
+    showResult();
     refresh();
 }
 } // namespace ui

@@ -22,7 +22,7 @@ namespace ui {
 class Banner;
 class ControlFields;
 class ControlGoal;
-class ControlHint;
+class TorqueHint;
 class ControlLimit;
 class ControlMode;
 class ControlTorque;
@@ -32,7 +32,8 @@ class ControlPanel final : public QWidget {
 
 public:
     ControlPanel(session::Desk& desk, Commands& commands, Selection& selection,
-                 session::Settings& settings, session::Drive& drive, QWidget* parent = nullptr);
+                 session::Settings& settings, session::MotionController& drive,
+                 QWidget* parent = nullptr);
     ~ControlPanel() override;
 
     /// Between the mode and the slider; the panel becomes its parent. Shown in every mode that has
@@ -42,9 +43,9 @@ public:
     /// until the page gives it a place; whatever appears in it must not move a control.
     QWidget* messages() const { return m_messages; }
     /// The goal as the servo has it, or as it is being dragged; nullopt: none that means a place.
-    std::optional<std::int64_t> placeGoal() const;
+    std::optional<std::int64_t> positionGoal() const;
     /// The dial's goal may be dragged now.
-    bool goalMovable() const;
+    bool isGoalMovable() const;
 
 public Q_SLOTS:
     /// As dragging the slider there; a short rest ends the drag.
@@ -52,7 +53,7 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void goalShown(std::int64_t raw);
-    void shownAnew(); ///< placeGoal() or goalMovable() may have changed
+    void goalStateChanged(); ///< positionGoal() or isGoalMovable() may have changed
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -62,77 +63,78 @@ private:
     void build(session::Settings& settings);
     QScrollArea* buildScroll();
     void buildMessages(session::Settings& settings);
-    QWidget* buildHead(QWidget* body);
+    QWidget* buildHeader(QWidget* body);
     QWidget* buildWrite(QWidget* body);
     void connectParts();
     void connectDesk();
     void retranslate();
 
     const session::ServoEntry* entry() const;
-    std::size_t others() const;
-    void choose();
-    void readUnread();
+    std::size_t otherCount() const;
+    void onSelectionChanged();
+    void readUnreadTables();
     void refresh();
-    void refreshSoon();
+    void scheduleRefresh();
     void showTitle();
     void showWrite();
-    void chooseHow(const session::ServoEntry& known);
+    void selectWriteMode(const session::ServoEntry& known);
     void showStopped();
-    QString whyEmpty() const;
-    bool usable() const;
+    QString emptyReason() const;
+    bool isUsable() const;
 
-    using Meant = std::vector<std::pair<session::ServoRef, QString>>; ///< servos and mode keys
-    Meant meantNow() const;
-    bool isStill(const Meant& meant) const;
-    bool passedHint(std::function<void()> deed);
-    bool mayEnergise(std::function<void()> deed);
+    using HintTargets =
+        std::vector<std::pair<session::ServoRef, QString>>; ///< servos and mode keys
+    HintTargets currentTargets() const;
+    bool isUnchanged(const HintTargets& targets) const;
+    bool confirmHint(std::function<void()> action);
+    bool confirmEnergize(std::function<void()> action);
     void dragTo(std::int64_t raw, bool dragged);
-    void set();
-    void order(std::int64_t raw, bool dragged);
+    void sendGoalFromField();
+    void sendGoal(std::int64_t raw, bool dragged);
     void step(std::int64_t raw);
-    void goalArrived(const session::MoveWish& wish);
-    void orderTorque(device::Torque torque);
-    void halt();
-    void askForMode(const device::ModePlan& plan);
+    void onGoalSent(const session::MoveRequest& request);
+    void requestTorque(device::Torque torque);
+    void stopMove();
+    void confirmModeSwitch(const device::ModePlan& plan);
     void showError(const base::Error& error);
     void showNotices(const device::Notices& notices);
-    void showSaid();
-    void reserveSaid();
-    void unsay();
-    void complain(const std::function<QString()>& wrong);
-    device::MoveHow how() const;
+    void showResult();
+    void reserveResultHeight();
+    void clearResult();
+    void showInputError(const std::function<QString()>& wrong);
+    device::MoveMethod writeMode() const;
 
     session::Desk& m_desk;
     Commands& m_commands;
     Selection& m_selection;
-    session::Drive& m_drive;
+    session::MotionController& m_motion;
 
     QLabel* m_title = nullptr;
     ControlTorque* m_torque = nullptr;
     QLabel* m_stopped = nullptr;
     QWidget* m_messages = nullptr;
     Banner* m_banner = nullptr;
-    ControlHint* m_hint = nullptr;
+    TorqueHint* m_hint = nullptr;
     QLabel* m_empty = nullptr;
     QWidget* m_content = nullptr;
     ControlMode* m_mode = nullptr;
-    QVBoxLayout* m_dialPlace = nullptr;
+    QVBoxLayout* m_dialLayout = nullptr;
     QWidget* m_dial = nullptr;
     ControlGoal* m_goal = nullptr;
     ControlFields* m_fields = nullptr;
     QWidget* m_write = nullptr;
-    QButtonGroup* m_how = nullptr;
+    QButtonGroup* m_writeMode = nullptr;
     QPushButton* m_execute = nullptr;
     QPushButton* m_set = nullptr;
     ControlLimit* m_limit = nullptr;
-    QLabel* m_said = nullptr;
+    QLabel* m_resultLabel = nullptr;
 
-    std::optional<Meant> m_meant; ///< what the hint's deed was asked for
-    device::Notices m_notices;    ///< how the latest deed was done
-    catalog::ProfilePtr m_saidOf;
-    bool m_inDrag = false;
-    bool m_chosenAnew = false; ///< the way of writing is not settled yet for these servos
+    std::optional<HintTargets> m_hintTargets; ///< what the hint's deed was asked for
+    device::Notices m_notices;                ///< how the latest deed was done
+    catalog::ProfilePtr m_resultProfile;
+    bool m_isDragging = false;
+    bool m_selectionChanged = false; ///< the way of writing is not settled yet for these servos
     QTimer m_refresh;
-    QTimer m_dialRest;
+    QTimer m_dialDragTimer;
 };
 } // namespace ui

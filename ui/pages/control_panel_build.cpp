@@ -27,10 +27,10 @@ namespace {
 using namespace std::chrono_literals;
 constexpr auto refreshDelay = 25ms;
 /// A dial that has not moved for so long has been let go.
-constexpr auto dialRest = 400ms;
+constexpr auto dialDragTimeout = 400ms;
 constexpr int margin = 12;
-constexpr int leastWidth = 340;
-constexpr int mostWidth = 420;
+constexpr int minWidth = 340;
+constexpr int maxWidth = 420;
 constexpr int titleLines = 2; ///< as many as a long one has
 
 /// Always there, so that the controls keep their width; empty while everything is in sight.
@@ -48,21 +48,22 @@ protected:
 } // namespace
 
 ControlPanel::ControlPanel(session::Desk& desk, Commands& commands, Selection& selection,
-                           session::Settings& settings, session::Drive& drive, QWidget* parent)
+                           session::Settings& settings, session::MotionController& drive,
+                           QWidget* parent)
     : QWidget(parent)
     , m_desk(desk)
     , m_commands(commands)
     , m_selection(selection)
-    , m_drive(drive)
+    , m_motion(drive)
 {
     setObjectName(QStringLiteral("controlPanel"));
-    setMinimumWidth(leastWidth);
-    setMaximumWidth(mostWidth);
+    setMinimumWidth(minWidth);
+    setMaximumWidth(maxWidth);
     build(settings);
     connectParts();
     connectDesk();
     retranslate();
-    choose();
+    onSelectionChanged();
 }
 
 ControlPanel::~ControlPanel()
@@ -70,7 +71,7 @@ ControlPanel::~ControlPanel()
     m_goal->disconnect(this); // a drag that is under way ends when its slider goes
 }
 
-QWidget* ControlPanel::buildHead(QWidget* body)
+QWidget* ControlPanel::buildHeader(QWidget* body)
 {
     auto* head = new QWidget(body);
     auto* row = new QHBoxLayout(head);
@@ -105,23 +106,23 @@ QWidget* ControlPanel::buildWrite(QWidget* body)
         return one;
     };
     QWidget* ways = group();
-    m_how = new QButtonGroup(this);
+    m_writeMode = new QButtonGroup(this);
     static const char* const names[] = {"howWrite", "howSync", "howAsync"};
     for (int i = 0; i < 3; ++i) {
         auto* button = new SegmentButton(ways);
         button->setObjectName(QString::fromLatin1(names[i]));
-        m_how->addButton(button, i);
+        m_writeMode->addButton(button, i);
         ways->layout()->addWidget(button);
     }
-    m_how->button(0)->setChecked(true);
+    m_writeMode->button(0)->setChecked(true);
     QWidget* deeds = group();
     m_execute = new QPushButton(deeds);
     m_execute->setObjectName(QStringLiteral("execute"));
     m_set = new QPushButton(deeds);
     m_set->setObjectName(QStringLiteral("setGoal"));
     m_set->setProperty("mainAction", true);
-    for (QWidget* mover : {m_execute, m_set})
-        new PressGuard(mover);
+    for (QWidget* widget : {m_execute, m_set})
+        new PressGuard(widget);
     deeds->layout()->addWidget(m_execute);
     deeds->layout()->addWidget(m_set);
     return box;
@@ -145,10 +146,10 @@ void ControlPanel::buildMessages(session::Settings& settings)
     m_messages->setObjectName(QStringLiteral("controlMessages"));
     auto* column = new QVBoxLayout(m_messages);
     column->setContentsMargins({});
-    m_hint = new ControlHint(settings, m_messages);
+    m_hint = new TorqueHint(settings, m_messages);
     m_banner = new Banner(m_messages);
     m_banner->setObjectName(QStringLiteral("controlBanner"));
-    m_banner->clear();
+    m_banner->hideMessage();
     column->addWidget(m_hint);
     column->addWidget(m_banner);
 }
@@ -171,7 +172,7 @@ void ControlPanel::build(session::Settings& settings)
     column->setSpacing(10);
     auto* top = new QVBoxLayout;
     top->setSpacing(2);
-    top->addWidget(buildHead(body));
+    top->addWidget(buildHeader(body));
     column->addLayout(top);
     m_stopped = new QLabel(body);
     m_stopped->setObjectName(QStringLiteral("controlStopped"));
@@ -192,51 +193,52 @@ void ControlPanel::build(session::Settings& settings)
     parts->setContentsMargins({});
     parts->setSpacing(10);
     m_mode = new ControlMode(m_content);
-    m_dialPlace = new QVBoxLayout;
+    m_dialLayout = new QVBoxLayout;
     m_goal = new ControlGoal(m_content);
     m_fields = new ControlFields(m_content);
     m_write = buildWrite(m_content);
     m_limit = new ControlLimit(settings, m_content);
-    m_said = new QLabel(m_content);
-    m_said->setObjectName(QStringLiteral("controlSaid"));
-    m_said->setWordWrap(true);
+    m_resultLabel = new QLabel(m_content);
+    m_resultLabel->setObjectName(QStringLiteral("controlSaid"));
+    m_resultLabel->setWordWrap(true);
     parts->addWidget(m_mode);
-    parts->addLayout(m_dialPlace);
+    parts->addLayout(m_dialLayout);
     // What was said stands last: its lines come and go.
     for (QWidget* part : {static_cast<QWidget*>(m_goal), static_cast<QWidget*>(m_fields), m_write,
-                          static_cast<QWidget*>(m_limit), static_cast<QWidget*>(m_said)})
+                          static_cast<QWidget*>(m_limit), static_cast<QWidget*>(m_resultLabel)})
         parts->addWidget(part);
 }
 
 void ControlPanel::connectParts()
 {
-    connect(m_torque, &ControlTorque::wanted, this, &ControlPanel::orderTorque);
-    connect(m_mode, &ControlMode::wanted, &m_drive, &session::Drive::planMode);
-    connect(m_goal, &ControlGoal::moved, this, &ControlPanel::dragTo);
+    connect(m_torque, &ControlTorque::requested, this, &ControlPanel::requestTorque);
+    connect(m_mode, &ControlMode::requested, &m_motion, &session::MotionController::previewMode);
+    connect(m_goal, &ControlGoal::goalMoved, this, &ControlPanel::dragTo);
     connect(m_goal, &ControlGoal::dragEnded, this, [this] {
-        m_inDrag = false;
-        m_drive.endDrag();
-        refreshSoon();
+        m_isDragging = false;
+        m_motion.endDrag();
+        scheduleRefresh();
     });
-    connect(m_goal, &ControlGoal::entered, this, &ControlPanel::set);
-    connect(m_goal, &ControlGoal::stopWanted, this, &ControlPanel::halt);
-    connect(m_goal, &ControlGoal::stepWanted, this, &ControlPanel::step);
-    connect(m_goal, &ControlGoal::againWanted, this, [this] {
-        unsay();
-        m_drive.again();
+    connect(m_goal, &ControlGoal::returnPressed, this, &ControlPanel::sendGoalFromField);
+    connect(m_goal, &ControlGoal::stopRequested, this, &ControlPanel::stopMove);
+    connect(m_goal, &ControlGoal::stepRequested, this, &ControlPanel::step);
+    connect(m_goal, &ControlGoal::repeatRequested, this, [this] {
+        clearResult();
+        m_motion.repeatStep();
     });
     connect(m_goal, &ControlGoal::goalShown, this, &ControlPanel::goalShown);
-    connect(m_fields, &ControlFields::entered, this, &ControlPanel::set);
-    connect(m_set, &QPushButton::clicked, this, &ControlPanel::set);
+    connect(m_fields, &ControlFields::returnPressed, this, &ControlPanel::sendGoalFromField);
+    connect(m_set, &QPushButton::clicked, this, &ControlPanel::sendGoalFromField);
     connect(m_execute, &QPushButton::clicked, this, [this] {
-        unsay();
-        m_drive.execute();
+        clearResult();
+        m_motion.startHeldMoves();
     });
-    connect(m_how, &QButtonGroup::idClicked, this, &ControlPanel::showWrite);
-    connect(m_limit, &ControlLimit::wanted, &m_drive, &session::Drive::setTorqueLimit);
-    m_dialRest.setSingleShot(true);
-    m_dialRest.setInterval(dialRest);
-    connect(&m_dialRest, &QTimer::timeout, m_goal, &ControlGoal::endPut);
+    connect(m_writeMode, &QButtonGroup::idClicked, this, &ControlPanel::showWrite);
+    connect(m_limit, &ControlLimit::limitRequested, &m_motion,
+            &session::MotionController::setTorqueLimit);
+    m_dialDragTimer.setSingleShot(true);
+    m_dialDragTimer.setInterval(dialDragTimeout);
+    connect(&m_dialDragTimer, &QTimer::timeout, m_goal, &ControlGoal::endDialDrag);
 }
 
 void ControlPanel::connectDesk()
@@ -246,48 +248,51 @@ void ControlPanel::connectDesk()
     connect(&m_refresh, &QTimer::timeout, this, &ControlPanel::refresh);
     const auto concern = [this](session::ServoRef ref) {
         if (ref == m_selection.current())
-            refreshSoon();
+            scheduleRefresh();
     };
     connect(&m_desk, &session::Desk::servoChanged, this, concern);
     connect(&m_desk, &session::Desk::tableChanged, this, concern);
     connect(&m_desk, &session::Desk::linkChanged, this, [this] {
         m_hint->dismiss();
-        refreshSoon();
+        scheduleRefresh();
     });
-    connect(&m_selection, &Selection::chosenChanged, this, &ControlPanel::choose);
-    connect(&m_drive, &session::Drive::changed, this, &ControlPanel::refreshSoon);
-    connect(&m_drive, &session::Drive::modeSwitched, m_hint, &ControlHint::dismiss);
-    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
-        if (event.kind == session::Event::Kind::Began)
-            unsay();
+    connect(&m_selection, &Selection::selectedServosChanged, this,
+            &ControlPanel::onSelectionChanged);
+    connect(&m_motion, &session::MotionController::changed, this, &ControlPanel::scheduleRefresh);
+    connect(&m_motion, &session::MotionController::modeSwitched, m_hint, &TorqueHint::dismiss);
+    connect(&m_desk, &session::Desk::eventOccurred, this, [this](const session::Event& event) {
+        if (event.kind == session::Event::Kind::Started)
+            clearResult();
         if (event.kind == session::Event::Kind::Stopped) {
             m_hint->dismiss();
-            unsay();
-            m_goal->forgetEdit();
-            m_fields->forgetEdits();
-            m_limit->forgetEdit();
-            refreshSoon();
+            clearResult();
+            m_goal->discardEdit();
+            m_fields->discardEdits();
+            m_limit->discardEdit();
+            scheduleRefresh();
         }
     });
-    connect(&m_drive, &session::Drive::modePlanned, this, &ControlPanel::askForMode);
-    connect(&m_drive, &session::Drive::failed, this, &ControlPanel::showError);
-    connect(&m_drive, &session::Drive::noted, this, &ControlPanel::showNotices);
-    connect(&m_drive, &session::Drive::sent, this, &ControlPanel::goalArrived);
+    connect(&m_motion, &session::MotionController::modePreviewed, this,
+            &ControlPanel::confirmModeSwitch);
+    connect(&m_motion, &session::MotionController::failed, this, &ControlPanel::showError);
+    connect(&m_motion, &session::MotionController::noticesReported, this,
+            &ControlPanel::showNotices);
+    connect(&m_motion, &session::MotionController::moveSent, this, &ControlPanel::onGoalSent);
 }
 
 void ControlPanel::setDial(QWidget* dial)
 {
     m_dial = dial;
-    m_dialPlace->addWidget(dial, 0, Qt::AlignHCenter);
+    m_dialLayout->addWidget(dial, 0, Qt::AlignHCenter);
     new PressGuard(dial);
-    refreshSoon();
+    scheduleRefresh();
 }
 
 void ControlPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     if (!event->spontaneous())
-        readUnread();
+        readUnreadTables();
 }
 
 void ControlPanel::changeEvent(QEvent* event)

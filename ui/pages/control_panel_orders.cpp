@@ -22,7 +22,7 @@
 namespace ui {
 using catalog::Role;
 using device::GoalKind;
-using device::MoveHow;
+using device::MoveMethod;
 using device::NoticeCode;
 
 namespace {
@@ -30,14 +30,14 @@ namespace {
 bool warns(const device::Notice& notice)
 {
     switch (notice.code) {
-    case NoticeCode::OverloadHolds:
-    case NoticeCode::OvercurrentHolds:
-    case NoticeCode::VoltageHolds:
-    case NoticeCode::TemperatureHolds:
-    case NoticeCode::SensorHolds:
+    case NoticeCode::OverloadActive:
+    case NoticeCode::OvercurrentActive:
+    case NoticeCode::VoltageAlarmActive:
+    case NoticeCode::TemperatureAlarmActive:
+    case NoticeCode::SensorAlarmActive:
     case NoticeCode::DerivedTemperature:
     case NoticeCode::DerivedVoltage:
-    case NoticeCode::NoCurrentAllowed:
+    case NoticeCode::CurrentLimitZero:
     case NoticeCode::LockLeftOpen:
         return true;
     default:
@@ -54,7 +54,7 @@ QString linesOf(const catalog::ProfilePtr& profile, const device::Notices& notic
             continue;
         const catalog::Register* reg = profile ? profile->find(notice.key) : nullptr;
         if (reg != nullptr)
-            notice.key = reg->name.in(text::inChinese());
+            notice.key = reg->name.in(text::isUiChinese());
         lines << text::describe(notice);
     }
     lines.removeDuplicates();
@@ -63,24 +63,24 @@ QString linesOf(const catalog::ProfilePtr& profile, const device::Notices& notic
 } // namespace
 
 /// The chosen servos, and their modes as far as they are known.
-ControlPanel::Meant ControlPanel::meantNow() const
+ControlPanel::HintTargets ControlPanel::currentTargets() const
 {
-    Meant meant;
-    for (const session::ServoRef ref : m_drive.servos()) {
+    HintTargets targets;
+    for (const session::ServoRef ref : m_motion.servos()) {
         const session::ServoEntry* known = m_desk.servo(ref);
         const catalog::Mode* mode =
             known != nullptr && known->servo.profile ? known->servo.mode() : nullptr;
-        meant.push_back({ref, mode != nullptr ? mode->key : QString()});
+        targets.push_back({ref, mode != nullptr ? mode->key : QString()});
     }
-    return meant;
+    return targets;
 }
 
 /// A mode that was not known yet when it was asked for is no other mode.
-bool ControlPanel::isStill(const Meant& meant) const
+bool ControlPanel::isUnchanged(const HintTargets& targets) const
 {
-    const Meant now = meantNow();
-    return usable() &&
-           std::equal(meant.begin(), meant.end(), now.begin(), now.end(),
+    const HintTargets now = currentTargets();
+    return isUsable() &&
+           std::equal(targets.begin(), targets.end(), now.begin(), now.end(),
                       [](const auto& before, const auto& after) {
                           return before.first == after.first &&
                                  (before.second.isEmpty() || before.second == after.second);
@@ -89,119 +89,119 @@ bool ControlPanel::isStill(const Meant& meant) const
 
 /// The same number is a place in one mode and a speed in another: what waits for an answer is done
 /// only in the modes it was meant for.
-bool ControlPanel::passedHint(std::function<void()> deed)
+bool ControlPanel::confirmHint(std::function<void()> action)
 {
-    Meant meant = meantNow();
-    const bool passed = m_hint->passed([this, meant, deed = std::move(deed)] {
-        if (deed && isStill(meant))
-            deed();
+    HintTargets targets = currentTargets();
+    const bool isConfirmed = m_hint->isConfirmed([this, targets, action = std::move(action)] {
+        if (action && isUnchanged(targets))
+            action();
     });
-    if (!passed)
-        m_meant = std::move(meant);
-    return passed;
+    if (!isConfirmed)
+        m_hintTargets = std::move(targets);
+    return isConfirmed;
 }
 
 /// False: the hint is shown first. A servo that has torque already has been energised knowingly.
-bool ControlPanel::mayEnergise(std::function<void()> deed)
+bool ControlPanel::confirmEnergize(std::function<void()> action)
 {
-    for (const session::ServoRef ref : m_drive.servos()) {
+    for (const session::ServoRef ref : m_motion.servos()) {
         const session::ServoEntry* known = m_desk.servo(ref);
         if (known != nullptr && known->servo.profile && known->servo.raw(Role::TorqueSwitch) == 1)
             continue;
-        return passedHint(std::move(deed));
+        return confirmHint(std::move(action));
     }
     return true;
 }
 
 void ControlPanel::setGoalFromDial(std::int64_t raw)
 {
-    if (!goalMovable())
+    if (!isGoalMovable())
         return;
-    m_dialRest.start();
-    m_goal->put(raw);
+    m_dialDragTimer.start();
+    m_goal->setFromDial(raw);
 }
 
 /// Held writes are not sent while dragging: Set leaves one goal, not a hundred.
 void ControlPanel::dragTo(std::int64_t raw, bool dragged)
 {
-    if (how() == MoveHow::Async) {
-        m_goal->type(raw);
+    if (writeMode() == MoveMethod::Async) {
+        m_goal->enterValue(raw);
         return;
     }
     // Nobody asked for the way to the place where the hint was answered.
-    if (!mayEnergise({})) {
-        m_goal->giveUp();
-        refreshSoon();
+    if (!confirmEnergize({})) {
+        m_goal->cancelDrag();
+        scheduleRefresh();
         return;
     }
-    order(raw, dragged);
+    sendGoal(raw, dragged);
 }
 
-void ControlPanel::set()
+void ControlPanel::sendGoalFromField()
 {
     const session::ServoEntry* known = entry();
     if (known == nullptr || !m_set->isEnabled())
         return;
     const auto raw = m_goal->goal();
     if (!raw) {
-        complain([this] { return m_goal->complaint(); });
+        showInputError([this] { return m_goal->inputError(); });
         return;
     }
     if (device::goalKind(known->servo) == GoalKind::Step) {
         step(*raw);
         return;
     }
-    if (mayEnergise([this, goal = *raw] { order(goal, false); }))
-        order(*raw, false);
+    if (confirmEnergize([this, goal = *raw] { sendGoal(goal, false); }))
+        sendGoal(*raw, false);
 }
 
 void ControlPanel::step(std::int64_t raw)
 {
-    if (mayEnergise([this, raw] { order(raw, false); }))
-        order(raw, false);
+    if (confirmEnergize([this, raw] { sendGoal(raw, false); }))
+        sendGoal(raw, false);
 }
 
-void ControlPanel::order(std::int64_t raw, bool dragged)
+void ControlPanel::sendGoal(std::int64_t raw, bool dragged)
 {
     const session::ServoEntry* known = entry();
     const catalog::Register* reg =
         known != nullptr && known->servo.profile ? device::goalRegister(known->servo) : nullptr;
     if (reg == nullptr)
         return;
-    if (!m_fields->complaint().isEmpty()) {
-        complain([this] { return m_fields->complaint(); });
+    if (!m_fields->inputError().isEmpty()) {
+        showInputError([this] { return m_fields->inputError(); });
         return;
     }
     // What was said about the last move is not true of this one. In a drag it is told once.
-    if (!std::exchange(m_inDrag, dragged) || !dragged)
-        unsay();
-    session::MoveWish wish{device::exactText(raw, known->servo.meaning(*reg))};
-    m_fields->fill(wish);
-    wish.how = how();
-    wish.dragged = dragged;
-    if (m_drive.move(wish) && wish.how != MoveHow::Async)
-        m_goal->isSending(raw);
+    if (!std::exchange(m_isDragging, dragged) || !dragged)
+        clearResult();
+    session::MoveRequest request{device::exactValueText(raw, known->servo.meaning(*reg))};
+    m_fields->fill(request);
+    request.how = writeMode();
+    request.dragged = dragged;
+    if (m_motion.move(request) && request.how != MoveMethod::Async)
+        m_goal->setPending(raw);
 }
 
-void ControlPanel::orderTorque(device::Torque torque)
+void ControlPanel::requestTorque(device::Torque torque)
 {
-    const auto deed = [this, torque] {
-        unsay();
-        m_drive.setTorque(torque);
+    const auto action = [this, torque] {
+        clearResult();
+        m_motion.setTorque(torque);
     };
-    m_banner->clear();
-    if (torque != device::Torque::On || passedHint(deed))
-        deed();
+    m_banner->hideMessage();
+    if (torque != device::Torque::On || confirmHint(action))
+        action();
 }
 
-void ControlPanel::halt()
+void ControlPanel::stopMove()
 {
     m_hint->dismiss();
-    unsay();
-    m_drive.halt();
+    clearResult();
+    m_motion.halt();
 }
 
-void ControlPanel::askForMode(const device::ModePlan& plan)
+void ControlPanel::confirmModeSwitch(const device::ModePlan& plan)
 {
     const session::ServoEntry* known = entry();
     if (known == nullptr || !known->servo.profile || plan.writes.empty())
@@ -211,73 +211,73 @@ void ControlPanel::askForMode(const device::ModePlan& plan)
         return;
     Question question;
     question.title = tr("Switch ID %1 to \"%2\"?").arg(known->servo.id).arg(modeTitle(*mode));
-    question.text = modePlanWords(plan, *known->servo.profile, static_cast<int>(others()));
-    question.yes = tr("Switch");
+    question.text = modePlanText(plan, *known->servo.profile, static_cast<int>(otherCount()));
+    question.acceptText = tr("Switch");
     question.guard = this;
     ask(this, question, [this, ref = known->ref, to = plan.to] {
         if (m_selection.current() != ref)
             return;
         m_hint->dismiss();
-        unsay();
-        m_drive.switchMode(to);
+        clearResult();
+        m_motion.switchMode(to);
     });
 }
 
 void ControlPanel::showError(const base::Error& error)
 {
-    m_goal->giveUp();
-    m_goal->forgetSent();
+    m_goal->cancelDrag();
+    m_goal->clearSent();
     const session::ServoEntry* known = entry();
     const auto profile = known != nullptr ? known->servo.profile : nullptr;
-    m_banner->present([error, profile] {
+    m_banner->showMessage([error, profile] {
         const catalog::Register* reg = profile ? profile->find(error.registerKey) : nullptr;
         const text::Description words = text::describe(withName(error, reg));
-        return BannerWords{Tone::Bad, words.what, words.cause, words.remedy};
+        return BannerText{Tone::Bad, words.message, words.cause, words.remedy};
     });
-    refreshSoon();
+    scheduleRefresh();
 }
 
 void ControlPanel::showNotices(const device::Notices& notices)
 {
     const session::ServoEntry* known = entry();
-    m_saidOf = known != nullptr ? known->servo.profile : nullptr;
+    m_resultProfile = known != nullptr ? known->servo.profile : nullptr;
     m_notices = notices;
-    if (!linesOf(m_saidOf, notices, true).isEmpty()) {
-        m_banner->present([profile = m_saidOf, notices] {
-            return BannerWords{Tone::Warn, linesOf(profile, notices, true)};
+    if (!linesOf(m_resultProfile, notices, true).isEmpty()) {
+        m_banner->showMessage([profile = m_resultProfile, notices] {
+            return BannerText{Tone::Warn, linesOf(profile, notices, true)};
         });
     }
-    showSaid();
+    showResult();
 }
 
-void ControlPanel::showSaid()
+void ControlPanel::showResult()
 {
-    const QString said = linesOf(m_saidOf, m_notices, false);
-    m_said->setText(said);
-    if (!said.isEmpty())
-        reserveSaid();
+    const QString resultText = linesOf(m_resultProfile, m_notices, false);
+    m_resultLabel->setText(resultText);
+    if (!resultText.isEmpty())
+        reserveResultHeight();
 }
 
 /// Its room stays when it goes: a panel that is scrolled to its end would shift otherwise.
-void ControlPanel::reserveSaid()
+void ControlPanel::reserveResultHeight()
 {
-    const int needed = m_said->heightForWidth(m_said->width());
-    m_said->setMinimumHeight(std::max(m_said->minimumHeight(), needed));
+    const int needed = m_resultLabel->heightForWidth(m_resultLabel->width());
+    m_resultLabel->setMinimumHeight(std::max(m_resultLabel->minimumHeight(), needed));
 }
 
-void ControlPanel::unsay()
+void ControlPanel::clearResult()
 {
     m_notices.clear();
-    showSaid();
+    showResult();
 }
 
 /// What has been put right meanwhile has no words any more: the last ones stay.
-void ControlPanel::complain(const std::function<QString()>& wrong)
+void ControlPanel::showInputError(const std::function<QString()>& wrong)
 {
-    m_banner->present([wrong, last = QString()]() mutable {
+    m_banner->showMessage([wrong, last = QString()]() mutable {
         if (const QString words = wrong(); !words.isEmpty())
             last = words;
-        return BannerWords{Tone::Warn, last};
+        return BannerText{Tone::Warn, last};
     });
 }
 } // namespace ui

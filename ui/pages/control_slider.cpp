@@ -16,11 +16,11 @@ namespace {
 constexpr int knobRadius = 8;
 constexpr int trackHeight = 6;
 constexpr int trackTop = 14; ///< its middle
-constexpr int leastWidth = 160;
-constexpr int usualWidth = 320;
-constexpr std::int64_t pagesPerScale = 20;
-constexpr std::int64_t coarse = 10;
-constexpr int notch = 120; ///< of a wheel, as Qt counts
+constexpr int minWidth = 160;
+constexpr int defaultWidth = 320;
+constexpr std::int64_t pageStepsPerScale = 20;
+constexpr std::int64_t coarseSteps = 10;
+constexpr int wheelNotch = 120; ///< of a wheel, as Qt counts
 } // namespace
 
 ControlSlider::ControlSlider(QWidget* parent)
@@ -32,12 +32,12 @@ ControlSlider::ControlSlider(QWidget* parent)
 
 QSize ControlSlider::sizeHint() const
 {
-    return {usualWidth, trackTop + knobRadius + 2 + fontMetrics().height()};
+    return {defaultWidth, trackTop + knobRadius + 2 + fontMetrics().height()};
 }
 
 QSize ControlSlider::minimumSizeHint() const
 {
-    return {leastWidth, sizeHint().height()};
+    return {minWidth, sizeHint().height()};
 }
 
 void ControlSlider::setScale(const Scale& scale)
@@ -63,7 +63,7 @@ double ControlSlider::track(std::int64_t value) const
     return knobRadius + std::clamp(share, 0.0, 1.0) * (width() - 2 * knobRadius);
 }
 
-QPoint ControlSlider::placeOf(std::int64_t value) const
+QPoint ControlSlider::pointOf(std::int64_t value) const
 {
     return {static_cast<int>(std::lround(track(value))), trackTop};
 }
@@ -76,12 +76,12 @@ std::int64_t ControlSlider::valueAt(double x) const
     return std::clamp<std::int64_t>(std::llround(value), m_scale.min, m_scale.max);
 }
 
-std::int64_t ControlSlider::page() const
+std::int64_t ControlSlider::pageStep() const
 {
-    return std::max<std::int64_t>(1, (m_scale.high - m_scale.low) / pagesPerScale);
+    return std::max<std::int64_t>(1, (m_scale.high - m_scale.low) / pageStepsPerScale);
 }
 
-void ControlSlider::take(std::int64_t value, bool dragged)
+void ControlSlider::setUserValue(std::int64_t value, bool dragged)
 {
     if (value == m_value)
         return;
@@ -94,7 +94,7 @@ void ControlSlider::take(std::int64_t value, bool dragged)
 void ControlSlider::step(std::int64_t by)
 {
     if (m_value && m_scale.min <= m_scale.max)
-        take(std::clamp(*m_value + by, m_scale.min, m_scale.max), false);
+        setUserValue(std::clamp(*m_value + by, m_scale.min, m_scale.max), false);
 }
 
 void ControlSlider::mousePressEvent(QMouseEvent* event)
@@ -104,14 +104,14 @@ void ControlSlider::mousePressEvent(QMouseEvent* event)
     m_dragging = true;
     m_clickedAt = mapToGlobal(QPoint());
     m_wheel = 0;
-    take(valueAt(event->position().x()), true);
+    setUserValue(valueAt(event->position().x()), true);
     update();
 }
 
 void ControlSlider::mouseMoveEvent(QMouseEvent* event)
 {
     if (m_dragging)
-        take(valueAt(event->position().x()), true);
+        setUserValue(valueAt(event->position().x()), true);
 }
 
 void ControlSlider::mouseReleaseEvent(QMouseEvent* event)
@@ -139,19 +139,19 @@ void ControlSlider::wheelEvent(QWheelEvent* event)
         return;
     }
     m_wheel += event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
-    const int notches = m_wheel / notch;
-    m_wheel %= notch;
+    const int notches = m_wheel / wheelNotch;
+    m_wheel %= wheelNotch;
     event->accept();
     if (notches == 0)
         return;
     const bool fine = event->modifiers().testFlag(Qt::ControlModifier);
     const bool wide = event->modifiers().testFlag(Qt::ShiftModifier);
-    step(notches * (fine ? 1 : wide ? page() : coarse));
+    step(notches * (fine ? 1 : wide ? pageStep() : coarseSteps));
 }
 
 void ControlSlider::keyPressEvent(QKeyEvent* event)
 {
-    const std::int64_t one = event->modifiers().testFlag(Qt::ShiftModifier) ? coarse : 1;
+    const std::int64_t one = event->modifiers().testFlag(Qt::ShiftModifier) ? coarseSteps : 1;
     switch (event->key()) {
     case Qt::Key_Left:
     case Qt::Key_Down:
@@ -160,9 +160,9 @@ void ControlSlider::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Up:
         return step(one);
     case Qt::Key_PageDown:
-        return step(-page());
+        return step(-pageStep());
     case Qt::Key_PageUp:
-        return step(page());
+        return step(pageStep());
     case Qt::Key_Home:
         return step(m_scale.min - m_value.value_or(m_scale.min));
     case Qt::Key_End:
@@ -205,9 +205,9 @@ void ControlSlider::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const auto bar = [&](double from, double to, const QColor& colour) {
+    const auto bar = [&](double from, double to, const QColor& color) {
         painter.setPen(Qt::NoPen);
-        painter.setBrush(colour);
+        painter.setBrush(color);
         painter.drawRoundedRect(QRectF(from, trackTop - trackHeight / 2.0, to - from, trackHeight),
                                 trackHeight / 2.0, trackHeight / 2.0);
     };
@@ -219,7 +219,7 @@ void ControlSlider::paintEvent(QPaintEvent*)
     QColor allowed = accent;
     allowed.setAlphaF(0.45F);
     bar(low, high, allowed);
-    if (m_scale.centred && m_value)
+    if (m_scale.centered && m_value)
         bar(std::min(track(0), track(*m_value)), std::max(track(0), track(*m_value)), accent);
 
     painter.setPen(
@@ -234,7 +234,7 @@ void ControlSlider::paintEvent(QPaintEvent*)
     painter.setOpacity(0.8);
     under(low, m_scale.minText);
     under(high, m_scale.maxText);
-    if (m_scale.centred)
+    if (m_scale.centered)
         under(track(0), QStringLiteral("0"));
     painter.setOpacity(1);
     if (!m_value)

@@ -22,8 +22,8 @@ public:
         std::int64_t high = 0;
         std::int64_t min = 0; ///< the allowed part
         std::int64_t max = 0;
-        bool centred = false; ///< the bar begins at 0
-        QString minText{};    ///< under the limits
+        bool centered = false; ///< the bar begins at 0
+        QString minText{};     ///< under the limits
         QString maxText{};
         bool operator==(const Scale&) const = default;
     };
@@ -35,9 +35,9 @@ public:
     /// Nullopt: not known; the knob is not drawn. Passed over while it is being dragged.
     void setValue(std::optional<std::int64_t> value);
     std::optional<std::int64_t> value() const { return m_value; }
-    bool dragging() const { return m_dragging; }
+    bool isDragging() const { return m_dragging; }
     /// Where a value stands, in the slider's own coordinates.
-    QPoint placeOf(std::int64_t value) const;
+    QPoint pointOf(std::int64_t value) const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -61,8 +61,8 @@ protected:
 private:
     double track(std::int64_t value) const; ///< x of a value
     std::int64_t valueAt(double x) const;
-    std::int64_t page() const;
-    void take(std::int64_t value, bool dragged);
+    std::int64_t pageStep() const;
+    void setUserValue(std::int64_t value, bool dragged);
     void step(std::int64_t by);
     void endDrag();
 

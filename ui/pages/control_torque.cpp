@@ -13,8 +13,8 @@
 
 namespace ui {
 namespace {
-constexpr std::int64_t isOn = 1;
-constexpr std::int64_t damps = 2;
+constexpr std::int64_t torqueOn = 1;
+constexpr std::int64_t torqueDamping = 2;
 } // namespace
 
 ControlTorque::ControlTorque(Commands& commands, QWidget* parent)
@@ -40,9 +40,9 @@ ControlTorque::ControlTorque(Commands& commands, QWidget* parent)
     row->addWidget(m_more);
     // What it shows is what the servo says, not what was clicked.
     connect(m_switch, &QToolButton::clicked, this, [this] {
-        const bool on = m_state == isOn || m_state == damps;
+        const bool on = m_state == torqueOn || m_state == torqueDamping;
         showState();
-        Q_EMIT wanted(on ? device::Torque::Off : device::Torque::On);
+        Q_EMIT requested(on ? device::Torque::Off : device::Torque::On);
     });
     connect(m_more, &QToolButton::clicked, this,
             [this] { m_menu->popup(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
@@ -57,19 +57,20 @@ void ControlTorque::fillMenu()
         QAction* damp = m_menu->addAction(tr("Damping"));
         damp->setObjectName(QStringLiteral("torqueDamp"));
         damp->setToolTip(tr("Holds nothing, but brakes the shaft when it is turned"));
-        connect(damp, &QAction::triggered, this, [this] { Q_EMIT wanted(device::Torque::Damp); });
+        connect(damp, &QAction::triggered, this,
+                [this] { Q_EMIT requested(device::Torque::Damp); });
     }
-    if (m_centring)
+    if (m_centering)
         m_menu->addAction(m_commands.action(Command::Center));
 }
 
-QString ControlTorque::stateWords(std::optional<std::int64_t> state)
+QString ControlTorque::torqueStateText(std::optional<std::int64_t> state)
 {
     if (!state)
         return tr("Torque: not read");
-    return *state == isOn    ? tr("● Torque on")
-           : *state == damps ? tr("◐ Damping")
-                             : tr("○ Torque off");
+    return *state == torqueOn        ? tr("● Torque on")
+           : *state == torqueDamping ? tr("◐ Damping")
+                                     : tr("○ Torque off");
 }
 
 void ControlTorque::showServo(const session::ServoEntry* entry, bool usable)
@@ -78,30 +79,30 @@ void ControlTorque::showServo(const session::ServoEntry* entry, bool usable)
     const catalog::Register* reg =
         known ? entry->servo.profile->byRole(catalog::Role::TorqueSwitch) : nullptr;
     const bool damping = known && entry->servo.profile->damping;
-    const bool centring = known && entry->servo.profile->centering != catalog::Centering::None;
+    const bool centering = known && entry->servo.profile->centering != catalog::Centering::None;
     m_state = reg != nullptr ? entry->servo.raw(*reg) : std::nullopt;
-    if (damping != m_damping || centring != m_centring) {
+    if (damping != m_damping || centering != m_centering) {
         m_damping = damping;
-        m_centring = centring;
+        m_centering = centering;
         fillMenu();
     }
     setVisible(reg != nullptr && entry->servo.profile->writable);
-    m_more->setVisible(damping || centring);
+    m_more->setVisible(damping || centering);
     setEnabled(usable);
     showState();
 }
 
 void ControlTorque::showState()
 {
-    const QString words = stateWords(m_state);
-    m_switch->setText(words);
-    m_switch->setAccessibleName(words);
-    m_switch->setChecked(m_state == isOn || m_state == damps);
-    QPalette colours = palette();
-    if (m_state == isOn && isEnabled())
-        colours.setColor(QPalette::ButtonText, tone(Tone::Good, palette()));
-    if (m_switch->palette() != colours)
-        m_switch->setPalette(colours);
+    const QString text = torqueStateText(m_state);
+    m_switch->setText(text);
+    m_switch->setAccessibleName(text);
+    m_switch->setChecked(m_state == torqueOn || m_state == torqueDamping);
+    QPalette colors = palette();
+    if (m_state == torqueOn && isEnabled())
+        colors.setColor(QPalette::ButtonText, tone(Tone::Good, palette()));
+    if (m_switch->palette() != colors)
+        m_switch->setPalette(colors);
 }
 
 /// The widest state, so that nothing beside it moves when torque goes on or off.
@@ -110,8 +111,8 @@ void ControlTorque::reserveWidth()
     int widest = 0;
     for (const std::optional<std::int64_t> state :
          {std::optional<std::int64_t>(), std::optional<std::int64_t>(0),
-          std::optional<std::int64_t>(isOn), std::optional<std::int64_t>(damps)}) {
-        m_switch->setText(stateWords(state));
+          std::optional<std::int64_t>(torqueOn), std::optional<std::int64_t>(torqueDamping)}) {
+        m_switch->setText(torqueStateText(state));
         widest = std::max(widest, m_switch->sizeHint().width());
     }
     m_switch->setMinimumWidth(widest);

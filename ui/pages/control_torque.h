@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The torque switch of the chosen servo: shows what the servo says, asks for on, off, damping and
-// centring; the latter two only where the family has them. Owned by the control panel; main thread.
+// centering; the latter two only where the family has them. Owned by the control panel; main
+// thread.
 #pragma once
 
 #include "device/motion.h"
@@ -22,13 +23,13 @@ public:
     void retranslate();
 
 Q_SIGNALS:
-    void wanted(device::Torque torque);
+    void requested(device::Torque torque);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    static QString stateWords(std::optional<std::int64_t> state);
+    static QString torqueStateText(std::optional<std::int64_t> state);
     void fillMenu();
     void reserveWidth();
     void showState();
@@ -39,6 +40,6 @@ private:
     QMenu* m_menu;
     std::optional<std::int64_t> m_state; ///< as read
     bool m_damping = false;
-    bool m_centring = false;
+    bool m_centering = false;
 };
 } // namespace ui

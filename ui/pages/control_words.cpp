@@ -10,7 +10,7 @@
 #include <cstdlib>
 
 namespace ui {
-using device::Positive;
+using device::PositiveDirection;
 using device::ZeroSpeed;
 using text::translate;
 
@@ -23,25 +23,25 @@ QString valueOf(const catalog::Profile& profile, const QString& key,
     const catalog::Register* reg = profile.find(key);
     if (reg == nullptr || !raw)
         return QStringLiteral("–");
-    return rawWord(*raw, *reg, catalog::meaningOf(*reg, profile, catalog::knowNothing));
+    return rawWord(*raw, *reg, catalog::valueFormat(*reg, profile, catalog::noLookup));
 }
 
 QString nameOf(const catalog::Profile& profile, const QString& key)
 {
     const catalog::Register* reg = profile.find(key);
-    return reg != nullptr ? reg->name.in(text::inChinese()) : key;
+    return reg != nullptr ? reg->name.in(text::isUiChinese()) : key;
 }
 } // namespace
 
-QString physicalWords(std::int64_t raw, const catalog::Register& reg,
-                      const catalog::Meaning& meaning)
+QString physicalValueText(std::int64_t raw, const catalog::Register& reg,
+                          const catalog::ValueFormat& meaning)
 {
     if (meaning.unit.isEmpty())
         return {};
     if (reg.role == catalog::Role::Acceleration && raw == 0)
         return translate("ControlWords", "0 = the strongest");
     const double value = catalog::toPhysical(raw, meaning);
-    const QString words = physicalWord(raw, reg, meaning);
+    const QString words = physicalText(raw, reg, meaning);
     if (meaning.unit != QLatin1StringView("rpm"))
         return words;
     return QStringLiteral("%1 · %2 °/s")
@@ -49,26 +49,26 @@ QString physicalWords(std::int64_t raw, const catalog::Register& reg,
         .arg(value * degreesPerSecondPerRpm, 0, 'f', std::abs(value) < 1 ? 1 : 0);
 }
 
-QString turnSign(Positive positive, bool plus)
+QString turnSymbol(PositiveDirection positive, bool plus)
 {
-    if (positive == Positive::Forward)
+    if (positive == PositiveDirection::Forward)
         return plus ? QStringLiteral("+") : QStringLiteral("−");
-    const bool clockwise = (positive == Positive::Clockwise) == plus;
+    const bool clockwise = (positive == PositiveDirection::Clockwise) == plus;
     return clockwise ? QStringLiteral("↻") : QStringLiteral("↺");
 }
 
-QString turnWord(Positive positive, bool plus)
+QString turnText(PositiveDirection positive, bool plus)
 {
-    if (positive == Positive::Forward)
+    if (positive == PositiveDirection::Forward)
         return plus ? translate("ControlWords", "forward") : translate("ControlWords", "reverse");
-    const bool clockwise = (positive == Positive::Clockwise) == plus;
+    const bool clockwise = (positive == PositiveDirection::Clockwise) == plus;
     return clockwise ? translate("ControlWords", "clockwise")
                      : translate("ControlWords", "counter-clockwise");
 }
 
-bool noFaster(const device::Servo& servo, std::optional<std::int64_t> speed)
+bool isAboveMaxSpeed(const device::Servo& servo, std::optional<std::int64_t> speed)
 {
-    const auto top = device::topSpeed(servo);
+    const auto top = device::maxGoalSpeed(servo);
     return top && speed && std::abs(*speed) > *top;
 }
 
@@ -87,25 +87,26 @@ QString speedHint(const device::Servo& servo, std::optional<std::int64_t> speed)
     case ZeroSpeed::ByTime:
         words << translate("ControlWords", "Speed 0 = the time counts");
         break;
-    case ZeroSpeed::NotKnown:
+    case ZeroSpeed::Unknown:
         break;
     }
     const catalog::Register* reg = servo.profile->byRole(catalog::Role::GoalSpeed);
-    const auto top = device::topSpeed(servo);
+    const auto top = device::maxGoalSpeed(servo);
     if (reg != nullptr && top) {
-        const QString most = physicalWord(*top, *reg, servo.meaning(*reg));
-        words << (noFaster(servo, speed)
-                      ? translate("ControlWords", "no faster than %1 (%2): the model's maximum")
-                            .arg(*top)
-                            .arg(most)
-                      : translate("ControlWords", "model's maximum %1 (%2)").arg(*top).arg(most));
+        const QString maxText = physicalText(*top, *reg, servo.meaning(*reg));
+        words
+            << (isAboveMaxSpeed(servo, speed)
+                    ? translate("ControlWords", "no faster than %1 (%2): the model's maximum")
+                          .arg(*top)
+                          .arg(maxText)
+                    : translate("ControlWords", "model's maximum %1 (%2)").arg(*top).arg(maxText));
     }
     return words.join(QStringLiteral(" · "));
 }
 
 QString modeTitle(const catalog::Mode& mode)
 {
-    QString name = mode.name.in(text::inChinese());
+    QString name = mode.name.in(text::isUiChinese());
     if (!name.isEmpty())
         name[0] = name[0].toUpper();
     return name;
@@ -143,14 +144,14 @@ void addLimits(QStringList& lines, const device::ModePlan& plan)
     if (plan.writes.size() < 2 || !plan.writes[0].oldRaw || !plan.writes[1].oldRaw)
         return;
     const QString limits = QStringLiteral("%1 … %2");
-    if (plan.limitsKept) {
+    if (plan.limitsSaved) {
         lines << translate("ControlWords", "The angle limits %1 are remembered for the way back.")
                      .arg(limits.arg(*plan.writes[0].oldRaw).arg(*plan.writes[1].oldRaw));
     }
     const QString now = limits.arg(plan.writes[0].newRaw).arg(plan.writes[1].newRaw);
     if (plan.limitsRestored)
         lines << translate("ControlWords", "The angle limits %1 from before come back.").arg(now);
-    if (plan.limitsDefaulted) {
+    if (plan.limitsSetToDefault) {
         lines << translate("ControlWords", "No angle limits are remembered for this servo: it gets "
                                            "those of the factory, %1.")
                      .arg(now);
@@ -158,7 +159,7 @@ void addLimits(QStringList& lines, const device::ModePlan& plan)
 }
 } // namespace
 
-QString modePlanWords(const device::ModePlan& plan, const catalog::Profile& profile, int others)
+QString modePlanText(const device::ModePlan& plan, const catalog::Profile& profile, int others)
 {
     QStringList lines;
     lines << (plan.torqueGoesOff

@@ -26,13 +26,14 @@ namespace ui {
 using record::HistoryKind;
 
 namespace {
-constexpr int mostServos = 2000;
-constexpr int everyBench = -1;
+constexpr int maxServos = 2000;
+constexpr int allBenches = -1;
 
 /// One servo under two IDs: its label went with it.
-bool sameLabelled(const record::HistoryServo& one, const record::HistoryServo& other)
+bool isSameLabel(const record::HistoryServo& one, const record::HistoryServo& other)
 {
-    return !one.label.isEmpty() && one.label == other.label && one.who.sameKind(other.who);
+    return !one.label.isEmpty() && one.label == other.label &&
+           one.identity.isSameKind(other.identity);
 }
 
 bool hasItems(const QComboBox* box, const std::vector<std::pair<QString, QVariant>>& items)
@@ -46,12 +47,12 @@ bool hasItems(const QComboBox* box, const std::vector<std::pair<QString, QVarian
 
 /// Fills a list of choices and keeps what was chosen, where it is still there. One that is open is
 /// disturbed only by a change.
-void refill(QComboBox* box, const std::vector<std::pair<QString, QVariant>>& items)
+void setItems(QComboBox* box, const std::vector<std::pair<QString, QVariant>>& items)
 {
     if (hasItems(box, items))
         return;
     const QVariant chosen = box->currentData();
-    const QSignalBlocker quiet(box);
+    const QSignalBlocker blocker(box);
     box->clear();
     for (const auto& [text, data] : items)
         box->addItem(text, data);
@@ -59,15 +60,15 @@ void refill(QComboBox* box, const std::vector<std::pair<QString, QVariant>>& ite
 }
 } // namespace
 
-HistoryPage::HistoryPage(Bench& bench, session::Settings& settings, QWidget* parent)
+HistoryPage::HistoryPage(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(bench.desk)
-    , m_local(bench.archive)
-    , m_localLives(&bench.archive)
-    , m_sender(bench.sender)
+    , m_desk(appContext.desk)
+    , m_local(appContext.history)
+    , m_localGuard(&appContext.history)
+    , m_sender(appContext.historySender)
     , m_settings(settings)
-    , m_catalog(bench.desk.catalog())
-    , m_table(bench.desk.catalog())
+    , m_catalog(appContext.desk.catalog())
+    , m_table(appContext.desk.catalog())
 {
     setObjectName(QStringLiteral("historyPage"));
     build();
@@ -77,139 +78,141 @@ HistoryPage::HistoryPage(Bench& bench, session::Settings& settings, QWidget* par
 
 HistoryPage::~HistoryPage() = default;
 
-bool HistoryPage::remote() const
+bool HistoryPage::isRemote() const
 {
     return m_server != nullptr;
 }
 
-session::Archive& HistoryPage::archive() const
+session::HistoryService& HistoryPage::historyService() const
 {
     return m_server ? *m_server : m_local;
 }
 
 /// The first entry is this computer, the others are the server's benches.
-void HistoryPage::sourceChosen()
+void HistoryPage::onSourceChanged()
 {
-    m_banner->clear();
+    m_banner->hideMessage();
     const QVariant chosen = m_source->currentData();
-    m_table.ask(nullptr, m_table.kind(), {});
+    m_table.query(nullptr, m_table.kind(), {});
     if (!chosen.isValid()) {
         m_server.reset();
     } else {
         if (!m_server) {
-            m_server = std::make_unique<session::Archive>(std::make_unique<session::ServerSource>(
-                session::historyServerChoice(m_settings).address));
+            m_server = std::make_unique<session::HistoryService>(
+                std::make_unique<session::HistoryServerSource>(
+                    session::historyServerChoice(m_settings).address));
         }
-        const auto bench = chosen.toLongLong();
-        m_server->chooseBench(bench == everyBench ? std::nullopt
-                                                  : std::optional<std::int64_t>(bench));
+        const auto appContext = chosen.toLongLong();
+        m_server->selectBench(appContext == allBenches ? std::nullopt
+                                                       : std::optional<std::int64_t>(appContext));
     }
     setViewing(isVisible());
-    askChoices();
-    ask();
+    loadFilterValues();
+    query();
 }
 
 void HistoryPage::setViewing(bool viewing)
 {
-    if (m_localLives)
-        m_local.setViewed(this, viewing && !remote());
+    if (m_localGuard)
+        m_local.setWatched(this, viewing && !isRemote());
 }
 
 /// A hidden page asks when it is shown.
-void HistoryPage::askSoon()
+void HistoryPage::scheduleQuery()
 {
     if (isVisible())
-        m_ask.start();
+        m_queryTimer.start();
 }
 
 record::HistoryFilter HistoryPage::filter() const
 {
-    record::HistoryFilter wanted;
+    record::HistoryFilter result;
     const auto kind = HistoryKind(m_kind->currentData().toInt());
     if (m_servo->currentData().isValid()) {
-        const QVariantList who = m_servo->currentData().toList();
-        wanted.servo = who.value(0).toLongLong();
+        const QVariantList identity = m_servo->currentData().toList();
+        result.servo = identity.value(0).toLongLong();
         if (kind == HistoryKind::Runs) { // tests name their servos, they have no number
-            wanted.servo.reset();
-            wanted.id = who.value(1).toInt();
-            wanted.model = who.value(2).toString();
+            result.servo.reset();
+            result.id = identity.value(1).toInt();
+            result.model = identity.value(2).toString();
         }
     }
     if (kind == HistoryKind::Writes)
-        wanted.key = m_register->currentData().toString();
+        result.key = m_register->currentData().toString();
     if (kind == HistoryKind::Writes || kind == HistoryKind::Alarms)
-        wanted.onlyTrouble = m_trouble->isChecked();
+        result.onlyProblems = m_onlyErrors->isChecked();
     const int days = m_period->currentData().toInt();
     if (days > 0)
-        wanted.from = QDate::currentDate().addDays(1 - days).startOfDay().toUTC();
+        result.from = QDate::currentDate().addDays(1 - days).startOfDay().toUTC();
     if (days < 0) {
-        wanted.from = m_from->date().startOfDay().toUTC();
-        wanted.until = m_until->date().addDays(1).startOfDay().toUTC();
+        result.from = m_from->date().startOfDay().toUTC();
+        result.until = m_until->date().addDays(1).startOfDay().toUTC();
     }
-    return wanted;
+    return result;
 }
 
-void HistoryPage::ask()
+void HistoryPage::query()
 {
-    m_ask.stop();
+    m_queryTimer.stop();
     const auto kind = HistoryKind(m_kind->currentData().toInt());
     m_register->setVisible(kind == HistoryKind::Writes);
-    m_trouble->setVisible(kind == HistoryKind::Writes || kind == HistoryKind::Alarms);
+    m_onlyErrors->setVisible(kind == HistoryKind::Writes || kind == HistoryKind::Alarms);
     m_servo->setEnabled(kind != HistoryKind::Servos);
     const bool dates = m_period->currentData().toInt() < 0;
     m_from->setVisible(dates);
     m_until->setVisible(dates);
-    m_table.ask(&archive(), kind, filter());
-    askChoices();
+    m_table.query(&historyService(), kind, filter());
+    loadFilterValues();
 }
 
 /// Servos, registers and benches there are.
-void HistoryPage::askChoices()
+void HistoryPage::loadFilterValues()
 {
     std::vector<std::pair<QString, QVariant>> sources{{tr("This computer"), QVariant()}};
     if (!session::historyServerChoice(m_settings).address.isEmpty())
-        sources.push_back({tr("Server: all benches"), QVariant::fromValue(everyBench)});
-    if (m_source->count() != int(sources.size()) || !remote())
-        refill(m_source, sources);
+        sources.push_back({tr("Server: all benches"), QVariant::fromValue(allBenches)});
+    if (m_source->count() != int(sources.size()) || !isRemote())
+        setItems(m_source, sources);
     m_source->setItemText(0, tr("This computer"));
     m_source->setVisible(sources.size() > 1);
     record::HistoryFilter all;
-    all.most = mostServos;
-    archive().servos(
+    all.limit = maxServos;
+    historyService().servos(
         all, this, [this](const base::Result<std::vector<record::HistoryServo>>& servos) {
             std::vector<std::pair<QString, QVariant>> items{{tr("All servos"), QVariant()}};
             std::vector<record::HistoryServo> listed;
             for (const record::HistoryServo& one :
                  servos ? *servos : std::vector<record::HistoryServo>{}) {
                 const auto same = [&](const record::HistoryServo& other) {
-                    return sameLabelled(one, other);
+                    return isSameLabel(one, other);
                 };
                 // Its earlier IDs belong to the entry with its latest one.
-                if (!remote() && std::any_of(listed.begin(), listed.end(), same))
+                if (!isRemote() && std::any_of(listed.begin(), listed.end(), same))
                     continue;
                 listed.push_back(one);
-                items.push_back({HistoryWords::servoTitle(one),
-                                 QVariantList{qlonglong(one.number), one.who.id, one.who.model}});
+                items.push_back(
+                    {HistoryFormatter::servoTitle(one),
+                     QVariantList{qlonglong(one.number), one.identity.id, one.identity.model}});
             }
-            refill(m_servo, items);
+            setItems(m_servo, items);
         });
-    archive().writtenKeys(std::nullopt, this, [this](const base::Result<QStringList>& keys) {
+    historyService().writtenKeys(std::nullopt, this, [this](const base::Result<QStringList>& keys) {
         std::vector<std::pair<QString, QVariant>> items{{tr("All registers"), QVariant()}};
         for (const QString& key : keys ? *keys : QStringList{})
             items.push_back({key, key});
-        refill(m_register, items);
+        setItems(m_register, items);
     });
-    if (!remote())
+    if (!isRemote())
         return;
     m_server->benches(this, [this](const base::Result<std::vector<record::HistoryBench>>& found) {
         if (!found)
             return; // the list has told it
         std::vector<std::pair<QString, QVariant>> items{
             {tr("This computer"), QVariant()},
-            {tr("Server: all benches"), QVariant::fromValue(everyBench)}};
+            {tr("Server: all benches"), QVariant::fromValue(allBenches)}};
         for (const record::HistoryBench& one : *found)
             items.push_back({tr("Server: %1").arg(one.name), qlonglong(one.number)});
-        refill(m_source, items);
+        setItems(m_source, items);
     });
 }
 
@@ -220,28 +223,28 @@ std::optional<int> HistoryPage::current() const
 }
 
 /// New rows come in at the top; who has scrolled goes on reading where they were.
-void HistoryPage::keepTopRow(int changedFrom)
+void HistoryPage::saveTopRow(int changedFrom)
 {
     const QModelIndex top = m_view->indexAt(QPoint(0, 0));
-    if (!m_top.isValid() && m_view->verticalScrollBar()->value() > 0 && changedFrom <= top.row())
-        m_top = top;
+    if (!m_topRow.isValid() && m_view->verticalScrollBar()->value() > 0 && changedFrom <= top.row())
+        m_topRow = top;
 }
 
 void HistoryPage::restoreTopRow()
 {
-    if (!m_top.isValid())
+    if (!m_topRow.isValid())
         return;
     const int across = m_view->horizontalScrollBar()->value();
     m_view->doItemsLayout();
-    m_view->scrollTo(m_top, QAbstractItemView::PositionAtTop);
+    m_view->scrollTo(m_topRow, QAbstractItemView::PositionAtTop);
     m_view->horizontalScrollBar()->setValue(across);
-    m_top = QPersistentModelIndex();
+    m_topRow = QPersistentModelIndex();
 }
 
 void HistoryPage::showState()
 {
     restoreTopRow();
-    if (std::exchange(m_unsized, m_table.rowCount() == 0) && m_table.rowCount() > 0)
+    if (std::exchange(m_columnsUnsized, m_table.rowCount() == 0) && m_table.rowCount() > 0)
         m_columns->fit();
     const HistoryKind kind = m_table.kind();
     const bool one = current().has_value();
@@ -255,28 +258,28 @@ void HistoryPage::showState()
         : kind == HistoryKind::Runs ? tr("Reports and comparisons of kept tests")
                                     : tr("Compare it and restore from it"));
     m_open->setVisible(writes || kind == HistoryKind::Snapshots ||
-                       (kind == HistoryKind::Runs && !remote()));
+                       (kind == HistoryKind::Runs && !isRemote()));
     m_open->setEnabled(one || kind == HistoryKind::Runs);
-    m_label->setVisible(!remote() &&
+    m_label->setVisible(!isRemote() &&
                         (kind == HistoryKind::Servos || kind == HistoryKind::Snapshots));
     m_label->setEnabled(one);
     const int rows = m_table.rowCount();
     m_export->setEnabled(rows > 0);
-    m_count->setText(m_table.asking() && rows == 0 ? tr("Asking…")
-                     : rows == 0                   ? tr("Nothing")
-                     : m_table.complete()          ? tr("%1 rows").arg(rows)
-                                                   : tr("%1 rows and more").arg(rows));
+    m_count->setText(m_table.isLoading() && rows == 0 ? tr("Asking…")
+                     : rows == 0                      ? tr("Nothing")
+                     : m_table.isComplete()           ? tr("%1 rows").arg(rows)
+                                                      : tr("%1 rows and more").arg(rows));
 }
 
 /// What is wrong with the server, why, and what to do.
-QString HistoryPage::troubleWords(const session::SendState& state)
+QString HistoryPage::sendErrorText(const session::SendState& state)
 {
     const QString first = tr("⚠ %1: what is written now is sent later.")
                               .arg(state.server.isEmpty() ? tr("History server") : state.server);
     if (!state.error)
         return first;
     const text::Description words = text::describe(*state.error);
-    QStringList lines{first, words.what, words.cause, words.remedy};
+    QStringList lines{first, words.message, words.cause, words.remedy};
     lines.removeAll(QString());
     return lines.join(u'\n');
 }
@@ -292,14 +295,14 @@ void HistoryPage::showServer()
         break;
     case Phase::Waiting:
     case Phase::Sending:
-        words = state.waiting ? tr("%1: sending %2 rows").arg(state.server).arg(*state.waiting)
+        words = state.pending ? tr("%1: sending %2 rows").arg(state.server).arg(*state.pending)
                               : tr("%1: sending").arg(state.server);
         break;
     case Phase::UpToDate:
         words = tr("✔ %1 is up to date").arg(state.server);
         break;
-    case Phase::Trouble:
-        words = troubleWords(state);
+    case Phase::Failed:
+        words = sendErrorText(state);
         break;
     }
     m_serverState->setText(words);
@@ -317,7 +320,7 @@ void HistoryPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     setViewing(true); // first, so that nothing comes unseen in between
-    ask();
+    query();
 }
 
 void HistoryPage::hideEvent(QHideEvent* event)

@@ -29,13 +29,13 @@ class HistoryPage final : public QWidget {
     Q_OBJECT
 
 public:
-    HistoryPage(Bench& bench, session::Settings& settings, QWidget* parent = nullptr);
+    HistoryPage(AppContext& appContext, session::Settings& settings, QWidget* parent = nullptr);
     ~HistoryPage() override;
 
 Q_SIGNALS:
-    void snapshotWished(std::int64_t number); ///< of the history of this computer
-    void tableWished(session::SharedSnapshot table, const QString& title);
-    void testsWished(); ///< the window of earlier tests
+    void snapshotRequested(std::int64_t number); ///< of the history of this computer
+    void tableRequested(session::SharedSnapshot table, const QString& title);
+    void previousTestsRequested(); ///< the window of earlier tests
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -46,43 +46,43 @@ private:
     // history_page_build.cpp
     void build();
     QWidget* buildFilters();
-    QWidget* buildDeeds();
+    QWidget* buildActions();
     void connectAll();
     void retranslate();
 
     // history_page.cpp
-    session::Archive& archive() const;
-    bool remote() const;
-    void sourceChosen();
+    session::HistoryService& historyService() const;
+    bool isRemote() const;
+    void onSourceChanged();
     void setViewing(bool viewing); ///< only this computer's history is watched for changes
-    void askSoon();
-    void ask();
-    void askChoices();
+    void scheduleQuery();
+    void query();
+    void loadFilterValues();
     record::HistoryFilter filter() const;
     std::optional<int> current() const; ///< the row; none
-    void keepTopRow(int changedFrom);
+    void saveTopRow(int changedFrom);
     void restoreTopRow();
     void showState();
     void showServer();
-    static QString troubleWords(const session::SendState& state);
+    static QString sendErrorText(const session::SendState& state);
 
     // history_page_deeds.cpp
     void openTable();
-    void openKept(std::int64_t number);
-    void openMoment(const HistoryLine& line);
+    void openSnapshot(std::int64_t number);
+    void openTableAt(const HistoryLine& line);
     void editLabel();
     void exportList();
     void setServer();
-    void fail(const base::Error& error);
+    void showError(const base::Error& error);
 
     session::Desk& m_desk;
-    session::Archive& m_local;
-    QPointer<session::Archive> m_localLives; ///< a window may hide its pages on its way out
+    session::HistoryService& m_local;
+    QPointer<session::HistoryService> m_localGuard; ///< a window may hide its pages on its way out
     session::HistorySender& m_sender;
     session::Settings& m_settings;
     const catalog::Catalog& m_catalog;
-    std::unique_ptr<session::Archive> m_server; ///< while it is looked at
-    HistoryTable m_table;
+    std::unique_ptr<session::HistoryService> m_server; ///< while it is looked at
+    HistoryTableModel m_table;
     Banner* m_banner = nullptr;
     QComboBox* m_source = nullptr;
     QComboBox* m_kind = nullptr;
@@ -91,8 +91,8 @@ private:
     QComboBox* m_period = nullptr;
     QDateEdit* m_from = nullptr;
     QDateEdit* m_until = nullptr;
-    QCheckBox* m_trouble = nullptr;
-    QLabel* m_honest = nullptr;
+    QCheckBox* m_onlyErrors = nullptr;
+    QLabel* m_identityHint = nullptr;
     QLabel* m_count = nullptr;
     QLabel* m_serverState = nullptr;
     QTableView* m_view = nullptr;
@@ -101,8 +101,8 @@ private:
     QPushButton* m_label = nullptr;
     QPushButton* m_export = nullptr;
     QPushButton* m_serverSet = nullptr;
-    QTimer m_ask;                ///< several changes, one question
-    QPersistentModelIndex m_top; ///< the row to keep at the top; none: the list is at its top
-    bool m_unsized = true;       ///< the columns; until there are rows
+    QTimer m_queryTimer;            ///< several changes, one question
+    QPersistentModelIndex m_topRow; ///< the row to keep at the top; none: the list is at its top
+    bool m_columnsUnsized = true;   ///< the columns; until there are rows
 };
 } // namespace ui

@@ -20,8 +20,8 @@ using record::HistoryKind;
 
 namespace {
 constexpr int rowPadding = 8;
-constexpr int choiceWidth = 24; ///< letters
-constexpr auto askAfter = std::chrono::milliseconds(150);
+constexpr int comboWidth = 24; ///< letters
+constexpr auto queryDelay = std::chrono::milliseconds(150);
 constexpr HistoryKind kinds[] = {HistoryKind::Writes, HistoryKind::Snapshots,  HistoryKind::Runs,
                                  HistoryKind::Alarms, HistoryKind::Recordings, HistoryKind::Servos};
 } // namespace
@@ -32,10 +32,10 @@ void HistoryPage::build()
     column->setContentsMargins(0, 6, 0, 0);
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("historyBanner"));
-    m_banner->clear();
-    m_honest = new QLabel(this);
-    m_honest->setObjectName(QStringLiteral("historyHonest"));
-    m_honest->setWordWrap(true);
+    m_banner->hideMessage();
+    m_identityHint = new QLabel(this);
+    m_identityHint->setObjectName(QStringLiteral("historyHonest"));
+    m_identityHint->setWordWrap(true);
     m_view = new QTableView(this);
     m_view->setObjectName(QStringLiteral("historyTable"));
     m_view->setModel(&m_table);
@@ -52,16 +52,16 @@ void HistoryPage::build()
     column->addWidget(m_banner);
     column->addWidget(buildFilters());
     column->addWidget(m_view, 1);
-    column->addWidget(m_honest);
-    column->addWidget(buildDeeds());
+    column->addWidget(m_identityHint);
+    column->addWidget(buildActions());
     m_serverState = new QLabel(this);
     m_serverState->setObjectName(QStringLiteral("historyServerState"));
     m_serverState->setTextFormat(Qt::PlainText);
     m_serverState->setWordWrap(true);
     m_serverState->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column->addWidget(m_serverState);
-    m_ask.setSingleShot(true);
-    m_ask.setInterval(askAfter);
+    m_queryTimer.setSingleShot(true);
+    m_queryTimer.setInterval(queryDelay);
 }
 
 QWidget* HistoryPage::buildFilters()
@@ -81,10 +81,10 @@ QWidget* HistoryPage::buildFilters()
         m_kind->addItem(QString(), int(kind));
     m_servo = choice("historyServo");
     m_servo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_servo->setMinimumContentsLength(choiceWidth);
+    m_servo->setMinimumContentsLength(comboWidth);
     m_register = choice("historyRegister");
     m_register->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_register->setMinimumContentsLength(choiceWidth);
+    m_register->setMinimumContentsLength(comboWidth);
     m_period = choice("historyPeriod");
     for (const int days : {0, 1, 7, 30, 365, -1})
         m_period->addItem(QString(), days);
@@ -98,13 +98,13 @@ QWidget* HistoryPage::buildFilters()
     };
     m_from = date("historyFrom");
     m_until = date("historyUntil");
-    m_trouble = new QCheckBox(box);
-    m_trouble->setObjectName(QStringLiteral("historyTrouble"));
-    row->addWidget(m_trouble);
+    m_onlyErrors = new QCheckBox(box);
+    m_onlyErrors->setObjectName(QStringLiteral("historyTrouble"));
+    row->addWidget(m_onlyErrors);
     return box;
 }
 
-QWidget* HistoryPage::buildDeeds()
+QWidget* HistoryPage::buildActions()
 {
     auto* box = new QWidget(this);
     auto* row = new FlowLayout(box, 6);
@@ -126,31 +126,31 @@ QWidget* HistoryPage::buildDeeds()
 
 void HistoryPage::connectAll()
 {
-    connect(&m_ask, &QTimer::timeout, this, &HistoryPage::ask);
-    connect(&m_local, &session::Archive::changed, this, [this] {
-        if (!remote())
-            askSoon();
+    connect(&m_queryTimer, &QTimer::timeout, this, &HistoryPage::query);
+    connect(&m_local, &session::HistoryService::changed, this, [this] {
+        if (!isRemote())
+            scheduleQuery();
     });
     // Writes and the snapshots before them come there without the archive's help.
-    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+    connect(&m_desk, &session::Desk::eventOccurred, this, [this](const session::Event& event) {
         using Kind = session::Event::Kind;
-        if (!remote() && (event.kind == Kind::Written || event.kind == Kind::Task ||
-                          event.kind == Kind::TableSaved))
-            askSoon();
+        if (!isRemote() && (event.kind == Kind::Written || event.kind == Kind::Task ||
+                            event.kind == Kind::TableSaved))
+            scheduleQuery();
     });
-    connect(&m_local, &session::Archive::failed, this, &HistoryPage::fail);
-    connect(&m_table, &HistoryTable::changed, this, &HistoryPage::showState);
-    connect(&m_table, &HistoryTable::rowsAboutToBeInserted, this,
-            [this](const QModelIndex&, int first) { keepTopRow(first); });
-    connect(&m_table, &HistoryTable::rowsAboutToBeRemoved, this,
-            [this](const QModelIndex&, int first) { keepTopRow(first); });
-    connect(&m_table, &HistoryTable::failed, this, &HistoryPage::fail);
-    connect(m_source, &QComboBox::activated, this, &HistoryPage::sourceChosen);
+    connect(&m_local, &session::HistoryService::failed, this, &HistoryPage::showError);
+    connect(&m_table, &HistoryTableModel::changed, this, &HistoryPage::showState);
+    connect(&m_table, &HistoryTableModel::rowsAboutToBeInserted, this,
+            [this](const QModelIndex&, int first) { saveTopRow(first); });
+    connect(&m_table, &HistoryTableModel::rowsAboutToBeRemoved, this,
+            [this](const QModelIndex&, int first) { saveTopRow(first); });
+    connect(&m_table, &HistoryTableModel::failed, this, &HistoryPage::showError);
+    connect(m_source, &QComboBox::activated, this, &HistoryPage::onSourceChanged);
     for (QComboBox* one : {m_kind, m_servo, m_register, m_period})
-        connect(one, &QComboBox::activated, this, &HistoryPage::askSoon);
+        connect(one, &QComboBox::activated, this, &HistoryPage::scheduleQuery);
     for (QDateEdit* one : {m_from, m_until})
-        connect(one, &QDateEdit::dateChanged, this, &HistoryPage::askSoon);
-    connect(m_trouble, &QCheckBox::toggled, this, &HistoryPage::askSoon);
+        connect(one, &QDateEdit::dateChanged, this, &HistoryPage::scheduleQuery);
+    connect(m_onlyErrors, &QCheckBox::toggled, this, &HistoryPage::scheduleQuery);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &HistoryPage::showState);
     connect(m_view, &QTableView::activated, this, &HistoryPage::openTable);
@@ -164,41 +164,44 @@ void HistoryPage::connectAll()
 void HistoryPage::retranslate()
 {
     setAccessibleName(tr("History"));
-    const auto say = [](QWidget* widget, const QString& name, const QString& tip) {
+    const auto setTexts = [](QWidget* widget, const QString& name, const QString& tip) {
         widget->setAccessibleName(name);
         widget->setToolTip(tip);
     };
     const auto word = [&](QAbstractButton* button, const QString& text, const QString& tip) {
         button->setText(text);
-        say(button, text, tip);
+        setTexts(button, text, tip);
     };
-    say(m_source, tr("Source"), tr("The history of this computer, or the copies on the server"));
+    setTexts(m_source, tr("Source"),
+             tr("The history of this computer, or the copies on the server"));
     m_kind->setToolTip(tr("What is listed"));
     m_kind->setAccessibleName(tr("List"));
     for (int i = 0; i < m_kind->count(); ++i)
-        m_kind->setItemText(i, HistoryWords::kindName(HistoryKind(m_kind->itemData(i).toInt())));
-    say(m_servo, tr("Servo"), tr("Only what concerns this servo"));
-    say(m_register, tr("Register"), tr("Only writes to this register"));
+        m_kind->setItemText(i,
+                            HistoryFormatter::kindName(HistoryKind(m_kind->itemData(i).toInt())));
+    setTexts(m_servo, tr("Servo"), tr("Only what concerns this servo"));
+    setTexts(m_register, tr("Register"), tr("Only writes to this register"));
     const QString periods[] = {tr("Any time"),     tr("Today"),     tr("Last 7 days"),
                                tr("Last 30 days"), tr("Last year"), tr("From … until …")};
     for (int i = 0; i < m_period->count(); ++i)
         m_period->setItemText(i, periods[i]);
-    say(m_period, tr("Time"), tr("Only what happened in this time"));
-    say(m_from, tr("From"), tr("The first day"));
-    say(m_until, tr("Until"), tr("The last day"));
-    word(m_trouble, tr("Only trouble"),
+    setTexts(m_period, tr("Time"), tr("Only what happened in this time"));
+    setTexts(m_from, tr("From"), tr("The first day"));
+    setTexts(m_until, tr("Until"), tr("The last day"));
+    word(m_onlyErrors, tr("Only trouble"),
          tr("Writes that did not end well, alarms that are not "
             "over"));
-    m_honest->setText(tr("Servos carry no serial number. What belongs together is told by model, "
-                         "firmware, ID and the label you give: two alike without a label cannot "
-                         "be told apart."));
-    say(m_view, tr("History"), tr("Newest first; each row's own hint has all of it"));
+    m_identityHint->setText(
+        tr("Servos carry no serial number. What belongs together is told by model, "
+           "firmware, ID and the label you give: two alike without a label cannot "
+           "be told apart."));
+    setTexts(m_view, tr("History"), tr("Newest first; each row's own hint has all of it"));
     word(m_label, tr("Label…"), tr("Give the servo or the snapshot a name"));
     word(m_export, tr("Export…"), tr("Save the list, as it is filtered, as CSV or JSON"));
     word(m_serverSet, tr("Server…"),
          tr("Send copies of the history to a PostgreSQL server, and look at those of all benches"));
     showServer();
-    askChoices();
+    loadFilterValues();
     m_table.retranslate();
     showState();
 }

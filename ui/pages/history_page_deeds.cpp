@@ -14,68 +14,68 @@ namespace ui {
 using record::HistoryKind;
 
 namespace {
-const QString folderChoice = QStringLiteral("history/folder");
+const QString folderKey = QStringLiteral("history/folder");
 }
 
 void HistoryPage::openTable()
 {
     if (m_table.kind() == HistoryKind::Runs) {
-        Q_EMIT testsWished();
+        Q_EMIT previousTestsRequested();
         return;
     }
     const auto row = current();
     if (!row)
         return;
-    m_banner->clear();
-    const HistoryLine line = m_table.at(*row);
+    m_banner->hideMessage();
+    const HistoryLine line = m_table.lineAt(*row);
     if (m_table.kind() == HistoryKind::Snapshots)
-        openKept(line.number);
+        openSnapshot(line.number);
     else if (m_table.kind() == HistoryKind::Writes)
-        openMoment(line);
+        openTableAt(line);
 }
 
-void HistoryPage::openKept(std::int64_t number)
+void HistoryPage::openSnapshot(std::int64_t number)
 {
-    if (!remote()) {
-        Q_EMIT snapshotWished(number);
+    if (!isRemote()) {
+        Q_EMIT snapshotRequested(number);
         return;
     }
-    archive().loadSnapshot(
+    historyService().loadSnapshot(
         number, this, [this](const base::Result<session::SharedSnapshot>& loaded) {
             if (!loaded) {
-                fail(loaded.error());
+                showError(loaded.error());
                 return;
             }
             const QString label = (*loaded)->label;
-            Q_EMIT tableWished(*loaded, label.isEmpty() ? tr("from the server") : label);
+            Q_EMIT tableRequested(*loaded, label.isEmpty() ? tr("from the server") : label);
         });
 }
 
 /// Just before the write: what one would go back to.
-void HistoryPage::openMoment(const HistoryLine& line)
+void HistoryPage::openTableAt(const HistoryLine& line)
 {
-    archive().tableAt(
+    historyService().tableAt(
         m_catalog, line.servo, line.at.addMSecs(-1), this,
-        [this, line](const base::Result<record::TablePoint>& point) {
+        [this, line](const base::Result<record::TableState>& point) {
             if (!point) {
-                fail(point.error());
+                showError(point.error());
                 return;
             }
             const QString title =
                 tr("before %1")
                     .arg(line.at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
-            Q_EMIT tableWished(std::make_shared<const record::Snapshot>(point->table), title);
+            Q_EMIT tableRequested(std::make_shared<const record::Snapshot>(point->table), title);
             if (!point->unknown.isEmpty()) {
-                m_banner->present([keys = point->unknown] {
-                    return BannerWords{Tone::Warn,
-                                       tr("Some registers are not known for that moment."),
-                                       tr("What changed them was not recorded: %1.")
-                                           .arg(keys.join(QStringLiteral(", "))),
-                                       tr("They are left alone when the table is restored.")};
+                m_banner->showMessage([keys = point->unknown] {
+                    return BannerText{Tone::Warn,
+                                      tr("Some registers are not known for that moment."),
+                                      tr("What changed them was not recorded: %1.")
+                                          .arg(keys.join(QStringLiteral(", "))),
+                                      tr("They are left alone when the table is restored.")};
                 });
             } else if (point->changedId) {
-                m_banner->present([changed = *point->changedId] {
-                    return BannerWords{
+                m_banner->showMessage([changed = *point->changedId] {
+                    return BannerText{
                         Tone::Warn, tr("The servo had ID %1 at that moment.").arg(changed.id),
                         tr("Its ID was changed on %1.")
                             .arg(changed.at.toLocalTime().toString(
@@ -93,7 +93,7 @@ void HistoryPage::editLabel()
     const auto row = current();
     if (!row)
         return;
-    const HistoryLine line = m_table.at(*row);
+    const HistoryLine line = m_table.lineAt(*row);
     const HistoryKind kind = m_table.kind();
     auto* dialog = new NoteDialog(line.label, line.note, this);
     dialog->setNoteVisible(kind == HistoryKind::Snapshots);
@@ -114,21 +114,21 @@ void HistoryPage::exportList()
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters({tr("Table for spreadsheets (*.csv)"), tr("Data (*.json)")});
     dialog->setDefaultSuffix(QStringLiteral("csv"));
-    dialog->setDirectory(m_settings.choice(folderChoice, QDir::homePath()).toString());
+    dialog->setDirectory(m_settings.pageValue(folderKey, QDir::homePath()).toString());
     dialog->selectFile(
         QStringLiteral("history-%1.csv").arg(record::historyKindName(m_table.kind())));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
+        m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
         const bool csv = !path.endsWith(QLatin1StringView(".json"), Qt::CaseInsensitive);
-        archive().exportTo(
+        historyService().exportTo(
             path, csv, {m_table.kind()}, filter(), this,
             [this, path](const base::Result<std::int64_t>& rows) {
                 if (!rows) {
-                    fail(rows.error());
+                    showError(rows.error());
                     return;
                 }
-                m_banner->present([path, count = *rows] {
-                    return BannerWords{
+                m_banner->showMessage([path, count = *rows] {
+                    return BannerText{
                         Tone::Good,
                         tr("%1 rows saved: %2").arg(count).arg(QDir::toNativeSeparators(path))};
                 });
@@ -143,14 +143,14 @@ void HistoryPage::setServer()
     connect(dialog, &HistoryServerDialog::accepted, this, [this] {
         m_server.reset(); // another one perhaps
         setViewing(isVisible());
-        askChoices();
-        ask();
+        loadFilterValues();
+        query();
     });
     dialog->open();
 }
 
-void HistoryPage::fail(const base::Error& error)
+void HistoryPage::showError(const base::Error& error)
 {
-    m_banner->present(error);
+    m_banner->showMessage(error);
 }
 } // namespace ui

@@ -10,11 +10,11 @@ class QLabel;
 class QListView;
 
 namespace ui {
-class HistoryPanel final : public QWidget {
+class ServoHistoryPanel final : public QWidget {
     Q_OBJECT
 
 public:
-    explicit HistoryPanel(QWidget* parent);
+    explicit ServoHistoryPanel(QWidget* parent);
     void setEntry(const session::ServoEntry* entry);
 
 protected:
@@ -22,12 +22,12 @@ protected:
 
 private:
     void retranslate();
-    void showWhich();
+    void updateVisibility();
 
-    bool m_chosen = false; ///< there is a servo
-    HistoryModel m_model;
+    bool m_hasServo = false; ///< there is a servo
+    ServoHistoryModel m_model;
     QLabel* m_title;
-    QLabel* m_nothing;
+    QLabel* m_emptyLabel;
     QListView* m_list;
 };
 } // namespace ui

@@ -20,7 +20,7 @@ LockBadge::Lock lockOf(const session::ServoEntry* entry)
         return Lock::NoServo;
     if (entry->servo.profile->byRole(catalog::Role::Lock) == nullptr)
         return Lock::None;
-    const auto open = entry->lockOpen();
+    const auto open = entry->isLockOpen();
     if (!open)
         return Lock::NotRead;
     if (!*open)
@@ -69,7 +69,7 @@ LockBadge::LockBadge(QAction* closeLock, QWidget* parent)
     retranslate();
 }
 
-QString LockBadge::wordOf(Lock lock)
+QString LockBadge::lockText(Lock lock)
 {
     switch (lock) {
     case Lock::None:
@@ -121,11 +121,11 @@ void LockBadge::retranslate()
                  "Close it when you have finished there.");
         break;
     }
-    m_word->setText(wordOf(m_lock));
+    m_word->setText(lockText(m_lock));
     int widest = 0; // the row must not break anew when the word changes
     for (const Lock lock :
          {Lock::None, Lock::NotRead, Lock::Closed, Lock::OpenByUs, Lock::OpenByOthers})
-        widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(wordOf(lock)));
+        widest = std::max(widest, m_word->fontMetrics().horizontalAdvance(lockText(lock)));
     m_word->setMinimumWidth(widest);
     setVisible(m_lock != Lock::NoServo);
     setToolTip(tip);
@@ -145,10 +145,10 @@ void LockBadge::showSign()
     const QIcon icon = QIcon::fromTheme(open ? QStringLiteral("object-unlocked")
                                              : QStringLiteral("object-locked"));
     m_sign->setPixmap(has ? icon.pixmap(size, size) : QPixmap());
-    QPalette colours;
-    colours.setColor(QPalette::WindowText, tone(toneOf(m_lock), palette()));
-    if (m_word->palette().color(QPalette::WindowText) != colours.color(QPalette::WindowText))
-        m_word->setPalette(colours);
+    QPalette colors;
+    colors.setColor(QPalette::WindowText, tone(toneOf(m_lock), palette()));
+    if (m_word->palette().color(QPalette::WindowText) != colors.color(QPalette::WindowText))
+        m_word->setPalette(colors);
 }
 
 void LockBadge::changeEvent(QEvent* event)

@@ -28,7 +28,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    static QString wordOf(Lock lock);
+    static QString lockText(Lock lock);
     void retranslate();
     void showSign();
 

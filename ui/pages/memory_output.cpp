@@ -18,7 +18,7 @@ const QString operation = QStringLiteral("export");
 const QString csv = QStringLiteral(".csv");
 const QString html = QStringLiteral(".html");
 
-bool wantsHtml(const QString& path)
+bool isHtmlPath(const QString& path)
 {
     return path.endsWith(html, Qt::CaseInsensitive) ||
            path.endsWith(QLatin1String(".htm"), Qt::CaseInsensitive);
@@ -57,15 +57,15 @@ void MemoryOutput::copyRows()
 {
     const auto selected = sheet(true);
     if (selected && !selected->rows.empty())
-        QApplication::clipboard()->setText(toTabbed(*selected));
+        QApplication::clipboard()->setText(toTsv(*selected));
 }
 
 base::Result<void> MemoryOutput::save(const TableSheet& sheet, const QString& path)
 {
     if (path.isEmpty())
-        return tl::unexpected(record::noName(operation));
+        return tl::unexpected(record::noFileNameError(operation));
     QSaveFile file(path);
-    const QByteArray bytes = wantsHtml(path) ? toHtml(sheet) : toCsv(sheet);
+    const QByteArray bytes = isHtmlPath(path) ? toHtml(sheet) : toCsv(sheet);
     if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ||
         !record::writeAll(file, bytes) || !file.commit())
         return tl::unexpected(record::fileError(operation, file));

@@ -26,12 +26,12 @@ using catalog::Role;
 
 namespace {
 // Of the panel beside the table, in letters; between them a share of the width.
-constexpr int leastPanel = 28;
-constexpr int mostPanel = 48;
+constexpr int minPanelChars = 28;
+constexpr int maxPanelChars = 48;
 constexpr int panelPercent = 22;
 
 /// What the servo left out of its whole table it never tells (stored move of some LX).
-bool answersTo(const session::ServoEntry& entry, const catalog::Register& reg)
+bool hasValue(const session::ServoEntry& entry, const catalog::Register& reg)
 {
     return entry.servo.raw(reg).has_value();
 }
@@ -44,8 +44,8 @@ const session::ServoEntry* MemoryPage::entry() const
 
 void MemoryPage::select()
 {
-    m_banner->clear();
-    m_standing = m_complaining = false;
+    m_banner->hideMessage();
+    m_showsServoState = m_showsWarning = false;
     refresh();
     read();
     if (entry() != nullptr)
@@ -60,7 +60,7 @@ void MemoryPage::read()
         m_desk.readTable(m_selection.current());
 }
 
-void MemoryPage::refreshSoon()
+void MemoryPage::scheduleRefresh()
 {
     if (!m_refresh.isActive())
         m_refresh.start();
@@ -72,13 +72,13 @@ void MemoryPage::refresh()
     const bool open = m_desk.state() == session::LinkState::Open;
     m_model.setEntry(known, {m_desk.now(), open});
     m_toolbar->lockBadge()->setEntry(known);
-    const bool wasComplete = std::exchange(m_complete, known != nullptr && known->tableRead);
+    const bool wasComplete = std::exchange(m_complete, known != nullptr && known->hasFullTable);
     if (m_complete && !wasComplete)
-        m_live.start();
+        m_liveTimer.start();
     m_history->setEntry(known);
     showPanel();
-    showWhich();
-    showStanding();
+    updateVisibility();
+    showServoState();
 }
 
 void MemoryPage::showPanel()
@@ -89,7 +89,7 @@ void MemoryPage::showPanel()
 }
 
 /// The table, or why there is none.
-void MemoryPage::showWhich()
+void MemoryPage::updateVisibility()
 {
     const session::ServoEntry* known = entry();
     QString why;
@@ -101,59 +101,59 @@ void MemoryPage::showWhich()
                  "Search again, or check whether two servos share the ID.");
     else if (m_filter.rowCount() == 0)
         why = tr("No register fits the filter.");
-    if (m_nothing->text() != why)
-        m_nothing->setText(why);
-    m_stack->setCurrentWidget(why.isEmpty() ? static_cast<QWidget*>(m_view) : m_nothing);
+    if (m_emptyLabel->text() != why)
+        m_emptyLabel->setText(why);
+    m_stack->setCurrentWidget(why.isEmpty() ? static_cast<QWidget*>(m_view) : m_emptyLabel);
 }
 
 /// What is wrong with the servo as a whole; an input's complaint is not pushed aside by it.
-void MemoryPage::showStanding()
+void MemoryPage::showServoState()
 {
     const session::ServoEntry* known = entry();
-    const auto bar =
-        known != nullptr && known->servo.profile ? device::writeBar(known->servo) : std::nullopt;
-    const bool failed = known != nullptr && known->readError && !known->reading;
+    const auto bar = known != nullptr && known->servo.profile ? device::writeObstacle(known->servo)
+                                                              : std::nullopt;
+    const bool failed = known != nullptr && known->readError && !known->isReadingTable;
     if (!bar && !failed) {
-        if (m_standing)
-            m_banner->clear();
-        m_standing = false;
+        if (m_showsServoState)
+            m_banner->hideMessage();
+        m_showsServoState = false;
         return;
     }
-    if (m_standing || m_banner->isVisibleTo(this))
+    if (m_showsServoState || m_banner->isVisibleTo(this))
         return;
-    m_standing = true;
+    m_showsServoState = true;
     if (failed) {
-        m_banner->present(*known->readError);
+        m_banner->showMessage(*known->readError);
         return;
     }
-    if (bar->code == base::ErrorCode::FamilyUnclear) {
-        m_banner->present([error = *bar] {
+    if (bar->code == base::ErrorCode::FamilyConflict) {
+        m_banner->showMessage([error = *bar] {
             const text::Description words = text::describe(error);
-            return BannerWords{Tone::Warn, words.what, words.cause, words.remedy};
+            return BannerText{Tone::Warn, words.message, words.cause, words.remedy};
         });
         return;
     }
-    m_banner->present([] {
-        return BannerWords{
+    m_banner->showMessage([] {
+        return BannerText{
             Tone::Warn, tr("The firmware of this servo is not known."),
             tr("No public memory table fits it, so a write could do damage."),
             tr("Identity and measurements are shown. Writing becomes possible with a model file.")};
     });
 }
 
-void MemoryPage::complain(const QString& words)
+void MemoryPage::showWarning(const QString& words)
 {
-    m_standing = false;
-    m_complaining = true;
-    m_banner->present([words] { return BannerWords{Tone::Warn, words}; });
+    m_showsServoState = false;
+    m_showsWarning = true;
+    m_banner->showMessage([words] { return BannerText{Tone::Warn, words}; });
 }
 
 /// What was wrong with an input is over when one goes on.
-void MemoryPage::settleComplaint()
+void MemoryPage::clearWarning()
 {
-    if (m_complaining)
-        m_banner->clear();
-    m_complaining = false;
+    if (m_showsWarning)
+        m_banner->hideMessage();
+    m_showsWarning = false;
 }
 
 void MemoryPage::explainReadOnly(const QModelIndex& index)
@@ -162,13 +162,13 @@ void MemoryPage::explainReadOnly(const QModelIndex& index)
     if (!source.isValid())
         return;
     const catalog::Register* reg = m_model.row(source.row()).reg;
-    m_standing = false;
-    m_complaining = true;
-    m_banner->present([reg, profile = m_model.profile()] { // the profile is the register's home
+    m_showsServoState = false;
+    m_showsWarning = true;
+    m_banner->showMessage([reg, profile = m_model.profile()] { // the profile is the register's home
         base::Error error{base::ErrorCode::ReadOnly, QStringLiteral("write")};
         error.registerKey = reg->key;
         const text::Description words = text::describe(withName(error, reg));
-        return BannerWords{Tone::Warn, words.what, words.cause, words.remedy};
+        return BannerText{Tone::Warn, words.message, words.cause, words.remedy};
     });
 }
 
@@ -177,31 +177,31 @@ void MemoryPage::updateLive()
     const auto period = m_toolbar->livePeriod();
     const session::ServoEntry* known = entry();
     // The whole table first: it tells what this servo answers to.
-    const bool may = known != nullptr && known->servo.profile && known->tableRead && isVisible();
+    const bool may = known != nullptr && known->servo.profile && known->hasFullTable && isVisible();
     if (!period || !may) {
-        m_desk.wish(QStringLiteral("memory"), {});
+        m_desk.subscribe(QStringLiteral("memory"), {});
         return;
     }
     QStringList keys;
     for (const QString& key : m_view->visibleKeys()) {
         const catalog::Register* reg = known->servo.profile->find(key);
-        if (reg != nullptr && answersTo(*known, *reg))
+        if (reg != nullptr && hasValue(*known, *reg))
             keys << key;
     }
-    session::FeedWish wish{{}, *period};
+    session::Subscription wish{{}, *period};
     if (!keys.isEmpty())
         wish.parts.push_back({m_selection.current(), keys});
-    m_desk.wish(QStringLiteral("memory"), wish);
+    m_desk.subscribe(QStringLiteral("memory"), wish);
 }
 
-void MemoryPage::orderWrite(const QString& key, std::int64_t raw, bool temporary)
+void MemoryPage::requestWrite(const QString& key, std::int64_t raw, bool temporary)
 {
     const session::ServoEntry* known = entry();
     const catalog::Register* reg =
         known != nullptr && known->servo.profile ? known->servo.profile->find(key) : nullptr;
-    if (reg == nullptr || writeOtherwise(*known, *reg, raw))
+    if (reg == nullptr || writeWithQuestion(*known, *reg, raw))
         return;
-    settleComplaint();
+    clearWarning();
     const session::ServoRef ref = known->ref;
     auto question = writeQuestion(*known, *reg, raw, temporary);
     if (!question) {
@@ -213,19 +213,19 @@ void MemoryPage::orderWrite(const QString& key, std::int64_t raw, bool temporary
 }
 
 /// Registers whose value is a deed of its own go the way of that deed.
-bool MemoryPage::writeOtherwise(const session::ServoEntry& entry, const catalog::Register& reg,
-                                std::int64_t raw)
+bool MemoryPage::writeWithQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
+                                   std::int64_t raw)
 {
-    constexpr std::int64_t makeMiddle = 128;
-    constexpr std::int64_t centreBit = 4;
-    const bool centres = (reg.role == Role::TorqueSwitch && raw == makeMiddle) ||
-                         (reg.role == Role::FaultReset && (raw & centreBit) != 0);
-    QAction* centre = m_commands.action(Command::Center);
-    if (centres && centre->isEnabled()) {
-        centre->trigger();
+    constexpr std::int64_t makeCenter = 128;
+    constexpr std::int64_t centerBit = 4;
+    const bool centers = (reg.role == Role::TorqueSwitch && raw == makeCenter) ||
+                         (reg.role == Role::FaultReset && (raw & centerBit) != 0);
+    QAction* center = m_commands.action(Command::Center);
+    if (centers && center->isEnabled()) {
+        center->trigger();
         return true;
     }
-    if (reg.role == Role::Lock && raw != 0 && entry.lockOpen().value_or(false)) {
+    if (reg.role == Role::Lock && raw != 0 && entry.isLockOpen().value_or(false)) {
         closeLock();
         return true;
     }
@@ -235,7 +235,7 @@ bool MemoryPage::writeOtherwise(const session::ServoEntry& entry, const catalog:
 /// Consent has been given where it was due; asking is over by now.
 void MemoryPage::send(session::ServoRef ref, const QString& key, std::int64_t raw, bool temporary)
 {
-    session::WriteOrder order;
+    session::WriteRequest order;
     order.items.push_back({key, raw});
     order.temporary = temporary;
     order.dangerous = true;
@@ -263,7 +263,7 @@ void MemoryPage::retranslate()
     m_view->setToolTip(tr("Enter or a double click changes a value; nothing is written before "
                           "Enter is pressed again"));
     m_model.retranslate();
-    m_view->measure();
+    m_view->resizeColumns();
     refresh();
 }
 
@@ -277,12 +277,12 @@ void MemoryPage::changeEvent(QEvent* event)
 void MemoryPage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    const int letter = fontMetrics().averageCharWidth();
-    m_panel->setMinimumWidth(leastPanel * letter);
-    if (m_ownSplit)
+    const int charWidth = fontMetrics().averageCharWidth();
+    m_panel->setMinimumWidth(minPanelChars * charWidth);
+    if (m_userSplit)
         return;
-    const int side =
-        std::clamp(width() * panelPercent / 100, leastPanel * letter, mostPanel * letter);
+    const int side = std::clamp(width() * panelPercent / 100, minPanelChars * charWidth,
+                                maxPanelChars * charWidth);
     m_splitter->setSizes({std::max(0, width() - side), side});
 }
 
@@ -290,15 +290,15 @@ void MemoryPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     m_age.start();
-    refreshSoon();
-    m_live.start();
+    scheduleRefresh();
+    m_liveTimer.start();
 }
 
 void MemoryPage::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     m_age.stop();
-    if (m_deskLives)
+    if (m_deskGuard)
         updateLive();
 }
 } // namespace ui

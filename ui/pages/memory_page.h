@@ -20,7 +20,7 @@ class QStackedWidget;
 
 namespace ui {
 class Banner;
-class HistoryPanel;
+class ServoHistoryPanel;
 class MemoryOutput;
 class MemoryToolbar;
 class MemoryView;
@@ -36,7 +36,7 @@ public:
     ~MemoryPage() override;
 
     /// Asks first where that is due, then has it written.
-    void orderWrite(const QString& key, std::int64_t raw, bool temporary);
+    void requestWrite(const QString& key, std::int64_t raw, bool temporary);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -56,22 +56,22 @@ private:
     void select();
     void read();
     void refresh();
-    void refreshSoon();
+    void scheduleRefresh();
     void showPanel();
-    void showWhich();
-    void showStanding();
-    void complain(const QString& words);
-    void settleComplaint();
+    void updateVisibility();
+    void showServoState();
+    void showWarning(const QString& message);
+    void clearWarning();
     void explainReadOnly(const QModelIndex& index);
     void updateLive();
 
-    bool writeOtherwise(const session::ServoEntry& entry, const catalog::Register& reg,
-                        std::int64_t raw);
+    bool writeWithQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
+                           std::int64_t raw);
     void send(session::ServoRef ref, const QString& key, std::int64_t raw, bool temporary);
     void closeLock();
 
     session::Desk& m_desk;
-    QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
+    QPointer<session::Desk> m_deskGuard; ///< a window may hide its pages on its way out
     Commands& m_commands;
     Selection& m_selection;
     MemoryModel m_model;
@@ -80,20 +80,20 @@ private:
     MemoryToolbar* m_toolbar = nullptr;
     Banner* m_banner = nullptr;
     QStackedWidget* m_stack = nullptr;
-    QLabel* m_nothing = nullptr;
+    QLabel* m_emptyLabel = nullptr;
     QSplitter* m_splitter = nullptr;
     MemoryView* m_view = nullptr;
     RegisterDelegate* m_delegate = nullptr;
     RegisterPanel* m_panel = nullptr;
-    HistoryPanel* m_history = nullptr;
+    ServoHistoryPanel* m_history = nullptr;
     MemoryOutput* m_output = nullptr;
 
-    QTimer m_refresh;           ///< many changes, one look
-    QTimer m_age;               ///< values grow old
-    QTimer m_live;              ///< scrolling and typing first come to rest
-    bool m_complete = false;    ///< the whole table has been read
-    bool m_ownSplit = false;    ///< somebody has moved the splitter
-    bool m_complaining = false; ///< the banner tells of an input
-    bool m_standing = false;    ///< the banner tells of the servo
+    QTimer m_refresh;               ///< many changes, one look
+    QTimer m_age;                   ///< values grow old
+    QTimer m_liveTimer;             ///< scrolling and typing first come to rest
+    bool m_complete = false;        ///< the whole table has been read
+    bool m_userSplit = false;       ///< somebody has moved the splitter
+    bool m_showsWarning = false;    ///< the banner tells of an input
+    bool m_showsServoState = false; ///< the banner tells of the servo
 };
 } // namespace ui

@@ -20,8 +20,8 @@ namespace ui {
 using catalog::Area;
 
 namespace {
-const QString orderChoice = QStringLiteral("memory/physical_first");
-const QString liveChoice = QStringLiteral("memory/live_hz");
+const QString orderKey = QStringLiteral("memory/physical_first");
+const QString liveRateKey = QStringLiteral("memory/live_hz");
 
 constexpr std::array groups{Area::Eprom, Area::Sram, Area::Feedback, Area::Factory};
 
@@ -29,9 +29,9 @@ constexpr std::array groups{Area::Eprom, Area::Sram, Area::Feedback, Area::Facto
 constexpr int liveOff = 0;
 constexpr int liveMax = -1;
 constexpr std::array liveRates{liveOff, 1, 5, 20, liveMax};
-constexpr int liveUsual = 5;
+constexpr int defaultLiveRate = 5;
 
-QWidget* tightBox(QWidget* parent)
+QWidget* compactBox(QWidget* parent)
 {
     auto* box = new QWidget(parent);
     auto* layout = new QHBoxLayout(box);
@@ -81,14 +81,14 @@ QToolButton* MemoryToolbar::segment(const QString& name, QButtonGroup* group, QW
 
 void MemoryToolbar::addChoices()
 {
-    QWidget* box = tightBox(this);
-    m_choices = new QButtonGroup(this);
-    segment(QStringLiteral("rowsAll"), m_choices, box)->setChecked(true);
-    segment(QStringLiteral("rowsChanged"), m_choices, box);
-    segment(QStringLiteral("rowsDifferent"), m_choices, box);
+    QWidget* box = compactBox(this);
+    m_rowFilters = new QButtonGroup(this);
+    segment(QStringLiteral("rowsAll"), m_rowFilters, box)->setChecked(true);
+    segment(QStringLiteral("rowsChanged"), m_rowFilters, box);
+    segment(QStringLiteral("rowsDifferent"), m_rowFilters, box);
     m_layout->addWidget(box);
-    connect(m_choices, &QButtonGroup::idClicked, this,
-            [this](int id) { Q_EMIT choiceChanged(static_cast<RowChoice>(id)); });
+    connect(m_rowFilters, &QButtonGroup::idClicked, this,
+            [this](int id) { Q_EMIT rowFilterChanged(static_cast<RowFilter>(id)); });
     m_groups = new QComboBox(this);
     m_groups->setObjectName(QStringLiteral("groupFilter"));
     m_groups->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -101,14 +101,14 @@ void MemoryToolbar::addChoices()
 
 void MemoryToolbar::addOrder()
 {
-    QWidget* box = tightBox(this);
+    QWidget* box = compactBox(this);
     m_order = new QButtonGroup(this);
     QToolButton* raw = segment(QStringLiteral("rawFirst"), m_order, box);
     QToolButton* physical = segment(QStringLiteral("physicalFirst"), m_order, box);
-    (m_settings.choice(orderChoice, false).toBool() ? physical : raw)->setChecked(true);
+    (m_settings.pageValue(orderKey, false).toBool() ? physical : raw)->setChecked(true);
     m_layout->addWidget(box);
     connect(m_order, &QButtonGroup::idClicked, this, [this](int id) {
-        m_settings.setChoice(orderChoice, id == 1);
+        m_settings.setPageValue(orderKey, id == 1);
         Q_EMIT physicalFirstChanged(id == 1);
     });
 }
@@ -127,11 +127,11 @@ void MemoryToolbar::addLive()
     layout->addWidget(m_live);
     m_layout->addWidget(box);
     retranslateLists();
-    const int stored = m_settings.choice(liveChoice, liveUsual).toInt();
+    const int stored = m_settings.pageValue(liveRateKey, defaultLiveRate).toInt();
     const int index = m_live->findData(stored);
-    m_live->setCurrentIndex(index >= 0 ? index : m_live->findData(liveUsual));
+    m_live->setCurrentIndex(index >= 0 ? index : m_live->findData(defaultLiveRate));
     connect(m_live, &QComboBox::currentIndexChanged, this, [this] {
-        m_settings.setChoice(liveChoice, m_live->currentData().toInt());
+        m_settings.setPageValue(liveRateKey, m_live->currentData().toInt());
         Q_EMIT livePeriodChanged();
     });
 }
@@ -159,7 +159,7 @@ void MemoryToolbar::addCommands()
     m_help->setText(QStringLiteral("?"));
     m_help->setFocusPolicy(Qt::StrongFocus);
     m_layout->addWidget(m_help);
-    connect(m_help, &QToolButton::clicked, this, &MemoryToolbar::helpWanted);
+    connect(m_help, &QToolButton::clicked, this, &MemoryToolbar::helpRequested);
 }
 
 bool MemoryToolbar::physicalFirst() const
@@ -175,7 +175,7 @@ std::optional<base::Duration> MemoryToolbar::livePeriod() const
     return rate == liveMax ? base::Duration{} : base::Duration(std::chrono::seconds(1)) / rate;
 }
 
-void MemoryToolbar::focusFind()
+void MemoryToolbar::focusSearch()
 {
     m_find->setFocus(Qt::ShortcutFocusReason);
     m_find->selectAll();
@@ -185,18 +185,18 @@ void MemoryToolbar::clearFilters()
 {
     m_find->clear();
     m_groups->setCurrentIndex(0);
-    m_choices->button(0)->click();
+    m_rowFilters->button(0)->click();
 }
 
 void MemoryToolbar::retranslateLists()
 {
-    const QSignalBlocker quietGroups(m_groups);
-    const QSignalBlocker quietLive(m_live);
+    const QSignalBlocker groupsBlocker(m_groups);
+    const QSignalBlocker liveBlocker(m_live);
     const int group = std::max(m_groups->currentIndex(), 0);
     m_groups->clear();
     m_groups->addItem(tr("all groups"));
     for (const Area area : groups)
-        m_groups->addItem(text::areaWord(area));
+        m_groups->addItem(text::areaLabel(area));
     m_groups->setCurrentIndex(group);
     const int live = m_live->currentIndex();
     m_live->clear();
@@ -229,10 +229,10 @@ void MemoryToolbar::retranslate()
     m_find->setPlaceholderText(tr("find a register"));
     name(m_find, tr("Find a register"),
          tr("Address, name, key or a word of the help; several words must all occur"));
-    word(m_choices->button(0), tr("All"), tr("Show every register"));
-    word(m_choices->button(1), tr("Changed"),
+    word(m_rowFilters->button(0), tr("All"), tr("Show every register"));
+    word(m_rowFilters->button(1), tr("Changed"),
          tr("Show what differs from the first reading of this session"));
-    word(m_choices->button(2), tr("≠ default"),
+    word(m_rowFilters->button(2), tr("≠ default"),
          tr("Show what differs from the factory's value, where that is known"));
     name(m_groups, tr("Group"), tr("Show one part of the memory"));
     word(m_order->button(0), tr("raw"), tr("Raw numbers first, and for typing"));

@@ -30,16 +30,16 @@ public:
     bool physicalFirst() const;
     /// Nullopt: off; 0: as fast as the wire allows.
     std::optional<base::Duration> livePeriod() const;
-    void focusFind();
+    void focusSearch();
     void clearFilters();
 
 Q_SIGNALS:
     void textChanged(const QString& text);
-    void choiceChanged(ui::RowChoice choice);
+    void rowFilterChanged(ui::RowFilter choice);
     void groupChanged(std::optional<catalog::Area> group);
     void physicalFirstChanged(bool on);
     void livePeriodChanged();
-    void helpWanted();
+    void helpRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -59,7 +59,7 @@ private:
     session::Settings& m_settings;
     FlowLayout* m_layout;
     QLineEdit* m_find = nullptr;
-    QButtonGroup* m_choices = nullptr;
+    QButtonGroup* m_rowFilters = nullptr;
     QButtonGroup* m_order = nullptr;
     QComboBox* m_groups = nullptr;
     QLabel* m_liveLabel = nullptr;

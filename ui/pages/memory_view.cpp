@@ -12,11 +12,11 @@
 namespace ui {
 namespace {
 // Left out where the table is narrow, in this order. The panel beside it says the same.
-constexpr std::array spare{MemoryColumn::Area, MemoryColumn::Range, MemoryColumn::Default,
-                           MemoryColumn::Access};
+constexpr std::array hideOrder{MemoryColumn::Area, MemoryColumn::Range, MemoryColumn::Default,
+                               MemoryColumn::Access};
 
 // In letters: "temporary · 12 s" with its sign. Longer ones must not make columns vanish.
-constexpr int usualState = 17;
+constexpr int defaultStateChars = 17;
 
 int section(MemoryColumn column)
 {
@@ -67,7 +67,7 @@ QStringList MemoryView::visibleKeys() const
 }
 
 /// The cell of this row that can be edited: the one under the cursor, else the one shown first.
-QModelIndex MemoryView::editable(const QModelIndex& index) const
+QModelIndex MemoryView::editableCell(const QModelIndex& index) const
 {
     const auto first = m_physicalFirst ? MemoryColumn::Physical : MemoryColumn::Value;
     const auto second = m_physicalFirst ? MemoryColumn::Value : MemoryColumn::Physical;
@@ -95,9 +95,9 @@ bool MemoryView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* eve
         if (text.isEmpty() || !begins.contains(text.front()))
             return false;
     }
-    const QModelIndex cell = editable(index);
+    const QModelIndex cell = editableCell(index);
     if (!cell.isValid()) {
-        Q_EMIT readOnlyChosen(index);
+        Q_EMIT readOnlyActivated(index);
         return false;
     }
     return QTableView::edit(cell, trigger, event);
@@ -117,7 +117,7 @@ void MemoryView::keyPressEvent(QKeyEvent* event)
 /// Letters are for the find field.
 void MemoryView::keyboardSearch(const QString&) {}
 
-void MemoryView::measureColumn(MemoryColumn column, bool mayShrink)
+void MemoryView::measureColumn(MemoryColumn column, bool canShrink)
 {
     const int index = section(column);
     const int em = fontMetrics().averageCharWidth();
@@ -128,74 +128,75 @@ void MemoryView::measureColumn(MemoryColumn column, bool mayShrink)
     if (column == MemoryColumn::Physical)
         width = std::clamp(width, 11 * em, 26 * em);
     if (column == MemoryColumn::State)
-        width = std::clamp(width, usualState * em, 28 * em);
+        width = std::clamp(width, defaultStateChars * em, 28 * em);
     if (column == MemoryColumn::Name)
         width = std::min(width, 34 * em);
     width = std::max(width, horizontalHeader()->sectionSizeHint(index));
-    int& wanted = m_wanted[static_cast<std::size_t>(index)];
-    wanted = mayShrink ? width : std::max(wanted, width);
+    int& columnWidth = m_columnWidths[static_cast<std::size_t>(index)];
+    columnWidth = canShrink ? width : std::max(columnWidth, width);
 }
 
-void MemoryView::measure()
+void MemoryView::resizeColumns()
 {
     ensurePolished();
     horizontalHeader()->ensurePolished();
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
     for (int column = 0; column < memoryColumns; ++column)
         measureColumn(static_cast<MemoryColumn>(column), true);
-    fit();
+    fitColumns();
 }
 
-void MemoryView::grow()
+void MemoryView::growColumns()
 {
-    const auto before = m_wanted;
+    const auto before = m_columnWidths;
     for (const MemoryColumn column :
          {MemoryColumn::Value, MemoryColumn::Physical, MemoryColumn::State})
         measureColumn(column, false);
-    if (m_wanted != before)
-        fit();
+    if (m_columnWidths != before)
+        fitColumns();
 }
 
 /// Long columns give way first, then the spare ones go; what is left over goes back to the long
 /// ones.
-void MemoryView::fit()
+void MemoryView::fitColumns()
 {
     const int em = fontMetrics().averageCharWidth();
     const int room = viewport()->width();
     const auto name = static_cast<std::size_t>(MemoryColumn::Name);
     const auto physical = static_cast<std::size_t>(MemoryColumn::Physical);
     const auto state = static_cast<std::size_t>(MemoryColumn::State);
-    auto widths = m_wanted;
-    const auto atLeast = [&](MemoryColumn column, int least) {
+    auto widths = m_columnWidths;
+    const auto atLeast = [&](MemoryColumn column, int minWidth) {
         const auto index = static_cast<std::size_t>(column);
         const int header = horizontalHeader()->sectionSizeHint(section(column));
-        widths[index] = std::min(widths[index], std::max(least, header));
+        widths[index] = std::min(widths[index], std::max(minWidth, header));
     };
     atLeast(MemoryColumn::Name, 22 * em);
     atLeast(MemoryColumn::Physical, 12 * em);
-    atLeast(MemoryColumn::State, usualState * em);
+    atLeast(MemoryColumn::State, defaultStateChars * em);
     int needed = std::accumulate(widths.begin(), widths.end(), 0);
     std::array<bool, memoryColumns> shown{};
     shown.fill(true);
-    for (const MemoryColumn column : spare) {
+    for (const MemoryColumn column : hideOrder) {
         const auto index = static_cast<std::size_t>(column);
         if (needed <= room)
             break;
         shown[index] = false;
         needed -= widths[index];
     }
-    for (const auto& [column, least] :
+    for (const auto& [column, minWidth] :
          {std::pair{MemoryColumn::Physical, 11 * em}, std::pair{MemoryColumn::Name, 16 * em},
           std::pair{MemoryColumn::State, 13 * em}}) {
         int& width = widths[static_cast<std::size_t>(column)];
         const int header = horizontalHeader()->sectionSizeHint(section(column));
-        const int less = std::clamp(needed - room, 0, std::max(0, width - std::max(least, header)));
+        const int less =
+            std::clamp(needed - room, 0, std::max(0, width - std::max(minWidth, header)));
         width -= less;
         needed -= less;
     }
     int left = std::max(0, room - needed);
     for (const auto index : {state, name, physical}) {
-        const int more = std::min(left, m_wanted[index] - widths[index]);
+        const int more = std::min(left, m_columnWidths[index] - widths[index]);
         widths[index] += more;
         left -= more;
     }
@@ -211,13 +212,13 @@ void MemoryView::fit()
 void MemoryView::showEvent(QShowEvent* event)
 {
     QTableView::showEvent(event);
-    measure(); // the style's fonts are known now
+    resizeColumns(); // the style's fonts are known now
 }
 
 void MemoryView::resizeEvent(QResizeEvent* event)
 {
     QTableView::resizeEvent(event);
-    fit();
+    fitColumns();
     Q_EMIT scrolled();
 }
 
@@ -232,6 +233,6 @@ void MemoryView::changeEvent(QEvent* event)
 {
     QTableView::changeEvent(event);
     if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        measure();
+        resizeColumns();
 }
 } // namespace ui

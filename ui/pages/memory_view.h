@@ -22,13 +22,13 @@ public:
     /// Registers in sight.
     QStringList visibleKeys() const;
     /// After another servo, language or font: columns as wide as what is in them.
-    void measure();
+    void resizeColumns();
     /// Columns grow where a value has become longer; they never jump back while one is watching.
-    void grow();
+    void growColumns();
 
 Q_SIGNALS:
     void scrolled(); ///< other rows may be in sight
-    void readOnlyChosen(const QModelIndex& index);
+    void readOnlyActivated(const QModelIndex& index);
 
 protected:
     bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
@@ -40,11 +40,11 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    QModelIndex editable(const QModelIndex& index) const;
-    void measureColumn(MemoryColumn column, bool mayShrink);
-    void fit();
+    QModelIndex editableCell(const QModelIndex& index) const;
+    void measureColumn(MemoryColumn column, bool canShrink);
+    void fitColumns();
 
     bool m_physicalFirst = false;
-    std::array<int, memoryColumns> m_wanted{};
+    std::array<int, memoryColumns> m_columnWidths{};
 };
 } // namespace ui

@@ -19,13 +19,13 @@ namespace ui {
 using namespace std::chrono_literals;
 
 namespace {
-constexpr auto lookInterval = 50ms; ///< numbers that change faster cannot be read
-constexpr int leastControl = 350;
-constexpr int mostControl = 400;
+constexpr auto refreshInterval = 50ms; ///< numbers that change faster cannot be read
+constexpr int minControlWidth = 350;
+constexpr int maxControlWidth = 400;
 constexpr int controlPercent = 36;
-const QString wishName = QStringLiteral("operate");
+const QString subscriptionName = QStringLiteral("operate");
 
-QString turnWords(const session::ServoEntry& entry)
+QString turnCountText(const session::ServoEntry& entry)
 {
     const auto turns = entry.turns.value();
     if (!turns)
@@ -33,21 +33,22 @@ QString turnWords(const session::ServoEntry& entry)
     const QString count = QLocale().toString(turns->turns);
     if (turns->absolute)
         return OperatePage::tr("turns: %1").arg(count);
-    if (turns->turns == 0 && turns->sure)
+    if (turns->turns == 0 && turns->isCertain)
         return {};
-    return turns->sure ? OperatePage::tr("turns since connecting: %1").arg(count)
-                       : OperatePage::tr("turns since connecting: %1 (not certain)").arg(count);
+    return turns->isCertain
+               ? OperatePage::tr("turns since connecting: %1").arg(count)
+               : OperatePage::tr("turns since connecting: %1 (not certain)").arg(count);
 }
 } // namespace
 
-OperatePage::OperatePage(Bench& bench, session::Settings& settings, QWidget* parent)
+OperatePage::OperatePage(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(bench.desk)
-    , m_deskLives(&bench.desk)
-    , m_commands(bench.commands)
-    , m_selection(bench.selection)
-    , m_drive(bench.drive)
-    , m_scope(bench.scope)
+    , m_desk(appContext.desk)
+    , m_deskGuard(&appContext.desk)
+    , m_commands(appContext.commands)
+    , m_selection(appContext.selection)
+    , m_motion(appContext.motion)
+    , m_liveData(appContext.liveData)
 {
     build(settings);
     connectAll();
@@ -61,13 +62,13 @@ void OperatePage::build(session::Settings& settings)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 6, 0, 0);
     row->setSpacing(8);
-    m_control = new ControlPanel(m_desk, m_commands, m_selection, settings, m_drive, this);
+    m_control = new ControlPanel(m_desk, m_commands, m_selection, settings, m_motion, this);
     m_dial = new PositionDial(this);
     m_dial->setObjectName(QStringLiteral("positionDial"));
     m_control->setDial(m_dial);
     row->addWidget(m_control);
     row->addWidget(buildWatch(settings), 1);
-    new FloatOver(m_control->messages(), m_trend->chart(), FloatOver::Corner::TopLeft);
+    new FloatingOverlay(m_control->messages(), m_trend->chart(), FloatingOverlay::Corner::TopLeft);
     setAccessibleName(tr("Operate"));
     m_dial->setAccessibleName(tr("Position and goal"));
 }
@@ -86,7 +87,7 @@ QWidget* OperatePage::buildWatch(session::Settings& settings)
         m_gauges[i]->setObjectName(QStringLiteral("gauge%1").arg(i));
         gauges->addWidget(m_gauges[i], 1);
     }
-    m_trend = new TrendPanel(m_desk, m_scope, m_selection, settings, m_watch);
+    m_trend = new TrendPanel(m_desk, m_liveData, m_selection, settings, m_watch);
     m_strip = new ServoStrip(m_desk, m_selection, m_watch);
     column->addWidget(m_status);
     column->addLayout(gauges);
@@ -97,19 +98,19 @@ QWidget* OperatePage::buildWatch(session::Settings& settings)
 
 void OperatePage::connectAll()
 {
-    connect(&m_selection, &Selection::chosenChanged, this, &OperatePage::select);
-    connect(m_status, &OperateStatus::acknowledgeWished, this,
+    connect(&m_selection, &Selection::selectedServosChanged, this, &OperatePage::select);
+    connect(m_status, &OperateStatus::acknowledgeRequested, this,
             [this] { m_desk.acknowledgeAlarms(m_selection.current()); });
-    connect(m_dial, &PositionDial::goalWished, m_control, &ControlPanel::setGoalFromDial);
-    connect(m_control, &ControlPanel::shownAnew, this, [this] { showDial(entry()); });
-    connect(m_trend, &TrendPanel::periodChanged, this, &OperatePage::updateWish);
-    const auto wish = [this] { updateWish(); };
+    connect(m_dial, &PositionDial::goalRequested, m_control, &ControlPanel::setGoalFromDial);
+    connect(m_control, &ControlPanel::goalStateChanged, this, [this] { showDial(entry()); });
+    connect(m_trend, &TrendPanel::periodChanged, this, &OperatePage::updateSubscription);
+    const auto wish = [this] { updateSubscription(); };
     connect(&m_desk, &session::Desk::servoAdded, this, wish);
     connect(&m_desk, &session::Desk::servoRemoved, this, wish);
     connect(&m_desk, &session::Desk::servosCleared, this, wish);
     connect(&m_desk, &session::Desk::searchChanged, this, wish);
-    m_look.setInterval(lookInterval);
-    connect(&m_look, &QTimer::timeout, this, &OperatePage::show);
+    m_refreshTimer.setInterval(refreshInterval);
+    connect(&m_refreshTimer, &QTimer::timeout, this, &OperatePage::show);
 }
 
 const session::ServoEntry* OperatePage::entry() const
@@ -119,28 +120,28 @@ const session::ServoEntry* OperatePage::entry() const
 
 void OperatePage::select()
 {
-    updateWish();
+    updateSubscription();
     show();
 }
 
 /// All servos for the strip; the chart says its own.
-void OperatePage::updateWish()
+void OperatePage::updateSubscription()
 {
-    if (!m_deskLives)
+    if (!m_deskGuard)
         return;
-    session::FeedWish wish;
+    session::Subscription wish;
     wish.period = m_trend->period();
     for (const session::ServoRef ref : m_desk.servos()) {
         const session::ServoEntry* known = m_desk.servo(ref);
         if (known == nullptr || !known->servo.profile || !isVisible())
             continue;
         // Settings only of those that are driven: the others' would cost the wire its speed.
-        const auto& chosen = m_selection.chosen();
+        const auto& chosen = m_selection.selected();
         const bool driven = std::find(chosen.begin(), chosen.end(), ref) != chosen.end();
         wish.parts.push_back(
             {ref, feedbackKeys(known->servo), driven ? settingKeys(known->servo) : QStringList()});
     }
-    m_desk.wish(wishName, wish);
+    m_desk.subscribe(subscriptionName, wish);
 }
 
 void OperatePage::show()
@@ -154,13 +155,13 @@ void OperatePage::show()
 
 void OperatePage::showDial(const session::ServoEntry* known)
 {
-    DialView view = known != nullptr ? dialView(*known, isFresh(*known, m_desk)) : DialView{};
+    DialState view = known != nullptr ? dialState(*known, isFresh(*known, m_desk)) : DialState{};
     if (known != nullptr) {
-        view.goalMovable = m_control->goalMovable();
-        if (const auto goal = m_control->placeGoal(); goal && view.goal)
+        view.isGoalMovable = m_control->isGoalMovable();
+        if (const auto goal = m_control->positionGoal(); goal && view.goal)
             view.goal = double(*goal);
-        const QString turns = turnWords(*known);
-        view.turns = view.turns.isEmpty() ? turns : view.turns;
+        const QString turns = turnCountText(*known);
+        view.turnsText = view.turnsText.isEmpty() ? turns : view.turnsText;
     }
     m_dial->show(view);
 }
@@ -169,14 +170,15 @@ void OperatePage::showGauges(const session::ServoEntry* known)
 {
     const bool old = known == nullptr || !isFresh(*known, m_desk);
     for (std::size_t i = 0; i < m_gauges.size(); ++i) {
-        const GaugeView view = known != nullptr ? gaugeView(*known, allMeasures[i]) : GaugeView{};
+        const GaugeState view =
+            known != nullptr ? gaugeState(*known, allQuantities[i]) : GaugeState{};
         m_gauges[i]->setVisible(known != nullptr);
         m_gauges[i]->setTitle(view.title);
         m_gauges[i]->setScale(view.scale);
-        if (view.unmeasured.isEmpty())
-            m_gauges[i]->setValue(view.value, view.foot, old);
+        if (view.notMeasuredReason.isEmpty())
+            m_gauges[i]->setValue(view.value, view.caption, old);
         else
-            m_gauges[i]->setUnmeasured(view.unmeasured);
+            m_gauges[i]->setNotMeasured(view.notMeasuredReason);
     }
 }
 
@@ -193,20 +195,21 @@ void OperatePage::changeEvent(QEvent* event)
 void OperatePage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    m_control->setFixedWidth(std::clamp(width() * controlPercent / 100, leastControl, mostControl));
+    m_control->setFixedWidth(
+        std::clamp(width() * controlPercent / 100, minControlWidth, maxControlWidth));
 }
 
 void OperatePage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    m_look.start();
+    m_refreshTimer.start();
     select();
 }
 
 void OperatePage::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
-    m_look.stop();
-    updateWish();
+    m_refreshTimer.stop();
+    updateSubscription();
 }
 } // namespace ui

@@ -25,7 +25,7 @@ class OperatePage final : public QWidget {
     Q_OBJECT
 
 public:
-    OperatePage(Bench& bench, session::Settings& settings, QWidget* parent = nullptr);
+    OperatePage(AppContext& appContext, session::Settings& settings, QWidget* parent = nullptr);
     ~OperatePage() override;
 
     TrendPanel* trend() const { return m_trend; }
@@ -41,18 +41,18 @@ private:
     QWidget* buildWatch(session::Settings& settings);
     void connectAll();
     void select();
-    void updateWish();
+    void updateSubscription();
     void show();
     void showDial(const session::ServoEntry* entry);
     void showGauges(const session::ServoEntry* entry);
     const session::ServoEntry* entry() const;
 
     session::Desk& m_desk;
-    QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
+    QPointer<session::Desk> m_deskGuard; ///< a window may hide its pages on its way out
     Commands& m_commands;
     Selection& m_selection;
-    session::Drive& m_drive;
-    session::Scope& m_scope;
+    session::MotionController& m_motion;
+    session::LiveData& m_liveData;
 
     ControlPanel* m_control = nullptr;
     PositionDial* m_dial = nullptr;
@@ -61,6 +61,6 @@ private:
     QWidget* m_watch = nullptr;
     TrendPanel* m_trend = nullptr;
     ServoStrip* m_strip = nullptr;
-    QTimer m_look;
+    QTimer m_refreshTimer;
 };
 } // namespace ui

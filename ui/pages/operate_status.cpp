@@ -16,7 +16,7 @@ namespace ui {
 using catalog::Role;
 
 namespace {
-constexpr std::size_t mostAlarms = 8;
+constexpr std::size_t maxAlarms = 8;
 
 bool reportsFaults(const device::Servo& servo)
 {
@@ -42,13 +42,13 @@ OperateStatus::OperateStatus(QWidget* parent)
 {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins({});
-    auto* lights = new QWidget(this);
+    auto* pills = new QWidget(this);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
-    lights->setSizePolicy(policy);
-    m_row = new FlowLayout(lights, 6);
+    pills->setSizePolicy(policy);
+    m_row = new FlowLayout(pills, 6);
     const auto pill = [&](const char* name) {
-        auto* one = new Pill(lights);
+        auto* one = new Pill(pills);
         one->setObjectName(QString::fromLatin1(name));
         m_row->addWidget(one);
         return one;
@@ -56,11 +56,11 @@ OperateStatus::OperateStatus(QWidget* parent)
     m_link = pill("statusLink");
     m_moving = pill("statusMoving");
     m_noAlarm = pill("statusNoAlarm");
-    for (std::size_t i = 0; i < mostAlarms; ++i) {
+    for (std::size_t i = 0; i < maxAlarms; ++i) {
         m_alarms.push_back(pill("statusAlarm"));
         m_alarms.back()->hide();
     }
-    m_acknowledge = new QPushButton(lights);
+    m_acknowledge = new QPushButton(pills);
     m_acknowledge->setObjectName(QStringLiteral("acknowledge"));
     m_acknowledge->hide();
     m_row->addWidget(m_acknowledge);
@@ -68,9 +68,9 @@ OperateStatus::OperateStatus(QWidget* parent)
     m_age->setObjectName(QStringLiteral("statusAge"));
     m_age->setForegroundRole(QPalette::PlaceholderText);
     m_age->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row->addWidget(lights, 1);
+    row->addWidget(pills, 1);
     row->addWidget(m_age);
-    connect(m_acknowledge, &QPushButton::clicked, this, &OperateStatus::acknowledgeWished);
+    connect(m_acknowledge, &QPushButton::clicked, this, &OperateStatus::acknowledgeRequested);
     retranslate();
 }
 
@@ -92,15 +92,15 @@ void OperateStatus::showLink(const session::ServoEntry& entry, const session::De
         m_link->setState(Tone::Quiet, tr("Not connected"));
         return;
     }
-    const bool silent = entry.silent || entry.link.lost();
+    const bool silent = entry.silent || entry.linkMonitor.isLost();
     const auto& counters = desk.statistics().byId;
     const auto own = counters.find(entry.servo.id);
     QString more;
     if (own != counters.end())
         more = tr("Answers: %1 · time-outs: %2 · wrong checksums: %3")
                    .arg(own->second.ok)
-                   .arg(own->second.timeOuts)
-                   .arg(own->second.badChecks);
+                   .arg(own->second.timeouts)
+                   .arg(own->second.badChecksums);
     const bool fresh = isFresh(entry, desk);
     m_link->setState(silent  ? Tone::Bad
                      : fresh ? Tone::Good
@@ -109,7 +109,7 @@ void OperateStatus::showLink(const session::ServoEntry& entry, const session::De
                      : silent                ? tr("Time-out")
                      : fresh                 ? tr("Communication fine")
                                              : text::translate("ServoRow", "Last seen: %1")
-                                   .arg(agoWords(desk.now() - entry.lastSeen)),
+                                   .arg(timeAgoText(desk.now() - entry.lastSeen)),
                      {}, more);
 }
 
@@ -117,7 +117,7 @@ void OperateStatus::showMoving(const session::ServoEntry& entry, const session::
 {
     const catalog::Register* reg =
         entry.servo.profile ? entry.servo.profile->byRole(Role::Moving) : nullptr;
-    const auto moving = reg != nullptr ? entry.shown(*reg) : std::nullopt;
+    const auto moving = reg != nullptr ? entry.displayedRaw(*reg) : std::nullopt;
     if (!isFresh(entry, desk))
         m_moving->setState(Tone::Quiet, tr("moving: not known"));
     else if (reg == nullptr)
@@ -140,13 +140,13 @@ void OperateStatus::showAlarms(const session::ServoEntry& entry, const session::
             continue;
         const session::Alarm& alarm = alarms[i];
         QString words = (alarm.active ? QStringLiteral("✗ ") : QStringLiteral("! ")) +
-                        faultWord(alarm.what.key);
+                        faultText(alarm.what.key);
         if (!alarm.active)
             words += tr(" — over");
-        if (alarm.times > 1)
-            words += QStringLiteral(" × %1").arg(alarm.times);
+        if (alarm.count > 1)
+            words += QStringLiteral(" × %1").arg(alarm.count);
         const QString first = locale().toString(alarm.firstSeen.time(), QLocale::LongFormat);
-        QString more = tr("First seen %1, %2 times").arg(first).arg(alarm.times);
+        QString more = tr("First seen %1, %2 times").arg(first).arg(alarm.count);
         if (alarm.what.derived)
             more += QLatin1Char('\n') + tr("Worked out from its limits: it reports no faults");
         m_alarms[i]->setState(alarm.active ? Tone::Bad : Tone::Warn, words, {}, more);
@@ -164,7 +164,7 @@ void OperateStatus::showAlarms(const session::ServoEntry& entry, const session::
 
 void OperateStatus::showAge(const session::ServoEntry& entry, const session::Desk& desk)
 {
-    const session::FeedRate rate = desk.rate(entry.ref);
+    const session::PollRate rate = desk.pollRate(entry.ref);
     if (!rate.lastAt) {
         m_age->setText(tr("not read yet"));
         return;

@@ -25,7 +25,7 @@ public:
     void show(const session::ServoEntry* entry, const session::Desk& desk);
 
 Q_SIGNALS:
-    void acknowledgeWished();
+    void acknowledgeRequested();
 
 protected:
     void changeEvent(QEvent* event) override;

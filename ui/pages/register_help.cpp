@@ -10,17 +10,17 @@
 namespace ui {
 using catalog::Register;
 using catalog::Role;
-using device::Keeping;
+using device::Retention;
 using text::translate;
 
 namespace {
 QString listed(const QList<const Register*>& registers)
 {
-    QStringList words;
+    QStringList parts;
     for (const Register* reg : registers)
-        words << QStringLiteral("%1 (%2)").arg(reg->name.in(text::inChinese())).arg(reg->address);
-    words.removeDuplicates();
-    return words.join(translate("RegisterHelp", ", ", "between items of a list"));
+        parts << QStringLiteral("%1 (%2)").arg(reg->name.in(text::isUiChinese())).arg(reg->address);
+    parts.removeDuplicates();
+    return parts.join(translate("RegisterHelp", ", ", "between items of a list"));
 }
 
 bool isLimit(const Register& reg)
@@ -29,12 +29,12 @@ bool isLimit(const Register& reg)
 }
 
 /// True when what `reg` means follows from `decider`.
-bool dependsOn(const Register& reg, const Register& decider)
+bool dependsOn(const Register& reg, const Register& controlling)
 {
-    if (reg.scaleBy == decider.key)
+    if (reg.scaleBy == controlling.key)
         return true;
     return std::any_of(reg.variants.begin(), reg.variants.end(), [&](const catalog::Variant& v) {
-        return v.whenKey == decider.key || (v.andBothLimitsZero && isLimit(decider));
+        return v.whenKey == controlling.key || (v.andBothLimitsZero && isLimit(controlling));
     });
 }
 
@@ -43,21 +43,21 @@ QString unitFact(const MemoryRow& row)
     const QString& unit = row.meaning.unit;
     if (unit.isEmpty())
         return {};
-    const QString step = physicalWord(1, *row.reg, row.meaning);
+    const QString step = physicalText(1, *row.reg, row.meaning);
     return translate("RegisterHelp", "One step: %1").arg(step);
 }
 
 QString rangeFact(const MemoryRow& row)
 {
-    if (!row.writable)
+    if (!row.isWritable)
         return {};
-    const QString raw = rangeWord(*row.reg, row.meaning, false);
-    const QString physical = rangeWord(*row.reg, row.meaning, true);
+    const QString raw = rangeText(*row.reg, row.meaning, false);
+    const QString physical = rangeText(*row.reg, row.meaning, true);
     return translate("RegisterHelp", "Range: %1")
         .arg(raw == physical ? raw : QStringLiteral("%1 (%2)").arg(raw, physical));
 }
 
-QString torqueSentence(const Register& reg)
+QString torqueText(const Register& reg)
 {
     switch (reg.torqueOff) {
     case catalog::TorqueOff::Needed:
@@ -78,9 +78,9 @@ QStringList registerFacts(const MemoryRow& row)
     const Register& reg = *row.reg;
     QStringList lines;
     lines << QStringLiteral("%1 · %2 · %3")
-                 .arg(reg.key, text::areaWord(reg.area),
-                      text::accessWord(row.writable ? catalog::Access::ReadWrite
-                                                    : catalog::Access::ReadOnly));
+                 .arg(reg.key, text::areaLabel(reg.area),
+                      text::accessLabel(row.isWritable ? catalog::Access::ReadWrite
+                                                       : catalog::Access::ReadOnly));
     lines << unitFact(row) << rangeFact(row);
     lines << (reg.defaultRaw ? translate("RegisterHelp", "Default: %1")
                                    .arg(rawWord(*reg.defaultRaw, reg, row.meaning))
@@ -91,58 +91,59 @@ QStringList registerFacts(const MemoryRow& row)
 
 QStringList registerRelations(const MemoryRow& row, const catalog::Profile& profile)
 {
-    QList<const Register*> deciders;
-    QList<const Register*> followers;
+    QList<const Register*> controllingRegisters;
+    QList<const Register*> dependentRegisters;
     for (const Register& other : profile.registers) {
         if (&other == row.reg)
             continue;
         if (dependsOn(*row.reg, other))
-            deciders << &other;
+            controllingRegisters << &other;
         if (dependsOn(other, *row.reg))
-            followers << &other;
+            dependentRegisters << &other;
     }
     QStringList lines;
-    if (!deciders.isEmpty())
-        lines << translate("RegisterHelp", "Its meaning depends on: %1.").arg(listed(deciders));
-    if (!deciders.isEmpty() && row.meaning.assumed)
+    if (!controllingRegisters.isEmpty())
+        lines << translate("RegisterHelp", "Its meaning depends on: %1.")
+                     .arg(listed(controllingRegisters));
+    if (!controllingRegisters.isEmpty() && row.meaning.assumed)
         lines << translate("RegisterHelp",
                            "That has not been read, so the unit shown is the usual one.");
-    if (!followers.isEmpty())
-        lines << translate("RegisterHelp", "Depends on it: %1.").arg(listed(followers));
-    if (!row.measured)
+    if (!dependentRegisters.isEmpty())
+        lines << translate("RegisterHelp", "Depends on it: %1.").arg(listed(dependentRegisters));
+    if (!row.hasSensor)
         lines << translate("RegisterHelp", "This servo has no sensor for it: the number means "
                                            "nothing.");
-    lines << torqueSentence(*row.reg);
-    if (row.writable && row.reg->motion)
+    lines << torqueText(*row.reg);
+    if (row.isWritable && row.reg->motion)
         lines << translate("RegisterHelp", "Writing it may move the shaft or switch torque on.");
     lines.removeAll(QString());
     return lines;
 }
 
-QString keepingSentence(const Register& reg)
+QString persistenceText(const Register& reg)
 {
-    switch (device::keepingOf(reg)) {
-    case Keeping::Lock:
+    switch (device::retentionOf(reg)) {
+    case Retention::Lock:
         return translate("RegisterHelp", "Kept after power-off: ServoDesk opens the lock, writes, "
                                          "reads back and locks again.");
-    case Keeping::Always:
+    case Retention::Always:
         return translate("RegisterHelp", "Kept after power-off: this family stores every write at "
                                          "once. ServoDesk reads it back.");
-    case Keeping::Save:
+    case Retention::Save:
         return translate("RegisterHelp", "Kept after power-off: ServoDesk writes, reads back and "
                                          "sends the save command.");
-    case Keeping::Never:
+    case Retention::Never:
         return translate("RegisterHelp", "Acts at once and is lost at power-off.");
-    case Keeping::NotStated:
+    case Retention::NotStated:
         return translate("RegisterHelp",
                          "Acts at once. Nobody says whether it survives power-off.");
     }
     return {};
 }
 
-bool mayWriteTemporarily(const Register& reg)
+bool canWriteTemporarily(const Register& reg)
 {
-    const Keeping keeping = device::keepingOf(reg);
-    return keeping == Keeping::Lock || keeping == Keeping::Save;
+    const Retention keeping = device::retentionOf(reg);
+    return keeping == Retention::Lock || keeping == Retention::Save;
 }
 } // namespace ui

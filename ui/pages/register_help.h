@@ -15,8 +15,8 @@ QStringList registerFacts(const MemoryRow& row);
 QStringList registerRelations(const MemoryRow& row, const catalog::Profile& profile);
 
 /// What becomes of a write at power-off, and what ServoDesk does for it.
-QString keepingSentence(const catalog::Register& reg);
+QString persistenceText(const catalog::Register& reg);
 
 /// False where every write is kept, or where none ever is.
-bool mayWriteTemporarily(const catalog::Register& reg);
+bool canWriteTemporarily(const catalog::Register& reg);
 } // namespace ui

@@ -16,16 +16,16 @@
 
 namespace ui {
 namespace {
-void setTone(QLabel* label, Tone wanted, const QPalette& around)
+void setTone(QLabel* label, Tone toneValue, const QPalette& basePalette)
 {
-    QPalette colours;
-    colours.setColor(QPalette::WindowText, tone(wanted, around));
-    if (label->palette().color(QPalette::WindowText) != colours.color(QPalette::WindowText))
-        label->setPalette(colours);
+    QPalette colors;
+    colors.setColor(QPalette::WindowText, tone(toneValue, basePalette));
+    if (label->palette().color(QPalette::WindowText) != colors.color(QPalette::WindowText))
+        label->setPalette(colors);
 }
 
 /// An empty line costs no room.
-void setOrHide(QLabel* label, const QString& text)
+void setTextOrHide(QLabel* label, const QString& text)
 {
     if (label->text() != text)
         label->setText(text);
@@ -43,18 +43,18 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_title = addLabel(QStringLiteral("registerTitle"));
     m_help = addLabel(QStringLiteral("registerHelp"));
-    m_editorPlace = new QVBoxLayout;
-    m_column->addLayout(m_editorPlace);
+    m_editorLayout = new QVBoxLayout;
+    m_column->addLayout(m_editorLayout);
     addButtons(); // above what comes and goes, which must not move them
     m_before = addLabel(QStringLiteral("registerBefore"));
-    m_complaint = addLabel(QStringLiteral("registerComplaint"));
-    m_keeping = addLabel(QStringLiteral("registerKeeping"));
+    m_inputError = addLabel(QStringLiteral("registerComplaint"));
+    m_persistence = addLabel(QStringLiteral("registerKeeping"));
     m_state = addLabel(QStringLiteral("registerState"));
     m_relations = addLabel(QStringLiteral("registerRelations"));
     m_facts = addLabel(QStringLiteral("registerFacts"));
     m_column->addStretch();
     setWidget(m_body);
-    updateColours();
+    updateColors();
     retranslate();
 }
 
@@ -110,22 +110,22 @@ void RegisterPanel::showRow(session::ServoRef servo, const MemoryRow* row,
 bool RegisterPanel::needsNewEditor(session::ServoRef servo, const MemoryRow& row,
                                    bool physical) const
 {
-    return !m_row || servo != m_servo || row.reg != m_row->reg || row.writable != m_row->writable ||
-           row.meaning.encoding != m_row->meaning.encoding ||
-           (m_editor != nullptr && m_editor->context().physical != physical);
+    return !m_row || servo != m_servo || row.reg != m_row->reg ||
+           row.isWritable != m_row->isWritable || row.meaning.encoding != m_row->meaning.encoding ||
+           (m_editor != nullptr && m_editor->context().inPhysicalUnit != physical);
 }
 
 void RegisterPanel::makeEditor(bool physical)
 {
-    if (!m_row->writable)
+    if (!m_row->isWritable)
         return;
     const EditContext context{m_row->reg, m_row->meaning, m_row->raw, physical, false};
     m_editor = makeRegisterEditor(context, m_body);
     m_editor->setObjectName(QStringLiteral("panelEditor"));
-    m_editorPlace->addWidget(m_editor);
-    connect(m_editor, &RegisterEditor::edited, this, &RegisterPanel::checkInput);
+    m_editorLayout->addWidget(m_editor);
+    connect(m_editor, &RegisterEditor::userEdited, this, &RegisterPanel::checkInput);
     QWidget* before = this;
-    for (QWidget* taker : m_editor->keyTakers()) {
+    for (QWidget* taker : m_editor->is()) {
         setTabOrder(before, taker);
         before = taker;
     }
@@ -135,64 +135,66 @@ void RegisterPanel::makeEditor(bool physical)
 
 void RegisterPanel::fill()
 {
-    const bool some = m_row.has_value();
-    const bool writable = some && m_row->writable;
-    setOrHide(m_title,
-              some ? QStringLiteral("%1 · %2").arg(m_row->reg->address).arg(registerName(*m_row))
-                   : tr("Select a register to see what it does."));
-    setOrHide(m_help, some ? m_row->reg->help.in(text::inChinese()) : QString());
-    setOrHide(m_facts, some ? registerFacts(*m_row).join(QLatin1Char('\n')) : QString());
-    setOrHide(m_relations, some && m_profile
-                               ? registerRelations(*m_row, *m_profile).join(QLatin1Char('\n'))
-                               : QString());
-    setOrHide(m_state,
-              some ? tr("State: %1").arg(stateWord(*m_row)) + QLatin1Char('\n') + stateHelp(*m_row)
-                   : QString());
-    setOrHide(m_keeping, writable ? keepingSentence(*m_row->reg) : QString());
+    const bool hasRow = m_row.has_value();
+    const bool writable = hasRow && m_row->isWritable;
+    setTextOrHide(m_title,
+                  hasRow
+                      ? QStringLiteral("%1 · %2").arg(m_row->reg->address).arg(registerName(*m_row))
+                      : tr("Select a register to see what it does."));
+    setTextOrHide(m_help, hasRow ? m_row->reg->help.in(text::isUiChinese()) : QString());
+    setTextOrHide(m_facts, hasRow ? registerFacts(*m_row).join(QLatin1Char('\n')) : QString());
+    setTextOrHide(m_relations, hasRow && m_profile
+                                   ? registerRelations(*m_row, *m_profile).join(QLatin1Char('\n'))
+                                   : QString());
+    setTextOrHide(m_state, hasRow ? tr("State: %1").arg(stateText(*m_row)) + QLatin1Char('\n') +
+                                        stateHelp(*m_row)
+                                  : QString());
+    setTextOrHide(m_persistence, writable ? persistenceText(*m_row->reg) : QString());
     m_write->setVisible(writable);
-    m_writeTemporarily->setVisible(writable && mayWriteTemporarily(*m_row->reg));
+    m_writeTemporarily->setVisible(writable && canWriteTemporarily(*m_row->reg));
     fillEditor();
-    updateColours();
+    updateColors();
 }
 
 /// The latest reading goes into the editor as long as nobody has begun to change it.
 void RegisterPanel::fillEditor()
 {
     if (m_editor == nullptr) {
-        setOrHide(m_before, {});
-        setOrHide(m_complaint, {});
+        setTextOrHide(m_before, {});
+        setTextOrHide(m_inputError, {});
         return;
     }
     EditContext context = m_editor->context();
     context.meaning = m_row->meaning;
-    context.present = m_row->raw;
+    context.currentRaw = m_row->raw;
     m_editor->setContext(context);
-    const auto raw = m_row->editable();
+    const auto raw = m_row->editValue();
     const auto now = m_editor->value();
-    if (!m_editor->touched() && !(raw && now && *raw == *now))
+    if (!m_editor->isModified() && !(raw && now && *raw == *now))
         m_editor->setRaw(raw);
     checkInput();
 }
 
-void RegisterPanel::forgetEdit()
+void RegisterPanel::discardEdit()
 {
     if (m_editor == nullptr || !m_row)
         return;
-    m_editor->setRaw(m_row->editable());
+    m_editor->setRaw(m_row->editValue());
     checkInput();
 }
 
 void RegisterPanel::checkInput()
 {
-    QStringList words;
+    QStringList parts;
     if (m_row->raw)
-        words << tr("now %1").arg(rawWord(*m_row->raw, *m_row->reg, m_row->meaning));
-    if (m_row->changed())
-        words << tr("was %1").arg(*m_row->first);
-    setOrHide(m_before, words.join(QStringLiteral(" · ")));
-    const bool begun = m_editor->touched() && !m_editor->typed().trimmed().isEmpty();
-    const QString complaint = begun ? m_editor->complaint() : QString();
-    setOrHide(m_complaint, complaint.isEmpty() ? QString() : QStringLiteral("✗ ") + complaint);
+        parts << tr("now %1").arg(rawWord(*m_row->raw, *m_row->reg, m_row->meaning));
+    if (m_row->isChanged())
+        parts << tr("was %1").arg(*m_row->firstRaw);
+    setTextOrHide(m_before, parts.join(QStringLiteral(" · ")));
+    const bool begun = m_editor->isModified() && !m_editor->inputText().trimmed().isEmpty();
+    const QString inputError = begun ? m_editor->inputError() : QString();
+    setTextOrHide(m_inputError,
+                  inputError.isEmpty() ? QString() : QStringLiteral("✗ ") + inputError);
 }
 
 void RegisterPanel::write(bool temporary)
@@ -201,22 +203,22 @@ void RegisterPanel::write(bool temporary)
         return;
     const auto raw = m_editor->value();
     if (!raw) {
-        setOrHide(m_complaint, QStringLiteral("✗ ") + m_editor->complaint());
+        setTextOrHide(m_inputError, QStringLiteral("✗ ") + m_editor->inputError());
         return;
     }
     const QString key = m_row->reg->key;
     m_editor->setRaw(*raw); // no longer somebody's unfinished input
-    Q_EMIT writeWanted(key, *raw, temporary);
+    Q_EMIT writeRequested(key, *raw, temporary);
 }
 
-void RegisterPanel::updateColours()
+void RegisterPanel::updateColors()
 {
-    const QPalette around = palette();
-    setTone(m_facts, Tone::Quiet, around);
-    setTone(m_keeping, Tone::Quiet, around);
-    setTone(m_before, Tone::Quiet, around);
-    setTone(m_complaint, Tone::Bad, around);
-    setTone(m_state, m_row ? stateTone(m_row->state) : Tone::Quiet, around);
+    const QPalette basePalette = palette();
+    setTone(m_facts, Tone::Quiet, basePalette);
+    setTone(m_persistence, Tone::Quiet, basePalette);
+    setTone(m_before, Tone::Quiet, basePalette);
+    setTone(m_inputError, Tone::Bad, basePalette);
+    setTone(m_state, m_row ? stateTone(m_row->state) : Tone::Quiet, basePalette);
     QFont bold = font();
     bold.setBold(true);
     if (m_title->font() != bold)
@@ -243,7 +245,7 @@ void RegisterPanel::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange)
         retranslate();
     else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        updateColours();
+        updateColors();
 }
 
 void RegisterPanel::resizeEvent(QResizeEvent* event)

@@ -26,10 +26,10 @@ public:
                  bool physical);
     RegisterEditor* editor() const { return m_editor; }
     /// What was typed and not written is dropped.
-    void forgetEdit();
+    void discardEdit();
 
 Q_SIGNALS:
-    void writeWanted(const QString& key, qint64 raw, bool temporary);
+    void writeRequested(const QString& key, qint64 raw, bool temporary);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -45,7 +45,7 @@ private:
     void checkInput();
     void write(bool temporary);
     void retranslate();
-    void updateColours();
+    void updateColors();
 
     QWidget* m_body;
     QVBoxLayout* m_column;
@@ -54,12 +54,12 @@ private:
     QLabel* m_facts;
     QLabel* m_relations;
     QLabel* m_state;
-    QVBoxLayout* m_editorPlace;
+    QVBoxLayout* m_editorLayout;
     QLabel* m_before;
-    QLabel* m_complaint;
+    QLabel* m_inputError;
     QPushButton* m_write = nullptr;
     QPushButton* m_writeTemporarily = nullptr;
-    QLabel* m_keeping;
+    QLabel* m_persistence;
     QPointer<RegisterEditor> m_editor;
 
     session::ServoRef m_servo = 0;

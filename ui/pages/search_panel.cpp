@@ -35,18 +35,18 @@ QSize SearchPanel::sizeHint() const
 
 void SearchPanel::search()
 {
-    m_desk.search(m_scope->spec());
+    m_desk.search(m_liveData->spec());
 }
 
-void SearchPanel::searchEverything()
+void SearchPanel::searchAll()
 {
-    m_scope->setWidest();
+    m_liveData->setFullRange();
     m_commands.action(Command::Search)->trigger();
 }
 
 void SearchPanel::searchChanged()
 {
-    const bool now = m_desk.searching();
+    const bool now = m_desk.isSearching();
     if (now && !m_searching) {
         m_removed = 0;
         m_error.reset();
@@ -59,20 +59,20 @@ void SearchPanel::searchChanged()
 }
 
 /// The end is told after the list has been put right; searchChanged() comes before that.
-void SearchPanel::note(const session::Event& event)
+void SearchPanel::onEvent(const session::Event& event)
 {
     if (event.kind == session::Event::Kind::SearchEnded) {
         m_error = event.error;
-        m_history.vanished = m_removed;
+        m_history.lostServos = m_removed;
         searchEnded();
     }
     // What an earlier search has missed is no news while servos are set up one by one.
     const bool line = event.task == QLatin1String("commission");
-    if (line && event.kind == session::Event::Kind::Began)
+    if (line && event.kind == session::Event::Kind::Started)
         showList(true);
-    if (line &&
-        (event.kind == session::Event::Kind::Began || event.kind == session::Event::Kind::Ended)) {
-        m_settingUp = event.kind == session::Event::Kind::Began;
+    if (line && (event.kind == session::Event::Kind::Started ||
+                 event.kind == session::Event::Kind::Finished)) {
+        m_commissioning = event.kind == session::Event::Kind::Started;
         showStatus();
         retranslate();
     }
@@ -82,7 +82,7 @@ void SearchPanel::note(const session::Event& event)
         const bool moves =
             write.key == QLatin1String("id") || write.key == QLatin1String("baud_rate");
         if (moves && write.outcome == device::WriteOutcome::Kept)
-            m_history.idOrRateChanged = true;
+            m_history.idOrBaudChanged = true;
     }
 }
 
@@ -112,15 +112,15 @@ void SearchPanel::showStatus()
                     .arg(int(m_lastProgress->fraction * 100))
                     .arg(m_lastProgress->found)
                     .arg(spanText(m_lastProgress->remaining));
-        if (m_desk.hasBaud())
+        if (m_desk.canSetBaud())
             words += tr(" · at %1").arg(shortRate(m_lastProgress->baud));
-    } else if (m_settingUp) {
+    } else if (m_commissioning) {
         words = tr("Commissioning is running: its page shows the servos.");
     } else if (m_searching) {
         words = tr("The search begins …");
     } else if (m_error) {
         const text::Description error = text::describe(*m_error);
-        words = error.what;
+        words = error.message;
         tip = error.cause + QLatin1Char('\n') + error.remedy;
     } else if (const auto& report = m_desk.lastSearch()) {
         words = (report->stopped ? tr("Stopped after %1 · servos: %2")
@@ -134,12 +134,12 @@ void SearchPanel::showStatus()
     m_status->setText(words);
     m_status->setToolTip(tip.isEmpty() ? words : words + QLatin1Char('\n') + tip);
     const bool done = m_desk.lastSearch().has_value() && !m_searching;
-    m_why->setVisible((done && !m_settingUp) || m_stack->currentWidget() == m_scroll);
+    m_showChecklist->setVisible((done && !m_commissioning) || m_stack->currentWidget() == m_scroll);
 }
 
 void SearchPanel::showScope()
 {
-    const jobs::ScanSpec spec = m_scope->spec();
+    const jobs::ScanSpec spec = m_liveData->spec();
     const base::Duration span = m_desk.searchEstimate(spec);
     const int ids = spec.lastId - spec.firstId + 1;
     QString words = tr("IDs to ask: %1").arg(ids);
@@ -168,7 +168,7 @@ void SearchPanel::showChecklist()
     }
 }
 
-void SearchPanel::listMenu(const QPoint& place)
+void SearchPanel::showContextMenu(const QPoint& place)
 {
     if (!m_list->indexAt(place).isValid() && !m_list->currentIndex().isValid())
         return;
@@ -188,7 +188,7 @@ void SearchPanel::listMenu(const QPoint& place)
 }
 
 /// The one that was current stays the first as long as it is chosen.
-void SearchPanel::chosen()
+void SearchPanel::onListSelectionChanged()
 {
     std::vector<ServoRef> refs;
     for (const QModelIndex& index : m_list->selectionModel()->selectedIndexes()) {
@@ -203,19 +203,19 @@ void SearchPanel::chosen()
     const ServoRef now = m_model->refAt(m_list->currentIndex().row());
     const ServoRef first = has(m_selection.current()) ? m_selection.current() : now;
     std::stable_partition(refs.begin(), refs.end(), [&](ServoRef ref) { return ref == first; });
-    m_selection.choose(std::move(refs));
+    m_selection.setSelected(std::move(refs));
 }
 
 void SearchPanel::followSelection()
 {
     QItemSelectionModel* marked = m_list->selectionModel();
     QItemSelection rows;
-    for (const ServoRef ref : m_selection.chosen()) {
+    for (const ServoRef ref : m_selection.selected()) {
         if (const int row = m_model->rowOf(ref); row >= 0)
             rows.select(m_model->index(row, 0), m_model->index(row, 0));
     }
     const int current = m_model->rowOf(m_selection.current());
-    const QSignalBlocker quiet(marked); // what is marked here has been chosen elsewhere
+    const QSignalBlocker blocker(marked); // what is marked here has been chosen elsewhere
     marked->select(rows, QItemSelectionModel::ClearAndSelect);
     if (current >= 0 && m_list->currentIndex().row() != current)
         marked->setCurrentIndex(m_model->index(current, 0), QItemSelectionModel::NoUpdate);
@@ -227,8 +227,8 @@ void SearchPanel::followSelection()
 void SearchPanel::linkChanged()
 {
     const bool open = m_desk.state() == LinkState::Open;
-    m_scope->setHasBaud(!open || m_desk.hasBaud());
-    m_delegate->setAsleep(!open);
+    m_liveData->setHasBaud(!open || m_desk.canSetBaud());
+    m_delegate->setDimmed(!open);
     m_list->viewport()->update();
     showScope();
     showStatus();
@@ -249,16 +249,17 @@ void SearchPanel::retranslate()
     m_list->setAccessibleName(tr("Servos"));
     m_list->setToolTip(tr("Servos that have answered; choosing one reads it and writes "
                           "nothing. With Ctrl or Shift several are chosen, to move together"));
-    m_empty->setText(m_settingUp ? QString()
+    m_empty->setText(m_commissioning ? QString()
                      : m_desk.state() == LinkState::Open
                          ? tr("No servo in the list yet. Search the bus.")
                          : tr("Servos appear here as they are found."));
     m_empty->setToolTip(m_empty->text());
     const bool checklist = m_stack->currentWidget() == m_scroll;
-    m_why->setText(checklist ? tr("Back to the list") : tr("Not all there? Find out why…"));
-    m_why->setToolTip(checklist ? tr("Show the servos again")
-                                : tr("What to look at when servos are missing"));
-    m_why->setAccessibleName(m_why->text());
+    m_showChecklist->setText(checklist ? tr("Back to the list")
+                                       : tr("Not all there? Find out why…"));
+    m_showChecklist->setToolTip(checklist ? tr("Show the servos again")
+                                          : tr("What to look at when servos are missing"));
+    m_showChecklist->setAccessibleName(m_showChecklist->text());
 }
 
 void SearchPanel::changeEvent(QEvent* event)

@@ -43,7 +43,7 @@ private:
     void connectDesk();
     void connectList();
     void search();
-    void searchEverything();
+    void searchAll();
     void searchChanged();
     void searchEnded();
     void showProgress(const jobs::Progress& progress);
@@ -51,10 +51,10 @@ private:
     void showScope();
     void showList(bool list);
     void showChecklist();
-    void listMenu(const QPoint& place);
-    void chosen();
+    void showContextMenu(const QPoint& place);
+    void onListSelectionChanged();
     void followSelection();
-    void note(const session::Event& event);
+    void onEvent(const session::Event& event);
     void linkChanged();
     void retranslate();
 
@@ -64,7 +64,7 @@ private:
     Commands& m_commands;
     Selection& m_selection;
 
-    SearchScope* m_scope;
+    SearchScope* m_liveData;
     QLabel* m_estimate;
     QPushButton* m_search;
     QPushButton* m_stop;
@@ -77,11 +77,11 @@ private:
     ServoDelegate* m_delegate;
     QScrollArea* m_scroll;
     ChecklistView* m_checklist;
-    QPushButton* m_why;
+    QPushButton* m_showChecklist;
 
     QTimer m_tick;
     bool m_searching = false;
-    bool m_settingUp = false; ///< commissioning runs
+    bool m_commissioning = false; ///< commissioning runs
     std::optional<jobs::Progress> m_lastProgress;
     std::optional<base::Error> m_error; ///< of the latest search
     int m_removed = 0;                  ///< since the search began

@@ -19,7 +19,7 @@ using session::ServoRef;
 using namespace std::chrono_literals;
 
 namespace {
-QLabel* quietLabel(QWidget* parent, const char* name)
+QLabel* secondaryLabel(QWidget* parent, const char* name)
 {
     auto* label = new QLabel(parent);
     label->setObjectName(QLatin1String(name));
@@ -36,20 +36,20 @@ SearchPanel::SearchPanel(session::Desk& desk, Commands& commands, Selection& sel
     , m_desk(desk)
     , m_commands(commands)
     , m_selection(selection)
-    , m_scope(new SearchScope(settings, this))
-    , m_estimate(quietLabel(this, "searchEstimate"))
+    , m_liveData(new SearchScope(settings, this))
+    , m_estimate(secondaryLabel(this, "searchEstimate"))
     , m_search(new QPushButton(this))
     , m_stop(new QPushButton(this))
     , m_progress(new ThinProgress(this))
-    , m_status(quietLabel(this, "searchStatus"))
+    , m_status(secondaryLabel(this, "searchStatus"))
     , m_stack(new QStackedWidget(this))
     , m_list(new QListView(this))
-    , m_empty(quietLabel(this, "servoListEmpty"))
+    , m_empty(secondaryLabel(this, "servoListEmpty"))
     , m_model(new ServoListModel(desk, this))
     , m_delegate(new ServoDelegate(this))
     , m_scroll(new QScrollArea(this))
     , m_checklist(new ChecklistView(this))
-    , m_why(new QPushButton(this))
+    , m_showChecklist(new QPushButton(this))
 {
     build();
     connectDesk();
@@ -67,20 +67,20 @@ void SearchPanel::build()
     m_stop->setObjectName(QStringLiteral("stopSearchButton"));
     m_progress->setObjectName(QStringLiteral("searchProgress"));
     m_progress->setRange(0, permille);
-    m_why->setObjectName(QStringLiteral("whyButton"));
-    m_why->setFlat(true);
+    m_showChecklist->setObjectName(QStringLiteral("whyButton"));
+    m_showChecklist->setFlat(true);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_search, 1);
     buttons->addWidget(m_stop);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
-    column->addWidget(m_scope);
+    column->addWidget(m_liveData);
     column->addLayout(buttons);
     column->addWidget(m_estimate);
     column->addWidget(m_progress);
     column->addWidget(m_status);
     column->addWidget(buildList(), 1);
-    column->addWidget(m_why, 0, Qt::AlignLeft);
+    column->addWidget(m_showChecklist, 0, Qt::AlignLeft);
 }
 
 QWidget* SearchPanel::buildList()
@@ -118,9 +118,9 @@ void SearchPanel::connectDesk()
     trigger(m_search, Command::Search);
     trigger(m_stop, Command::StopSearch);
     connect(m_commands.action(Command::Search), &QAction::triggered, this, &SearchPanel::search);
-    connect(m_scope, &SearchScope::changed, this, &SearchPanel::showScope);
-    connect(m_checklist, &ChecklistView::widerWanted, this, &SearchPanel::searchEverything);
-    connect(m_why, &QPushButton::clicked, this, [this] {
+    connect(m_liveData, &SearchScope::changed, this, &SearchPanel::showScope);
+    connect(m_checklist, &ChecklistView::fullSearchRequested, this, &SearchPanel::searchAll);
+    connect(m_showChecklist, &QPushButton::clicked, this, [this] {
         if (m_stack->currentWidget() == m_scroll)
             showList(true);
         else
@@ -128,20 +128,20 @@ void SearchPanel::connectDesk()
     });
     connect(&m_desk, &session::Desk::searchChanged, this, &SearchPanel::searchChanged);
     connect(&m_desk, &session::Desk::searchProgress, this, &SearchPanel::showProgress);
-    connect(&m_desk, &session::Desk::happened, this, &SearchPanel::note);
+    connect(&m_desk, &session::Desk::eventOccurred, this, &SearchPanel::onEvent);
     connect(&m_desk, &session::Desk::linkChanged, this, &SearchPanel::linkChanged);
     connect(&m_desk, &session::Desk::servoRemoved, this, [this] { ++m_removed; });
     m_tick.setInterval(1s);
-    connect(&m_tick, &QTimer::timeout, m_model, &ServoListModel::tick);
+    connect(&m_tick, &QTimer::timeout, m_model, &ServoListModel::updateAges);
     m_tick.start();
 }
 
 void SearchPanel::connectList()
 {
     connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            &SearchPanel::chosen);
-    connect(&m_selection, &Selection::chosenChanged, this, &SearchPanel::followSelection);
-    connect(m_list, &QListView::customContextMenuRequested, this, &SearchPanel::listMenu);
+            &SearchPanel::onListSelectionChanged);
+    connect(&m_selection, &Selection::selectedServosChanged, this, &SearchPanel::followSelection);
+    connect(m_list, &QListView::customContextMenuRequested, this, &SearchPanel::showContextMenu);
     const auto again = [this] {
         showList(true);
         followSelection();

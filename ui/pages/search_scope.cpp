@@ -17,7 +17,7 @@
 
 namespace ui {
 namespace {
-constexpr int largestId = 253;
+constexpr int maxSearchId = 253;
 enum Rates { ThisRate, ChosenRates, AllRates };
 enum Protocols { AsConnected, AllProtocols, FirstProtocol }; ///< then those of base, in order
 
@@ -44,7 +44,7 @@ SearchScope::SearchScope(session::Settings& settings, QWidget* parent)
     build();
     load();
     const auto edited = [this] {
-        follow();
+        updateFields();
         save();
         Q_EMIT changed();
     };
@@ -73,7 +73,7 @@ void SearchScope::build()
     m_protocol->setObjectName(QStringLiteral("searchProtocol"));
     m_slow->setObjectName(QStringLiteral("searchSlowly"));
     for (QSpinBox* box : {m_first, m_last}) {
-        box->setRange(0, largestId);
+        box->setRange(0, maxSearchId);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     }
     for (int i = 0; i < 3; ++i)
@@ -100,54 +100,54 @@ void SearchScope::build()
 
 void SearchScope::load()
 {
-    m_first->setValue(m_settings.choice(firstKey, 0).toInt());
-    m_last->setValue(m_settings.choice(lastKey, largestId).toInt());
-    m_rates->setCurrentIndex(qBound(0, m_settings.choice(ratesKey, 0).toInt(), int(AllRates)));
+    m_first->setValue(m_settings.pageValue(firstKey, 0).toInt());
+    m_last->setValue(m_settings.pageValue(lastKey, maxSearchId).toInt());
+    m_rates->setCurrentIndex(qBound(0, m_settings.pageValue(ratesKey, 0).toInt(), int(AllRates)));
     m_protocol->setCurrentIndex(
-        qBound(0, m_settings.choice(protocolKey, 0).toInt(), m_protocol->count() - 1));
-    m_slow->setChecked(m_settings.choice(slowKey, false).toBool());
+        qBound(0, m_settings.pageValue(protocolKey, 0).toInt(), m_protocol->count() - 1));
+    m_slow->setChecked(m_settings.pageValue(slowKey, false).toBool());
     std::vector<int> chosen;
-    const QStringList usual{QStringLiteral("1000000"), QStringLiteral("115200")};
-    for (const QString& rate : m_settings.choice(chosenKey, usual).toStringList())
+    const QStringList defaultRates{QStringLiteral("1000000"), QStringLiteral("115200")};
+    for (const QString& rate : m_settings.pageValue(chosenKey, defaultRates).toStringList())
         chosen.push_back(rate.toInt());
     m_chooser->setRates(chosen);
-    follow();
+    updateFields();
 }
 
 void SearchScope::save()
 {
-    m_settings.setChoice(firstKey, m_first->value());
-    m_settings.setChoice(lastKey, m_last->value());
-    m_settings.setChoice(ratesKey, m_rates->currentIndex());
-    m_settings.setChoice(protocolKey, m_protocol->currentIndex());
-    m_settings.setChoice(slowKey, m_slow->isChecked());
+    m_settings.setPageValue(firstKey, m_first->value());
+    m_settings.setPageValue(lastKey, m_last->value());
+    m_settings.setPageValue(ratesKey, m_rates->currentIndex());
+    m_settings.setPageValue(protocolKey, m_protocol->currentIndex());
+    m_settings.setPageValue(slowKey, m_slow->isChecked());
     QStringList chosen;
     for (const int rate : m_chooser->rates())
         chosen << QString::number(rate);
-    m_settings.setChoice(chosenKey, chosen);
+    m_settings.setPageValue(chosenKey, chosen);
 }
 
-void SearchScope::follow()
+void SearchScope::updateFields()
 {
     m_choose->setVisible(m_hasBaud && m_rates->currentIndex() == ChosenRates);
     m_rates->setEnabled(m_hasBaud);
 }
 
-void SearchScope::setHasBaud(bool hasBaud)
+void SearchScope::setHasBaud(bool canSetBaud)
 {
-    if (m_hasBaud == hasBaud)
+    if (m_hasBaud == canSetBaud)
         return;
-    m_hasBaud = hasBaud;
-    follow();
+    m_hasBaud = canSetBaud;
+    updateFields();
     retranslate();
 }
 
-void SearchScope::setWidest()
+void SearchScope::setFullRange()
 {
     {
-        const QSignalBlocker quiet(this);
+        const QSignalBlocker blocker(this);
         m_first->setValue(0);
-        m_last->setValue(largestId);
+        m_last->setValue(maxSearchId);
         m_rates->setCurrentIndex(m_hasBaud ? AllRates : ThisRate);
         m_protocol->setCurrentIndex(AllProtocols);
     }
@@ -162,7 +162,7 @@ jobs::ScanSpec SearchScope::spec() const
     if (m_hasBaud && m_rates->currentIndex() == ChosenRates)
         spec.bauds = m_chooser->rates();
     if (m_hasBaud && m_rates->currentIndex() == AllRates)
-        spec.bauds = session::knownRates();
+        spec.bauds = session::standardBaudRates();
     const int protocol = m_protocol->currentIndex();
     if (protocol == AllProtocols)
         spec.protocols.assign(base::allProtocols.begin(), base::allProtocols.end());
@@ -174,8 +174,8 @@ jobs::ScanSpec SearchScope::spec() const
 
 void SearchScope::retranslate()
 {
-    const QSignalBlocker quietRates(m_rates);
-    const QSignalBlocker quietProtocol(m_protocol);
+    const QSignalBlocker ratesBlocker(m_rates);
+    const QSignalBlocker protocolBlocker(m_protocol);
     const auto name = [](QWidget* field, const QString& label, const QString& tip) {
         field->setAccessibleName(label);
         field->setToolTip(tip);

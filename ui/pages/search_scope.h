@@ -25,9 +25,9 @@ public:
 
     jobs::ScanSpec spec() const;
     /// All IDs, rates and protocols.
-    void setWidest();
+    void setFullRange();
     /// A bridge sets the rate: there is nothing to choose.
-    void setHasBaud(bool hasBaud);
+    void setHasBaud(bool canSetBaud);
 
 Q_SIGNALS:
     void changed();
@@ -39,7 +39,7 @@ private:
     void build();
     void load();
     void save();
-    void follow();
+    void updateFields();
     void retranslate();
 
     session::Settings& m_settings;

@@ -36,7 +36,7 @@ ServoStrip::ServoStrip(session::Desk& desk, Selection& selection, QWidget* paren
     connect(&desk, &session::Desk::servoRemoved, this, again);
     connect(&desk, &session::Desk::servosCleared, this, again);
     connect(&desk, &session::Desk::orderChanged, this, again);
-    connect(&selection, &Selection::chosenChanged, this, &ServoStrip::refresh);
+    connect(&selection, &Selection::selectedServosChanged, this, &ServoStrip::refresh);
     rebuild();
 }
 
@@ -54,7 +54,7 @@ void ServoStrip::rebuild()
     for (const ServoRef ref : servos) {
         auto* card = new ServoCard(m_body);
         card->setObjectName(QStringLiteral("servoCard"));
-        connect(card, &QAbstractButton::clicked, this, [this, ref] { press(ref); });
+        connect(card, &QAbstractButton::clicked, this, [this, ref] { selectServo(ref); });
         m_row->insertWidget(m_row->count() - 1, card);
         m_cards.emplace_back(ref, card);
     }
@@ -65,27 +65,27 @@ void ServoStrip::rebuild()
     refresh();
 }
 
-void ServoStrip::press(ServoRef ref)
+void ServoStrip::selectServo(ServoRef ref)
 {
     if (!QApplication::keyboardModifiers().testFlag(Qt::ControlModifier)) {
         m_selection.select(ref);
         return;
     }
-    std::vector<ServoRef> chosen = m_selection.chosen();
+    std::vector<ServoRef> chosen = m_selection.selected();
     const auto place = std::find(chosen.begin(), chosen.end(), ref);
     if (place == chosen.end())
         chosen.push_back(ref);
     else if (chosen.size() > 1)
         chosen.erase(place);
-    m_selection.choose(chosen);
+    m_selection.setSelected(chosen);
 }
 
 void ServoStrip::refresh()
 {
-    const std::vector<ServoRef>& chosen = m_selection.chosen();
+    const std::vector<ServoRef>& chosen = m_selection.selected();
     for (const auto& [ref, card] : m_cards) {
         if (const session::ServoEntry* entry = m_desk.servo(ref))
-            card->show(cardView(*entry, isFresh(*entry, m_desk), m_desk.now()),
+            card->show(cardState(*entry, isFresh(*entry, m_desk), m_desk.now()),
                        std::find(chosen.begin(), chosen.end(), ref) != chosen.end());
     }
 }

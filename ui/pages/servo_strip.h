@@ -26,7 +26,7 @@ protected:
 
 private:
     void rebuild();
-    void press(session::ServoRef ref);
+    void selectServo(session::ServoRef ref);
 
     session::Desk& m_desk;
     Selection& m_selection;

@@ -57,9 +57,9 @@ void SnapshotPane::build()
     };
     m_age = pill("compareAge");
     m_different = pill("compareDifferent");
-    m_never = pill("compareNever");
+    m_excluded = pill("compareNever");
     m_same = pill("compareSame");
-    m_rest = pill("compareRest");
+    m_otherRows = pill("compareRest");
     m_all = new QToolButton(this);
     m_all->setObjectName(QStringLiteral("compareAll"));
     m_all->setCheckable(true);
@@ -83,23 +83,23 @@ void SnapshotPane::build()
     m_table->horizontalHeader()->setMaximumSectionSize(widestColumn *
                                                        m_table->fontMetrics().averageCharWidth());
     m_table->installEventFilter(this);
-    m_nothing = new QLabel(this);
-    m_nothing->setObjectName(QStringLiteral("compareNothing"));
-    m_nothing->setWordWrap(true);
-    m_nothing->setAlignment(Qt::AlignCenter);
+    m_emptyLabel = new QLabel(this);
+    m_emptyLabel->setObjectName(QStringLiteral("compareNothing"));
+    m_emptyLabel->setWordWrap(true);
+    m_emptyLabel->setAlignment(Qt::AlignCenter);
     column->addWidget(m_title);
     column->addLayout(row);
-    column->addWidget(m_nothing, 1);
+    column->addWidget(m_emptyLabel, 1);
     column->addWidget(m_table, 1);
 }
 
-void SnapshotPane::show(const QString& title, std::vector<ComparedTable> tables,
+void SnapshotPane::show(const QString& title, std::vector<CompareColumn> tables,
                         std::optional<jobs::RestorePlan> plan, const QString& nothing,
                         const QStringList& ages)
 {
     m_ages = ages;
     m_title->setText(title);
-    m_nothing->setText(nothing);
+    m_emptyLabel->setText(nothing);
     m_model.show(std::move(tables), std::move(plan));
     showCounts();
 }
@@ -109,10 +109,10 @@ void SnapshotPane::showCounts()
     const record::SnapshotComparison& found = m_model.comparison();
     const bool some = !m_model.tables().empty();
     const bool several = m_model.tables().size() > 1;
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_different, m_same, m_rest, m_all})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_different, m_same, m_otherRows, m_all})
         widget->setVisible(some && several);
     m_filter.setAll(m_all->isChecked() || !several);
-    const QStringList never = m_model.neverRestored();
+    const QStringList never = m_model.unrestorableRows();
     const int different = found.different - int(never.size());
     const bool current = m_ages.isEmpty();
     const Tone good = current ? Tone::Good : Tone::Quiet;
@@ -123,25 +123,26 @@ void SnapshotPane::showCounts()
                           different > 0 ? tr("≠ %1 differ").arg(different)
                           : current     ? tr("= no setting differs")
                                         : tr("= no setting differed then"));
-    m_never->setVisible(some && several && !never.isEmpty());
-    m_never->setState(Tone::Quiet, tr("≠ %1 not restored").arg(never.size()), {},
-                      never.join(QLatin1Char('\n')));
+    m_excluded->setVisible(some && several && !never.isEmpty());
+    m_excluded->setState(Tone::Quiet, tr("≠ %1 not restored").arg(never.size()), {},
+                         never.join(QLatin1Char('\n')));
     m_same->setState(good, tr("= %1 the same").arg(found.identical));
-    m_rest->setState(Tone::Quiet,
-                     tr("%1 read-only, %2 missing, %3 not known")
-                         .arg(found.readOnly)
-                         .arg(found.missing)
-                         .arg(found.unknown),
-                     tr("%1 others").arg(found.readOnly + found.missing + found.unknown));
+    m_otherRows->setState(Tone::Quiet,
+                          tr("%1 read-only, %2 missing, %3 not known")
+                              .arg(found.readOnly)
+                              .arg(found.missing)
+                              .arg(found.unknown),
+                          tr("%1 others").arg(found.readOnly + found.missing + found.unknown));
     const bool empty = m_filter.rowCount() == 0;
     if (some && empty)
-        m_nothing->setText(current ? tr("Nothing to set differs.")
-                                   : tr("Nothing to set differed when the servo was last read."));
-    m_nothing->setVisible(empty);
+        m_emptyLabel->setText(current
+                                  ? tr("Nothing to set differs.")
+                                  : tr("Nothing to set differed when the servo was last read."));
+    m_emptyLabel->setVisible(empty);
     m_table->setVisible(!empty);
 }
 
-void SnapshotPane::toggleTick()
+void SnapshotPane::toggleCheck()
 {
     const QModelIndex current = m_table->currentIndex();
     if (!current.isValid())
@@ -156,7 +157,7 @@ bool SnapshotPane::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_table && event->type() == QEvent::KeyPress &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
-        toggleTick();
+        toggleCheck();
         return true;
     }
     return QWidget::eventFilter(watched, event);

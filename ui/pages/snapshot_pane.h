@@ -25,7 +25,7 @@ public:
     QToolButton* columns() const { return m_columns; } ///< its menu is the page's
     /// `nothing` stands where there is no table to show. `ages`: a line for each servo whose table
     /// is not of now.
-    void show(const QString& title, std::vector<ComparedTable> tables,
+    void show(const QString& title, std::vector<CompareColumn> tables,
               std::optional<jobs::RestorePlan> plan, const QString& nothing,
               const QStringList& ages);
 
@@ -37,7 +37,7 @@ private:
     void build();
     void retranslate();
     void showCounts();
-    void toggleTick();
+    void toggleCheck();
 
     CompareModel m_model;
     CompareFilter m_filter;
@@ -45,13 +45,13 @@ private:
     QStringList m_ages;
     Pill* m_age = nullptr;
     Pill* m_different = nullptr;
-    Pill* m_never = nullptr; ///< differ too, but a restore leaves them alone
+    Pill* m_excluded = nullptr; ///< differ too, but a restore leaves them alone
     Pill* m_same = nullptr;
-    Pill* m_rest = nullptr;
+    Pill* m_otherRows = nullptr;
     QToolButton* m_all = nullptr;
     QToolButton* m_columns = nullptr;
     QTableView* m_table = nullptr;
     FitColumns* m_fit = nullptr;
-    QLabel* m_nothing = nullptr;
+    QLabel* m_emptyLabel = nullptr;
 };
 } // namespace ui

@@ -19,12 +19,12 @@
 
 namespace ui {
 namespace {
-constexpr int mostRows = 500;
-constexpr auto askAfter = std::chrono::milliseconds(120);
+constexpr int maxRows = 500;
+constexpr auto queryDelay = std::chrono::milliseconds(120);
 
-enum Whose : int { ThisServo, Everything };
+enum ServoFilter : int { ThisServo, AllServos };
 
-QString when(const QDateTime& at)
+QString timeText(const QDateTime& at)
 {
     const QDateTime local = at.toLocalTime();
     const bool today = local.date() == QDate::currentDate();
@@ -32,23 +32,23 @@ QString when(const QDateTime& at)
                  : local.toString(QStringLiteral("yyyy-MM-dd HH:mm"));
 }
 
-QString reasonWord(record::SnapshotReason reason)
+QString reasonText(record::SnapshotReason reason)
 {
     switch (reason) {
     case record::SnapshotReason::Automatic:
-        return SnapshotShelf::tr("before a change");
-    case record::SnapshotReason::Asked:
-        return SnapshotShelf::tr("taken");
+        return SnapshotBrowser::tr("before a change");
+    case record::SnapshotReason::Manual:
+        return SnapshotBrowser::tr("taken");
     case record::SnapshotReason::Bundle:
-        return SnapshotShelf::tr("with all servos");
+        return SnapshotBrowser::tr("with all servos");
     case record::SnapshotReason::Commission:
-        return SnapshotShelf::tr("before commissioning");
+        return SnapshotBrowser::tr("before commissioning");
     }
     return {};
 }
 } // namespace
 
-struct SnapshotShelf::Item {
+struct SnapshotBrowser::Item {
     session::SharedSnapshot snapshot{};
     session::SharedBundle bundle{};
     std::optional<record::HistorySnapshot> kept{};
@@ -57,50 +57,50 @@ struct SnapshotShelf::Item {
     bool loading = false;
 };
 
-struct SnapshotShelf::Row final : QTreeWidgetItem {
+struct SnapshotBrowser::Row final : QTreeWidgetItem {
     explicit Row(std::shared_ptr<Item> about)
         : item(std::move(about))
     {}
     std::shared_ptr<Item> item; ///< shared with what loads it
 };
 
-SnapshotShelf::SnapshotShelf(session::Desk& desk, session::Archive& archive, Selection& selection,
-                             QWidget* parent)
+SnapshotBrowser::SnapshotBrowser(session::Desk& desk, session::HistoryService& historyService,
+                                 Selection& selection, QWidget* parent)
     : QWidget(parent)
     , m_desk(desk)
-    , m_archive(archive)
-    , m_archiveLives(&archive)
+    , m_historyService(historyService)
+    , m_archiveGuard(&historyService)
     , m_selection(selection)
 {
     build();
-    m_ask.setSingleShot(true);
-    m_ask.setInterval(askAfter);
-    connect(&m_ask, &QTimer::timeout, this, &SnapshotShelf::ask);
-    const auto soon = [this] { m_ask.start(); };
-    connect(&m_archive, &session::Archive::changed, this, soon);
-    connect(&m_selection, &Selection::changed, this, soon);
-    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+    m_queryTimer.setSingleShot(true);
+    m_queryTimer.setInterval(queryDelay);
+    connect(&m_queryTimer, &QTimer::timeout, this, &SnapshotBrowser::ask);
+    const auto scheduleQuery = [this] { m_queryTimer.start(); };
+    connect(&m_historyService, &session::HistoryService::changed, this, scheduleQuery);
+    connect(&m_selection, &Selection::changed, this, scheduleQuery);
+    connect(&m_desk, &session::Desk::eventOccurred, this, [this](const session::Event& event) {
         if (event.kind == session::Event::Kind::TableSaved)
-            m_ask.start();
+            m_queryTimer.start();
     });
-    connect(m_whose, &QComboBox::currentIndexChanged, this, soon);
-    connect(m_search, &QLineEdit::textChanged, this, soon);
-    connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &SnapshotShelf::selectionChanged);
-    connect(m_tree, &QTreeWidget::currentItemChanged, this, &SnapshotShelf::selectionChanged);
+    connect(m_servoFilter, &QComboBox::currentIndexChanged, this, scheduleQuery);
+    connect(m_search, &QLineEdit::textChanged, this, scheduleQuery);
+    connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &SnapshotBrowser::selectionChanged);
+    connect(m_tree, &QTreeWidget::currentItemChanged, this, &SnapshotBrowser::selectionChanged);
     retranslate();
     ask();
 }
 
-void SnapshotShelf::build()
+void SnapshotBrowser::build()
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins({});
     column->setSpacing(6);
     m_title = new QLabel(this);
     m_title->setTextFormat(Qt::RichText);
-    m_whose = new QComboBox(this);
-    m_whose->setObjectName(QStringLiteral("shelfWhose"));
-    m_whose->addItems({QString(), QString()});
+    m_servoFilter = new QComboBox(this);
+    m_servoFilter->setObjectName(QStringLiteral("shelfWhose"));
+    m_servoFilter->addItems({QString(), QString()});
     m_search = new QLineEdit(this);
     m_search->setObjectName(QStringLiteral("shelfSearch"));
     m_search->setClearButtonEnabled(true);
@@ -113,49 +113,51 @@ void SnapshotShelf::build()
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_tree->setUniformRowHeights(true);
     m_tree->setTextElideMode(Qt::ElideRight);
-    m_nothing = new QLabel(this);
-    m_nothing->setObjectName(QStringLiteral("shelfNothing"));
-    m_nothing->setWordWrap(true);
+    m_emptyLabel = new QLabel(this);
+    m_emptyLabel->setObjectName(QStringLiteral("shelfNothing"));
+    m_emptyLabel->setWordWrap(true);
     auto* row = new QHBoxLayout;
-    row->addWidget(m_whose);
+    row->addWidget(m_servoFilter);
     row->addWidget(m_search, 1);
     column->addWidget(m_title);
     column->addLayout(row);
-    column->addWidget(m_nothing);
+    column->addWidget(m_emptyLabel);
     column->addWidget(m_tree, 1);
 }
 
-void SnapshotShelf::retranslate()
+void SnapshotBrowser::retranslate()
 {
     m_title->setText(QStringLiteral("<b>%1</b>").arg(tr("Snapshots")));
-    m_whose->setItemText(ThisServo, tr("This servo"));
-    m_whose->setItemText(Everything, tr("All servos"));
-    m_whose->setAccessibleName(tr("Whose snapshots"));
-    m_whose->setToolTip(tr("Snapshots of servos like the selected one with its ID, or all there "
-                           "are. Servos carry no serial number: model, firmware and ID are all "
-                           "that can be known"));
+    m_servoFilter->setItemText(ThisServo, tr("This servo"));
+    m_servoFilter->setItemText(AllServos, tr("All servos"));
+    m_servoFilter->setAccessibleName(tr("Whose snapshots"));
+    m_servoFilter->setToolTip(
+        tr("Snapshots of servos like the selected one with its ID, or all there "
+           "are. Servos carry no serial number: model, firmware and ID are all "
+           "that can be known"));
     m_search->setPlaceholderText(tr("Search"));
     m_search->setAccessibleName(tr("Search snapshots"));
     m_search->setToolTip(tr("Words in model, label, note or file name"));
     m_tree->setAccessibleName(tr("Snapshots"));
     m_tree->setToolTip(tr("The current one is compared and restored; hold Ctrl to compare more"));
-    m_nothing->setText(tr("There is none yet. One is taken by itself before the first change to a "
-                          "servo."));
+    m_emptyLabel->setText(
+        tr("There is none yet. One is taken by itself before the first change to a "
+           "servo."));
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
         QTreeWidgetItem* row = m_tree->topLevelItem(i);
-        write(row);
+        updateRowText(row);
         for (int child = 0; child < row->childCount(); ++child)
-            write(row->child(child));
+            updateRowText(row->child(child));
     }
 }
 
-SnapshotShelf::Item* SnapshotShelf::itemOf(const QTreeWidgetItem* row)
+SnapshotBrowser::Item* SnapshotBrowser::itemOf(const QTreeWidgetItem* row)
 {
     return row != nullptr ? static_cast<const Row*>(row)->item.get() : nullptr;
 }
 
 /// Two lines: who, and what for.
-void SnapshotShelf::write(QTreeWidgetItem* row) const
+void SnapshotBrowser::updateRowText(QTreeWidgetItem* row) const
 {
     const Item* item = itemOf(row);
     if (item == nullptr)
@@ -166,21 +168,21 @@ void SnapshotShelf::write(QTreeWidgetItem* row) const
     if (item->bundle) {
         who = item->title;
         what = tr("%1 servos").arg(item->bundle->servos.size()) + QStringLiteral(" · ") +
-               when(item->bundle->at);
+               timeText(item->bundle->at);
         tip << item->bundle->note;
     } else if (item->kept) {
         const record::HistorySnapshot& kept = *item->kept;
         who = QStringLiteral("%1 · ID %2").arg(kept.model).arg(kept.servoId);
-        what = (kept.label.isEmpty() ? reasonWord(kept.reason) : kept.label) +
-               QStringLiteral(" · ") + when(kept.at);
-        tip << reasonWord(kept.reason) << kept.note
+        what = (kept.label.isEmpty() ? reasonText(kept.reason) : kept.label) +
+               QStringLiteral(" · ") + timeText(kept.at);
+        tip << reasonText(kept.reason) << kept.note
             << tr("firmware %1, on %2").arg(kept.firmware, kept.port);
     } else if (item->snapshot) {
         const record::Snapshot& table = *item->snapshot;
         who = item->title;
         what = QStringLiteral("%1 · ID %2 · ").arg(table.servo.model).arg(table.servo.id) +
                (table.isTemplate ? tr("template, %1 rows").arg(table.registers.size())
-                                 : when(table.at));
+                                 : timeText(table.at));
         tip << table.note << tr("firmware %1, on %2").arg(table.servo.firmware, table.port);
     }
     const QString path = item->path.isEmpty() && item->kept ? item->kept->file : item->path;
@@ -192,21 +194,21 @@ void SnapshotShelf::write(QTreeWidgetItem* row) const
 
 /// The servos of the list are told by all that can be known of them; the row that is wanted from
 /// elsewhere comes along, however old it is.
-void SnapshotShelf::ask()
+void SnapshotBrowser::ask()
 {
     using Rows = std::vector<record::HistorySnapshot>;
     std::optional<base::ServoIdentity> who;
     const session::ServoEntry* entry = m_desk.servo(m_selection.current());
-    if (m_whose->currentIndex() == ThisServo && entry != nullptr && entry->servo.profile)
+    if (m_servoFilter->currentIndex() == ThisServo && entry != nullptr && entry->servo.profile)
         who = entry->servo.identity();
-    const int mine = ++m_asked;
-    m_archive.ask<Rows>(
-        [who, wanted = m_wanted](record::History& history) {
-            return listedSnapshots(history, who, wanted, mostRows);
+    const int queryId = ++m_queryId;
+    m_historyService.query<Rows>(
+        [who, currentNumber = m_pendingNumber](record::History& history) {
+            return findSnapshots(history, who, currentNumber, maxRows);
         },
         this,
-        [this, mine](const base::Result<Rows>& rows) {
-            if (mine != m_asked)
+        [this, queryId](const base::Result<Rows>& rows) {
+            if (queryId != m_queryId)
                 return;
             if (rows)
                 fill(*rows);
@@ -216,20 +218,20 @@ void SnapshotShelf::ask()
 }
 
 namespace {
-bool fits(const QStringList& words, const record::HistorySnapshot& row)
+bool fits(const QStringList& terms, const record::HistorySnapshot& row)
 {
     const QString all = QStringLiteral("%1 ID %2 %3 %4 %5 %6")
                             .arg(row.model)
                             .arg(row.servoId)
-                            .arg(row.label, row.note, row.file, reasonWord(row.reason));
-    return std::all_of(words.begin(), words.end(), [&](const QString& word) {
+                            .arg(row.label, row.note, row.file, reasonText(row.reason));
+    return std::all_of(terms.begin(), terms.end(), [&](const QString& word) {
         return all.contains(word, Qt::CaseInsensitive);
     });
 }
 } // namespace
 
 /// The rows of the history as they are in the list.
-bool SnapshotShelf::shows(const std::vector<record::HistorySnapshot>& rows) const
+bool SnapshotBrowser::hasRows(const std::vector<record::HistorySnapshot>& rows) const
 {
     std::size_t found = 0;
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
@@ -244,14 +246,14 @@ bool SnapshotShelf::shows(const std::vector<record::HistorySnapshot>& rows) cons
 }
 
 /// Of the row the list was scrolled to; 0: it is at its top, or that row is a file.
-std::int64_t SnapshotShelf::topNumber() const
+std::int64_t SnapshotBrowser::topNumber() const
 {
     const Item* item =
         m_tree->verticalScrollBar()->value() > 0 ? itemOf(m_tree->itemAt(QPoint(0, 0))) : nullptr;
     return item != nullptr && item->kept ? item->kept->number : 0;
 }
 
-void SnapshotShelf::scrollToTop(std::int64_t number)
+void SnapshotBrowser::scrollToTop(std::int64_t number)
 {
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
         const Item* item = itemOf(m_tree->topLevelItem(i));
@@ -261,26 +263,26 @@ void SnapshotShelf::scrollToTop(std::int64_t number)
 }
 
 /// Opened files stay on top; what was selected of the history stays selected while it is there.
-void SnapshotShelf::fill(const std::vector<record::HistorySnapshot>& all)
+void SnapshotBrowser::fill(const std::vector<record::HistorySnapshot>& all)
 {
-    const QStringList words = m_search->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    const QStringList terms = m_search->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
     std::vector<record::HistorySnapshot> rows;
     std::copy_if(all.begin(), all.end(), std::back_inserter(rows),
-                 [&](const record::HistorySnapshot& row) { return fits(words, row); });
-    if (m_wanted == 0 && shows(rows)) {
+                 [&](const record::HistorySnapshot& row) { return fits(terms, row); });
+    if (m_pendingNumber == 0 && hasRows(rows)) {
         selectionChanged();
         return;
     }
     m_filling = true;
-    putKept(rows);
-    m_wanted = 0;
-    m_nothing->setVisible(m_tree->topLevelItemCount() == 0);
+    insertHistoryRows(rows);
+    m_pendingNumber = 0;
+    m_emptyLabel->setVisible(m_tree->topLevelItemCount() == 0);
     m_filling = false;
     selectionChanged();
 }
 
 /// What was loaded of them.
-std::map<std::int64_t, session::SharedSnapshot> SnapshotShelf::takeKept()
+std::map<std::int64_t, session::SharedSnapshot> SnapshotBrowser::takeHistoryRows()
 {
     std::map<std::int64_t, session::SharedSnapshot> loaded;
     for (int i = m_tree->topLevelItemCount(); i-- > 0;) {
@@ -294,19 +296,19 @@ std::map<std::int64_t, session::SharedSnapshot> SnapshotShelf::takeKept()
 }
 
 /// In place of those that are there: the list stays where it was, with what was selected.
-void SnapshotShelf::putKept(const std::vector<record::HistorySnapshot>& rows)
+void SnapshotBrowser::insertHistoryRows(const std::vector<record::HistorySnapshot>& rows)
 {
-    const bool chosen = m_wanted != 0;
-    const std::int64_t top = chosen ? 0 : topNumber();
+    const bool selectedSnapshots = m_pendingNumber != 0;
+    const std::int64_t top = selectedSnapshots ? 0 : topNumber();
     const Item* current = itemOf(m_tree->currentItem());
-    const std::int64_t wanted = chosen                     ? m_wanted
-                                : current && current->kept ? current->kept->number
-                                                           : 0;
+    const std::int64_t currentNumber = selectedSnapshots          ? m_pendingNumber
+                                       : current && current->kept ? current->kept->number
+                                                                  : 0;
     const std::vector<std::int64_t> selected =
-        chosen ? std::vector<std::int64_t>{m_wanted} : chosenNumbers();
-    if (chosen)
+        selectedSnapshots ? std::vector<std::int64_t>{m_pendingNumber} : selectedNumbers();
+    if (selectedSnapshots)
         m_tree->clearSelection();
-    const auto loaded = takeKept();
+    const auto loaded = takeHistoryRows();
     for (const record::HistorySnapshot& row : rows) {
         auto item = std::make_shared<Item>();
         item->kept = row;
@@ -314,8 +316,8 @@ void SnapshotShelf::putKept(const std::vector<record::HistorySnapshot>& rows)
             item->snapshot = known->second;
         auto* line = new Row(item);
         m_tree->addTopLevelItem(line);
-        write(line);
-        if (row.number == wanted)
+        updateRowText(line);
+        if (row.number == currentNumber)
             m_tree->setCurrentItem(line, 0, QItemSelectionModel::NoUpdate);
         if (std::find(selected.begin(), selected.end(), row.number) != selected.end())
             line->setSelected(true);
@@ -324,18 +326,18 @@ void SnapshotShelf::putKept(const std::vector<record::HistorySnapshot>& rows)
         scrollToTop(top);
 }
 
-void SnapshotShelf::add(const session::OpenedFile& file)
+void SnapshotBrowser::add(const session::OpenedFile& file)
 {
     addFile(file, QFileInfo(file.path).completeBaseName().section(QLatin1Char('.'), 0, 0));
 }
 
-void SnapshotShelf::add(session::SharedSnapshot snapshot, const QString& title)
+void SnapshotBrowser::add(session::SharedSnapshot snapshot, const QString& title)
 {
     addFile({{}, std::move(snapshot), {}}, title);
 }
 
 /// A file opened again takes the place of its row.
-void SnapshotShelf::addFile(const session::OpenedFile& file, const QString& title)
+void SnapshotBrowser::addFile(const session::OpenedFile& file, const QString& title)
 {
     m_filling = true;
     for (int i = m_tree->topLevelItemCount(); i-- > 0 && !file.path.isEmpty();) {
@@ -345,7 +347,7 @@ void SnapshotShelf::addFile(const session::OpenedFile& file, const QString& titl
     }
     const auto line = [this](const std::shared_ptr<Item>& item) {
         auto* row = new Row(item);
-        write(row);
+        updateRowText(row);
         return row;
     };
     const record::Snapshot* table = file.snapshot.get();
@@ -371,21 +373,21 @@ void SnapshotShelf::addFile(const session::OpenedFile& file, const QString& titl
     row->setExpanded(true);
     m_tree->clearSelection();
     m_tree->setCurrentItem(row);
-    m_nothing->hide();
+    m_emptyLabel->hide();
     m_filling = false;
     selectionChanged();
 }
 
-void SnapshotShelf::choose(std::int64_t number)
+void SnapshotBrowser::selectNumber(std::int64_t number)
 {
-    m_whose->setCurrentIndex(Everything);
+    m_servoFilter->setCurrentIndex(AllServos);
     m_search->clear();
-    m_wanted = number;
-    ++m_asked; // an answer on its way knows nothing of it
-    m_ask.start();
+    m_pendingNumber = number;
+    ++m_queryId; // an answer on its way knows nothing of it
+    m_queryTimer.start();
 }
 
-void SnapshotShelf::forget(std::int64_t number)
+void SnapshotBrowser::invalidate(std::int64_t number)
 {
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
         Item* item = itemOf(m_tree->topLevelItem(i));
@@ -395,7 +397,7 @@ void SnapshotShelf::forget(std::int64_t number)
 }
 
 /// What is selected of the history is loaded; chosen() has it when it is there.
-void SnapshotShelf::selectionChanged()
+void SnapshotBrowser::selectionChanged()
 {
     if (m_filling)
         return;
@@ -404,34 +406,35 @@ void SnapshotShelf::selectionChanged()
         if (item->kept && !item->snapshot && !item->loading)
             load(item);
     }
-    Q_EMIT chosenChanged();
+    Q_EMIT snapshotSelectionChanged();
 }
 
-void SnapshotShelf::load(const std::shared_ptr<Item>& item)
+void SnapshotBrowser::load(const std::shared_ptr<Item>& item)
 {
     item->loading = true;
-    m_archive.loadSnapshot(item->kept->number, this,
-                           [this, item](const base::Result<session::SharedSnapshot>& loaded) {
-                               item->loading = false;
-                               if (!loaded) {
-                                   Q_EMIT failed(loaded.error());
-                                   return;
-                               }
-                               item->snapshot = *loaded;
-                               Q_EMIT chosenChanged();
-                           });
+    m_historyService.loadSnapshot(
+        item->kept->number, this,
+        [this, item](const base::Result<session::SharedSnapshot>& loaded) {
+            item->loading = false;
+            if (!loaded) {
+                Q_EMIT failed(loaded.error());
+                return;
+            }
+            item->snapshot = *loaded;
+            Q_EMIT snapshotSelectionChanged();
+        });
 }
 
-std::vector<ShelfChoice> SnapshotShelf::chosen() const
+std::vector<SnapshotSelection> SnapshotBrowser::selectedSnapshots() const
 {
-    std::vector<ShelfChoice> all;
+    std::vector<SnapshotSelection> all;
     const auto take = [&](const QTreeWidgetItem* row) {
         const Item* item = itemOf(row);
         if (item == nullptr || !item->snapshot)
             return;
         const QString name = !item->kept                    ? item->title
                              : !item->kept->label.isEmpty() ? item->kept->label
-                                                            : when(item->kept->at);
+                                                            : timeText(item->kept->at);
         all.push_back({name, row->toolTip(0), item->snapshot, item->kept ? item->kept->number : 0,
                        item->path});
     };
@@ -445,26 +448,26 @@ std::vector<ShelfChoice> SnapshotShelf::chosen() const
     return all;
 }
 
-session::SharedBundle SnapshotShelf::bundle() const
+session::SharedBundle SnapshotBrowser::bundle() const
 {
     const QTreeWidgetItem* current = m_tree->currentItem();
     const Item* item = current != nullptr && current->isSelected() ? itemOf(current) : nullptr;
     return item != nullptr ? item->bundle : nullptr;
 }
 
-QString SnapshotShelf::bundlePath() const
+QString SnapshotBrowser::bundlePath() const
 {
     const Item* item = itemOf(m_tree->currentItem());
     return item != nullptr ? item->path : QString();
 }
 
-std::optional<record::HistorySnapshot> SnapshotShelf::onlyKept() const
+std::optional<record::HistorySnapshot> SnapshotBrowser::selectedHistoryRow() const
 {
     const QList<QTreeWidgetItem*> rows = m_tree->selectedItems();
     return rows.size() == 1 ? itemOf(rows.front())->kept : std::nullopt;
 }
 
-std::vector<std::int64_t> SnapshotShelf::chosenNumbers() const
+std::vector<std::int64_t> SnapshotBrowser::selectedNumbers() const
 {
     std::vector<std::int64_t> numbers;
     for (const QTreeWidgetItem* row : m_tree->selectedItems()) {
@@ -475,22 +478,22 @@ std::vector<std::int64_t> SnapshotShelf::chosenNumbers() const
     return numbers;
 }
 
-void SnapshotShelf::showEvent(QShowEvent* event)
+void SnapshotBrowser::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    if (m_archiveLives)
-        m_archive.setViewed(this, true);
-    m_ask.start();
+    if (m_archiveGuard)
+        m_historyService.setWatched(this, true);
+    m_queryTimer.start();
 }
 
-void SnapshotShelf::hideEvent(QHideEvent* event)
+void SnapshotBrowser::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
-    if (m_archiveLives)
-        m_archive.setViewed(this, false);
+    if (m_archiveGuard)
+        m_historyService.setWatched(this, false);
 }
 
-void SnapshotShelf::changeEvent(QEvent* event)
+void SnapshotBrowser::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange && m_tree != nullptr)

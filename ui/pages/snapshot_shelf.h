@@ -22,7 +22,7 @@ class QTreeWidgetItem;
 
 namespace ui {
 /// One table that was chosen.
-struct ShelfChoice {
+struct SnapshotSelection {
     QString title{}; ///< short: "reference, tested", "12 Nov 09:40"
     QString tip{};
     session::SharedSnapshot snapshot{};
@@ -30,31 +30,31 @@ struct ShelfChoice {
     QString path{};          ///< of the file; empty: none
 };
 
-class SnapshotShelf final : public QWidget {
+class SnapshotBrowser final : public QWidget {
     Q_OBJECT
 
 public:
-    SnapshotShelf(session::Desk& desk, session::Archive& archive, Selection& selection,
-                  QWidget* parent);
+    SnapshotBrowser(session::Desk& desk, session::HistoryService& historyService,
+                    Selection& selection, QWidget* parent);
 
     /// The current one first, then the others that are selected; those that are loaded.
-    std::vector<ShelfChoice> chosen() const;
+    std::vector<SnapshotSelection> selectedSnapshots() const;
     session::SharedBundle bundle() const; ///< the current row's; null: it is none
     QString bundlePath() const;
-    std::vector<std::int64_t> chosenNumbers() const; ///< rows of the history
+    std::vector<std::int64_t> selectedNumbers() const; ///< rows of the history
     /// The selected row, where it is one alone and of the history.
-    std::optional<record::HistorySnapshot> onlyKept() const;
+    std::optional<record::HistorySnapshot> selectedHistoryRow() const;
 
     /// They become the current row.
     void add(const session::OpenedFile& file);
     void add(session::SharedSnapshot snapshot, const QString& title);
     /// That row of the history, when the list has it.
-    void choose(std::int64_t number);
+    void selectNumber(std::int64_t number);
     /// It has changed in the history and is loaded anew.
-    void forget(std::int64_t number);
+    void invalidate(std::int64_t number);
 
 Q_SIGNALS:
-    void chosenChanged();
+    void snapshotSelectionChanged();
     void failed(const base::Error& error);
 
 protected:
@@ -69,29 +69,30 @@ private:
     void retranslate();
     void ask();
     void fill(const std::vector<record::HistorySnapshot>& all);
-    std::map<std::int64_t, session::SharedSnapshot> takeKept();
-    void putKept(const std::vector<record::HistorySnapshot>& rows);
-    bool shows(const std::vector<record::HistorySnapshot>& rows) const;
+    std::map<std::int64_t, session::SharedSnapshot> takeHistoryRows();
+    void insertHistoryRows(const std::vector<record::HistorySnapshot>& rows);
+    bool hasRows(const std::vector<record::HistorySnapshot>& rows) const;
     std::int64_t topNumber() const;
     void scrollToTop(std::int64_t number);
     void addFile(const session::OpenedFile& file, const QString& title);
-    void write(QTreeWidgetItem* row) const; ///< its words
+    void updateRowText(QTreeWidgetItem* row) const; ///< its words
     void load(const std::shared_ptr<Item>& item);
     void selectionChanged();
     static Item* itemOf(const QTreeWidgetItem* row);
 
     session::Desk& m_desk;
-    session::Archive& m_archive;
-    QPointer<session::Archive> m_archiveLives; ///< a window may hide its pages on its way out
+    session::HistoryService& m_historyService;
+    QPointer<session::HistoryService>
+        m_archiveGuard; ///< a window may hide its pages on its way out
     Selection& m_selection;
     QLabel* m_title = nullptr;
-    QComboBox* m_whose = nullptr;
+    QComboBox* m_servoFilter = nullptr;
     QLineEdit* m_search = nullptr;
     QTreeWidget* m_tree = nullptr;
-    QLabel* m_nothing = nullptr;
-    QTimer m_ask; ///< several changes, one question
-    int m_asked = 0;
-    std::int64_t m_wanted = 0; ///< to become current when the list has it
+    QLabel* m_emptyLabel = nullptr;
+    QTimer m_queryTimer; ///< several changes, one question
+    int m_queryId = 0;
+    std::int64_t m_pendingNumber = 0; ///< to become current when the list has it
     bool m_filling = false;
 };
 } // namespace ui

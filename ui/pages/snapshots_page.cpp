@@ -24,7 +24,7 @@ namespace ui {
 namespace {
 using namespace std::chrono_literals;
 
-constexpr base::Duration readEvery = 500ms;
+constexpr base::Duration readInterval = 500ms;
 
 /// The settings that it answers to; the whole table has shown which.
 QStringList settingsOf(const session::ServoEntry& entry)
@@ -50,34 +50,34 @@ base::Duration tableAge(const session::ServoEntry& entry, base::Duration now)
 
 bool isCurrent(const session::ServoEntry& entry, base::Duration now)
 {
-    return entry.tableRead && !entry.silent && tableAge(entry, now) <= session::maxReadingAge;
+    return entry.hasFullTable && !entry.silent && tableAge(entry, now) <= session::maxReadingAge;
 }
 
-bool sameParts(const std::vector<session::FeedPart>& one,
-               const std::vector<session::FeedPart>& other)
+bool sameParts(const std::vector<session::SubscriptionItem>& one,
+               const std::vector<session::SubscriptionItem>& other)
 {
     return std::equal(one.begin(), one.end(), other.begin(), other.end(),
-                      [](const session::FeedPart& a, const session::FeedPart& b) {
+                      [](const session::SubscriptionItem& a, const session::SubscriptionItem& b) {
                           return a.servo == b.servo && a.slowKeys == b.slowKeys;
                       });
 }
 } // namespace
 
-SnapshotsPage::SnapshotsPage(Bench& bench, session::Settings& settings, QWidget* parent)
+SnapshotsPage::SnapshotsPage(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(bench.desk)
-    , m_deskLives(&bench.desk)
-    , m_archive(bench.archive)
-    , m_selection(bench.selection)
+    , m_desk(appContext.desk)
+    , m_deskGuard(&appContext.desk)
+    , m_historyService(appContext.history)
+    , m_selection(appContext.selection)
     , m_settings(settings)
-    , m_snapshots(bench.desk, bench.archive)
+    , m_snapshots(appContext.desk, appContext.history)
 {
     setObjectName(QStringLiteral("snapshotsPage"));
     setAcceptDrops(true);
     build();
     connectAll();
     retranslate();
-    servoChosen();
+    onServoSelected();
 }
 
 const session::ServoEntry* SnapshotsPage::entry() const
@@ -87,33 +87,33 @@ const session::ServoEntry* SnapshotsPage::entry() const
 }
 
 /// Compared is what was really read: the table is read anew when a servo is looked at.
-void SnapshotsPage::servoChosen()
+void SnapshotsPage::onServoSelected()
 {
-    if (!m_deskLives)
+    if (!m_deskGuard)
         return;
     if (isVisible() && entry() != nullptr && !m_writing)
         m_desk.readTable(m_selection.current());
-    refreshSoon();
+    scheduleRefresh();
 }
 
-void SnapshotsPage::refreshSoon()
+void SnapshotsPage::scheduleRefresh()
 {
     if (isVisible() && !m_refresh.isActive())
         m_refresh.start();
 }
 
-ComparedTable SnapshotsPage::servoTable(session::ServoRef ref) const
+CompareColumn SnapshotsPage::servoTable(session::ServoRef ref) const
 {
     const session::ServoEntry* servo = m_desk.servo(ref);
     if (servo == nullptr || !servo->servo.profile)
         return {};
     const base::Duration now = m_desk.now();
-    const QString title =
-        isCurrent(*servo, now) ? tr("ID %1 now").arg(servo->servo.id)
-        : servo->tableRead
-            ? QStringLiteral("ID %1 · %2").arg(servo->servo.id).arg(agoWords(tableAge(*servo, now)))
-            : QStringLiteral("ID %1").arg(servo->servo.id);
-    return {title, servoTitle(*servo), m_snapshots.now(ref), servo->servo.profile};
+    const QString title = isCurrent(*servo, now) ? tr("ID %1 now").arg(servo->servo.id)
+                          : servo->hasFullTable  ? QStringLiteral("ID %1 · %2")
+                                                      .arg(servo->servo.id)
+                                                      .arg(timeAgoText(tableAge(*servo, now)))
+                                                : QStringLiteral("ID %1").arg(servo->servo.id);
+    return {title, servoTitle(*servo), m_snapshots.currentSnapshot(ref), servo->servo.profile};
 }
 
 /// One line for each servo whose column does not say how it is set now.
@@ -127,8 +127,8 @@ QStringList SnapshotsPage::ages() const
         const base::Duration now = m_desk.now();
         if (servo == nullptr || !servo->servo.profile || isCurrent(*servo, now))
             continue;
-        const QString ago = agoWords(tableAge(*servo, now));
-        lines << (!servo->tableRead ? tr("ID %1 · not read yet").arg(servo->servo.id)
+        const QString ago = timeAgoText(tableAge(*servo, now));
+        lines << (!servo->hasFullTable ? tr("ID %1 · not read yet").arg(servo->servo.id)
                   : servo->silent ? tr("ID %1 · no answer · read %2").arg(servo->servo.id).arg(ago)
                                   : tr("ID %1 · read %2").arg(servo->servo.id).arg(ago));
     }
@@ -138,26 +138,27 @@ QStringList SnapshotsPage::ages() const
 /// Other programs may write too, and a servo may be exchanged for one of the same model.
 void SnapshotsPage::updateLive()
 {
-    std::vector<session::FeedPart> parts;
+    std::vector<session::SubscriptionItem> parts;
     std::set<session::ServoRef> shown = m_others;
     shown.insert(m_selection.current());
     for (const session::ServoRef ref : shown) {
         const session::ServoEntry* servo = isVisible() ? m_desk.servo(ref) : nullptr;
-        if (servo != nullptr && servo->servo.profile && servo->tableRead)
+        if (servo != nullptr && servo->servo.profile && servo->hasFullTable)
             parts.push_back({ref, {}, settingsOf(*servo)});
     }
     if (sameParts(parts, m_live))
         return;
     m_live = parts;
-    m_desk.wish(QStringLiteral("snapshots"), {std::move(parts), readEvery});
+    m_desk.subscribe(QStringLiteral("snapshots"), {std::move(parts), readInterval});
 }
 
-std::vector<ComparedTable> SnapshotsPage::tables(const std::vector<ShelfChoice>& chosen) const
+std::vector<CompareColumn>
+SnapshotsPage::tables(const std::vector<SnapshotSelection>& selectedSnapshots) const
 {
-    std::vector<ComparedTable> all;
+    std::vector<CompareColumn> all;
     if (entry() != nullptr)
         all.push_back(servoTable(m_selection.current()));
-    for (const ShelfChoice& one : chosen)
+    for (const SnapshotSelection& one : selectedSnapshots)
         all.push_back(
             {one.title, one.tip, one.snapshot, record::profileOf(*one.snapshot, m_desk.catalog())});
     for (const session::ServoRef ref : m_others) {
@@ -168,7 +169,7 @@ std::vector<ComparedTable> SnapshotsPage::tables(const std::vector<ShelfChoice>&
         const session::SharedSnapshot factory =
             entry() != nullptr ? std::make_shared<const record::Snapshot>(
                                      record::factorySnapshot(*entry()->servo.profile))
-                               : m_snapshots.factory(*all.front().table);
+                               : m_snapshots.factorySnapshot(*all.front().table);
         if (factory)
             all.push_back({tr("Factory"), tr("Default of this model, as far as it is known"),
                            factory, all.front().profile});
@@ -177,41 +178,42 @@ std::vector<ComparedTable> SnapshotsPage::tables(const std::vector<ShelfChoice>&
 }
 
 /// What was ticked by hand stays so while servo and snapshot are the same.
-void SnapshotsPage::rememberTicks()
+void SnapshotsPage::rememberChecks()
 {
     const auto& now = m_pane->model().plan();
     if (m_showing || !now)
         return;
     for (const jobs::RestoreRow& row : now->rows)
-        m_ticks[row.key] = row.ticked;
+        m_checks[row.key] = row.selected;
 }
 
-std::optional<jobs::RestorePlan> SnapshotsPage::plan(const std::vector<ShelfChoice>& chosen)
+std::optional<jobs::RestorePlan>
+SnapshotsPage::makePlan(const std::vector<SnapshotSelection>& selectedSnapshots)
 {
     const session::ServoEntry* servo = entry();
-    const bool known = servo != nullptr && servo->tableRead && !chosen.empty();
-    const record::Snapshot* source = known ? chosen.front().snapshot.get() : nullptr;
+    const bool known = servo != nullptr && servo->hasFullTable && !selectedSnapshots.empty();
+    const record::Snapshot* source = known ? selectedSnapshots.front().snapshot.get() : nullptr;
     const session::ServoRef about = known ? m_selection.current() : 0;
-    if (source != m_ticked || about != m_tickedServo)
-        m_ticks.clear();
-    m_ticked = source;
-    m_tickedServo = about;
+    if (source != m_checkedSource || about != m_checkedServo)
+        m_checks.clear();
+    m_checkedSource = source;
+    m_checkedServo = about;
     if (!known)
         return std::nullopt;
     jobs::RestoreChoice choice;
     choice.identity = m_identity->isChecked();
     jobs::RestorePlan made = jobs::planRestore(servo->servo, *source, choice);
-    jobs::tickTemporary(made, device::temporaryValues(servo->history, servo->servo), false);
-    for (const auto& [key, on] : m_ticks)
-        (void)made.tick(key, on);
+    jobs::selectTemporary(made, device::temporaryValues(servo->history, servo->servo), false);
+    for (const auto& [key, on] : m_checks)
+        (void)made.setSelected(key, on);
     return made;
 }
 
-QString SnapshotsPage::nothingWords() const
+QString SnapshotsPage::emptyText() const
 {
     if (entry() == nullptr)
         return tr("Choose a servo in the list, or a snapshot at the left.");
-    if (!entry()->tableRead)
+    if (!entry()->hasFullTable)
         return tr("The servo's table is being read.");
     return tr("Choose a snapshot at the left to compare the servo with, or open a file.");
 }
@@ -224,17 +226,17 @@ bool SnapshotsPage::isOfAnotherModel(const record::Snapshot& table) const
     return table.servo.map != profile.mapKey || table.servo.modelId != profile.identity.modelId();
 }
 
-QString SnapshotsPage::titleWords(const std::vector<ShelfChoice>& chosen) const
+QString SnapshotsPage::titleText(const std::vector<SnapshotSelection>& selectedSnapshots) const
 {
-    if (const session::SharedBundle bundle = m_shelf->bundle())
+    if (const session::SharedBundle bundle = m_browser->bundle())
         return tr("Bundle with %1 servos; choose one of them to compare it")
             .arg(bundle->servos.size());
     const QString servo = entry() != nullptr ? servoTitle(*entry()) : QString();
-    if (chosen.empty())
+    if (selectedSnapshots.empty())
         return servo;
-    const record::Snapshot& table = *chosen.front().snapshot;
+    const record::Snapshot& table = *selectedSnapshots.front().snapshot;
     const QDateTime at = table.at.toLocalTime();
-    QStringList about{chosen.front().title,
+    QStringList about{selectedSnapshots.front().title,
                       QStringLiteral("%1 · ID %2").arg(table.servo.model).arg(table.servo.id)};
     if (at.isValid())
         about << at.toString(QStringLiteral("yyyy-MM-dd HH:mm"));
@@ -246,12 +248,13 @@ QString SnapshotsPage::titleWords(const std::vector<ShelfChoice>& chosen) const
 
 void SnapshotsPage::refresh()
 {
-    if (!m_deskLives)
+    if (!m_deskGuard)
         return;
     m_showing = true;
-    const std::vector<ShelfChoice> chosen = m_shelf->chosen();
-    auto wanted = plan(chosen);
-    m_pane->show(titleWords(chosen), tables(chosen), std::move(wanted), nothingWords(), ages());
+    const std::vector<SnapshotSelection> selectedSnapshots = m_browser->selectedSnapshots();
+    auto restorePlan = makePlan(selectedSnapshots);
+    m_pane->show(titleText(selectedSnapshots), tables(selectedSnapshots), std::move(restorePlan),
+                 emptyText(), ages());
     m_showing = false;
     showState();
     updateLive();
@@ -259,29 +262,30 @@ void SnapshotsPage::refresh()
 
 void SnapshotsPage::showState()
 {
-    if (!m_deskLives)
+    if (!m_deskGuard)
         return;
-    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.testing();
+    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.isTesting();
     const auto& now = m_pane->model().plan();
-    const std::size_t count = now ? jobs::writesOf(*now).size() : 0;
-    const bool bundle = m_shelf->bundle() != nullptr;
-    const std::vector<ShelfChoice> chosen = m_shelf->chosen();
-    m_take->setEnabled(open && entry() != nullptr && !m_snapshots.taking());
-    m_bundle->setEnabled(open && !m_desk.servos().empty() && !m_snapshots.taking());
-    m_saveCopy->setEnabled(!chosen.empty() && !bundle);
-    m_note->setEnabled(m_shelf->onlyKept().has_value());
-    m_remove->setEnabled(!m_shelf->chosenNumbers().empty());
+    const std::size_t count = now ? jobs::plannedWrites(*now).size() : 0;
+    const bool bundle = m_browser->bundle() != nullptr;
+    const std::vector<SnapshotSelection> selectedSnapshots = m_browser->selectedSnapshots();
+    m_take->setEnabled(open && entry() != nullptr && !m_snapshots.isTaking());
+    m_bundle->setEnabled(open && !m_desk.servos().empty() && !m_snapshots.isTaking());
+    m_saveCopy->setEnabled(!selectedSnapshots.empty() && !bundle);
+    m_note->setEnabled(m_browser->selectedHistoryRow().has_value());
+    m_remove->setEnabled(!m_browser->selectedNumbers().empty());
     m_write->setText(count == 0   ? tr("Write ticked rows")
                      : count == 1 ? tr("Write 1 ticked row")
                                   : tr("Write %1 ticked rows").arg(count));
     m_write->setAccessibleName(m_write->text());
     m_write->setEnabled(open && count > 0 && !m_writing);
     m_dryRun->setEnabled(now.has_value());
-    m_several->setText(bundle ? tr("Restore the bundle…") : tr("Several servos…"));
-    m_several->setAccessibleName(m_several->text());
-    m_several->setEnabled(open && !m_writing && (bundle || !chosen.empty()));
-    m_template->setEnabled(!chosen.empty() && !chosen.front().snapshot->isTemplate &&
-                           record::profileOf(*chosen.front().snapshot, m_desk.catalog()));
+    m_applyToSeveral->setText(bundle ? tr("Restore the bundle…") : tr("Several servos…"));
+    m_applyToSeveral->setAccessibleName(m_applyToSeveral->text());
+    m_applyToSeveral->setEnabled(open && !m_writing && (bundle || !selectedSnapshots.empty()));
+    m_template->setEnabled(
+        !selectedSnapshots.empty() && !selectedSnapshots.front().snapshot->isTemplate &&
+        record::profileOf(*selectedSnapshots.front().snapshot, m_desk.catalog()));
     m_identity->setEnabled(now.has_value());
     const bool torque = now && torqueIsOn(*now);
     m_order->setText(count == 0 ? QString()
@@ -323,14 +327,14 @@ void SnapshotsPage::fillColumns()
     }
 }
 
-void SnapshotsPage::showKept(std::int64_t number)
+void SnapshotsPage::showHistorySnapshot(std::int64_t number)
 {
-    m_shelf->choose(number);
+    m_browser->selectNumber(number);
 }
 
 void SnapshotsPage::showTable(session::SharedSnapshot table, const QString& title)
 {
-    m_shelf->add(std::move(table), title);
+    m_browser->add(std::move(table), title);
 }
 
 void SnapshotsPage::changeEvent(QEvent* event)
@@ -360,14 +364,14 @@ void SnapshotsPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     m_age.start();
-    servoChosen();
+    onServoSelected();
 }
 
 void SnapshotsPage::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     m_age.stop();
-    if (m_deskLives)
+    if (m_deskGuard)
         updateLive();
 }
 } // namespace ui

@@ -26,26 +26,26 @@ class QPushButton;
 class QToolButton;
 
 namespace session {
-struct RestoreEnd;
+struct RestoreCompletion;
 }
 
 namespace ui {
 class Banner;
 class SnapshotPane;
-class SnapshotShelf;
-struct ComparedTable;
-struct ShelfChoice;
+class SnapshotBrowser;
+struct CompareColumn;
+struct SnapshotSelection;
 
 class SnapshotsPage final : public QWidget {
     Q_OBJECT
 
 public:
-    SnapshotsPage(Bench& bench, session::Settings& settings, QWidget* parent = nullptr);
+    SnapshotsPage(AppContext& appContext, session::Settings& settings, QWidget* parent = nullptr);
 
-    void take(); ///< of the selected servo
+    void takeSnapshot(); ///< of the selected servo
 
     /// From elsewhere: a row of the history, or a table that stands nowhere.
-    void showKept(std::int64_t number);
+    void showHistorySnapshot(std::int64_t number);
     void showTable(session::SharedSnapshot table, const QString& title);
 
 protected:
@@ -58,27 +58,29 @@ protected:
 private:
     // snapshots_page_build.cpp
     void build();
-    QWidget* buildShelf();
-    QWidget* buildDeeds();
+    QWidget* buildBrowser();
+    QWidget* buildActions();
     void connectAll();
     void retranslate();
 
     // snapshots_page.cpp
     const session::ServoEntry* entry() const;
-    void servoChosen();
-    void refreshSoon();
+    void onServoSelected();
+    void scheduleRefresh();
     void refresh();
     void updateLive();
     QStringList ages() const;
-    std::vector<ComparedTable> tables(const std::vector<ShelfChoice>& chosen) const;
-    ComparedTable servoTable(session::ServoRef ref) const;
-    std::optional<jobs::RestorePlan> plan(const std::vector<ShelfChoice>& chosen);
-    void rememberTicks();
+    std::vector<CompareColumn>
+    tables(const std::vector<SnapshotSelection>& selectedSnapshots) const;
+    CompareColumn servoTable(session::ServoRef ref) const;
+    std::optional<jobs::RestorePlan>
+    makePlan(const std::vector<SnapshotSelection>& selectedSnapshots);
+    void rememberChecks();
     void fillColumns();
     void showState();
-    QString nothingWords() const;
+    QString emptyText() const;
     bool isOfAnotherModel(const record::Snapshot& table) const;
-    QString titleWords(const std::vector<ShelfChoice>& chosen) const;
+    QString titleText(const std::vector<SnapshotSelection>& selectedSnapshots) const;
 
     // snapshots_page_deeds.cpp
     void openFiles();
@@ -88,28 +90,28 @@ private:
     void askTemplateFile(const session::SharedSnapshot& from, const QStringList& keys);
     void editNote();
     static bool torqueIsOn(const jobs::RestorePlan& plan);
-    void removeKept();
-    void write();
+    void deleteSnapshots();
+    void confirmWrite();
     void sendPlan();
     void dryRun();
     void applyToSeveral();
-    void restored(const session::RestoreEnd& end, const QString& source);
+    void restored(const session::RestoreCompletion& end, const QString& source);
     void askResultFile();
-    void tellSaved(const QString& path);
-    void fail(const base::Error& error);
+    void showSaved(const QString& path);
+    void showError(const base::Error& error);
     QString folder() const;
     void askFile(const QString& title, const QString& name, const QStringList& filters,
-                 const QString& suffix, std::function<void(const QString&)> chosen);
+                 const QString& suffix, std::function<void(const QString&)> selectedSnapshots);
 
     session::Desk& m_desk;
-    QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
-    session::Archive& m_archive;
+    QPointer<session::Desk> m_deskGuard; ///< a window may hide its pages on its way out
+    session::HistoryService& m_historyService;
     Selection& m_selection;
     session::Settings& m_settings;
     session::Snapshots m_snapshots;
 
     Banner* m_banner = nullptr;
-    SnapshotShelf* m_shelf = nullptr;
+    SnapshotBrowser* m_browser = nullptr;
     SnapshotPane* m_pane = nullptr;
     QPushButton* m_take = nullptr;
     QPushButton* m_open = nullptr;
@@ -122,24 +124,24 @@ private:
     QCheckBox* m_rollBack = nullptr;
     QPushButton* m_write = nullptr;
     QPushButton* m_dryRun = nullptr;
-    QPushButton* m_several = nullptr;
+    QPushButton* m_applyToSeveral = nullptr;
     QPushButton* m_template = nullptr;
     QLabel* m_order = nullptr;
     QMenu* m_columns = nullptr;
     QAction* m_saveResult = nullptr;
 
-    std::map<QString, bool> m_ticks;            ///< set by hand, for this servo and snapshot
-    const record::Snapshot* m_ticked = nullptr; ///< that the ticks are about; only compared
-    session::ServoRef m_tickedServo = 0;
+    std::map<QString, bool> m_checks;                  ///< set by hand, for this servo and snapshot
+    const record::Snapshot* m_checkedSource = nullptr; ///< that the ticks are about; only compared
+    session::ServoRef m_checkedServo = 0;
     bool m_factory = false;                 ///< a column
     std::set<session::ServoRef> m_others{}; ///< columns
     bool m_writing = false;
-    bool m_tellsRestore = false; ///< the banner is about the latest restore
-    bool m_dryRunComing = false;
+    bool m_bannerShowsRestore = false; ///< the banner is about the latest restore
+    bool m_dryRunPending = false;
     std::vector<record::RestoreResult> m_results; ///< of the latest restore
     QTimer m_refresh;
-    QTimer m_age;                          ///< what is not read any more grows older
-    std::vector<session::FeedPart> m_live; ///< what is read regularly for this page
+    QTimer m_age;                                  ///< what is not read any more grows older
+    std::vector<session::SubscriptionItem> m_live; ///< what is read regularly for this page
     bool m_showing = false;
 };
 } // namespace ui

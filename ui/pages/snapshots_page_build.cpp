@@ -19,8 +19,8 @@
 
 namespace ui {
 namespace {
-constexpr int leastShelf = 230;
-constexpr int shelfWidth = 280;
+constexpr int minBrowserWidth = 230;
+constexpr int browserWidth = 280;
 constexpr auto refreshAfter = std::chrono::milliseconds(150);
 constexpr auto ageStep = std::chrono::seconds(1);
 } // namespace
@@ -31,23 +31,23 @@ void SnapshotsPage::build()
     column->setContentsMargins(0, 6, 0, 0);
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("snapshotsBanner"));
-    m_banner->clear();
+    m_banner->hideMessage();
     auto* split = new QSplitter(Qt::Horizontal, this);
     split->setObjectName(QStringLiteral("snapshotsSplit"));
     split->setChildrenCollapsible(false);
-    split->addWidget(buildShelf());
+    split->addWidget(buildBrowser());
     auto* right = new QWidget(split);
     auto* rows = new QVBoxLayout(right);
     rows->setContentsMargins(6, 0, 0, 0);
     m_pane = new SnapshotPane(right);
     rows->addWidget(m_pane, 1);
-    rows->addWidget(buildDeeds());
+    rows->addWidget(buildActions());
     split->addWidget(right);
     split->setStretchFactor(0, 0);
     split->setStretchFactor(1, 1);
-    split->setSizes({shelfWidth, 3 * shelfWidth});
+    split->setSizes({browserWidth, 3 * browserWidth});
     column->addWidget(split, 1);
-    new FloatOver(m_banner, m_pane, FloatOver::Corner::BottomRight);
+    new FloatingOverlay(m_banner, m_pane, FloatingOverlay::Corner::BottomRight);
     m_columns = new QMenu(this);
     m_columns->setObjectName(QStringLiteral("compareColumnsMenu"));
     m_pane->columns()->setMenu(m_columns);
@@ -57,13 +57,13 @@ void SnapshotsPage::build()
     m_age.setInterval(ageStep);
 }
 
-QWidget* SnapshotsPage::buildShelf()
+QWidget* SnapshotsPage::buildBrowser()
 {
     auto* box = new QWidget(this);
-    box->setMinimumWidth(leastShelf);
+    box->setMinimumWidth(minBrowserWidth);
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 6, 0);
-    m_shelf = new SnapshotShelf(m_desk, m_archive, m_selection, box);
+    m_browser = new SnapshotBrowser(m_desk, m_historyService, m_selection, box);
     auto* buttons = new FlowLayout(nullptr, 6);
     m_take = new QPushButton(box);
     m_take->setObjectName(QStringLiteral("snapshotTake"));
@@ -88,12 +88,12 @@ QWidget* SnapshotsPage::buildShelf()
     buttons->addWidget(m_take);
     buttons->addWidget(m_open);
     buttons->addWidget(m_more);
-    column->addWidget(m_shelf, 1);
+    column->addWidget(m_browser, 1);
     column->addLayout(buttons);
     return box;
 }
 
-QWidget* SnapshotsPage::buildDeeds()
+QWidget* SnapshotsPage::buildActions()
 {
     auto* box = new QWidget(this);
     auto* column = new QVBoxLayout(box);
@@ -117,7 +117,7 @@ QWidget* SnapshotsPage::buildDeeds()
     m_write = button("restoreWrite");
     m_write->setProperty("mainAction", true);
     m_dryRun = button("restoreDryRun");
-    m_several = button("restoreSeveral");
+    m_applyToSeveral = button("restoreSeveral");
     m_template = button("restoreTemplate");
     m_order = new QLabel(box);
     m_order->setObjectName(QStringLiteral("restoreOrder"));
@@ -126,7 +126,7 @@ QWidget* SnapshotsPage::buildDeeds()
     column->addLayout(ticks);
     column->addWidget(m_order);
     column->addLayout(row);
-    for (QWidget* writer : {m_write, m_several})
+    for (QWidget* writer : {m_write, m_applyToSeveral})
         new PressGuard(writer);
     return box;
 }
@@ -134,52 +134,52 @@ QWidget* SnapshotsPage::buildDeeds()
 void SnapshotsPage::connectAll()
 {
     connect(&m_refresh, &QTimer::timeout, this, &SnapshotsPage::refresh);
-    connect(&m_age, &QTimer::timeout, this, &SnapshotsPage::refreshSoon);
-    connect(m_shelf, &SnapshotShelf::chosenChanged, this, &SnapshotsPage::refresh);
-    connect(m_shelf, &SnapshotShelf::failed, this, &SnapshotsPage::fail);
-    connect(&m_pane->model(), &CompareModel::ticksChanged, this, [this] {
-        rememberTicks();
+    connect(&m_age, &QTimer::timeout, this, &SnapshotsPage::scheduleRefresh);
+    connect(m_browser, &SnapshotBrowser::snapshotSelectionChanged, this, &SnapshotsPage::refresh);
+    connect(m_browser, &SnapshotBrowser::failed, this, &SnapshotsPage::showError);
+    connect(&m_pane->model(), &CompareModel::selectedRowsChanged, this, [this] {
+        rememberChecks();
         if (!m_showing)
             showState();
     });
     connect(m_columns, &QMenu::aboutToShow, this, &SnapshotsPage::fillColumns);
     connect(m_identity, &QCheckBox::toggled, this,
-            [this](bool on) { m_pane->model().tickAll(jobs::RestoreReason::Identity, on); });
-    connect(m_take, &QPushButton::clicked, this, &SnapshotsPage::take);
+            [this](bool on) { m_pane->model().setAllSelected(jobs::RestoreReason::Identity, on); });
+    connect(m_take, &QPushButton::clicked, this, &SnapshotsPage::takeSnapshot);
     connect(m_open, &QPushButton::clicked, this, &SnapshotsPage::openFiles);
     connect(m_saveCopy, &QAction::triggered, this, &SnapshotsPage::saveCopy);
     connect(m_note, &QAction::triggered, this, &SnapshotsPage::editNote);
     connect(m_bundle, &QAction::triggered, this, &SnapshotsPage::saveBundle);
-    connect(m_remove, &QAction::triggered, this, &SnapshotsPage::removeKept);
-    connect(m_write, &QPushButton::clicked, this, &SnapshotsPage::write);
+    connect(m_remove, &QAction::triggered, this, &SnapshotsPage::deleteSnapshots);
+    connect(m_write, &QPushButton::clicked, this, &SnapshotsPage::confirmWrite);
     connect(m_dryRun, &QPushButton::clicked, this, &SnapshotsPage::dryRun);
-    connect(m_several, &QPushButton::clicked, this, &SnapshotsPage::applyToSeveral);
+    connect(m_applyToSeveral, &QPushButton::clicked, this, &SnapshotsPage::applyToSeveral);
     connect(m_template, &QPushButton::clicked, this, &SnapshotsPage::saveTemplate);
     connect(m_saveResult, &QAction::triggered, this, &SnapshotsPage::askResultFile);
 
-    connect(&m_snapshots, &session::Snapshots::failed, this, &SnapshotsPage::fail);
-    connect(&m_snapshots, &session::Snapshots::saved, this, &SnapshotsPage::tellSaved);
+    connect(&m_snapshots, &session::Snapshots::failed, this, &SnapshotsPage::showError);
+    connect(&m_snapshots, &session::Snapshots::saved, this, &SnapshotsPage::showSaved);
     connect(&m_snapshots, &session::Snapshots::takingChanged, this, &SnapshotsPage::showState);
-    connect(&m_snapshots, &session::Snapshots::opened, this,
-            [this](const session::OpenedFile& file) { m_shelf->add(file); });
-    connect(&m_snapshots, &session::Snapshots::bundled, this,
+    connect(&m_snapshots, &session::Snapshots::fileOpened, this,
+            [this](const session::OpenedFile& file) { m_browser->add(file); });
+    connect(&m_snapshots, &session::Snapshots::bundleTaken, this,
             [this](const session::SharedBundle& bundle, const QString& path) {
-                m_shelf->add({path, {}, bundle});
-                tellSaved(path);
+                m_browser->add({path, {}, bundle});
+                showSaved(path);
             });
 
     // A restore that has been taken back is no result any more.
-    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
-        if ((event.undone || event.redone) && std::exchange(m_tellsRestore, false))
-            m_banner->clear();
+    connect(&m_desk, &session::Desk::eventOccurred, this, [this](const session::Event& event) {
+        if ((event.isUndo || event.isRedo) && std::exchange(m_bannerShowsRestore, false))
+            m_banner->hideMessage();
     });
-    connect(&m_selection, &Selection::changed, this, &SnapshotsPage::servoChosen);
+    connect(&m_selection, &Selection::changed, this, &SnapshotsPage::onServoSelected);
     for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
                               &session::Desk::servosCleared, &session::Desk::taskChanged})
-        connect(&m_desk, signal, this, &SnapshotsPage::refreshSoon);
+        connect(&m_desk, signal, this, &SnapshotsPage::scheduleRefresh);
     const auto changed = [this](session::ServoRef ref) {
         if (ref == m_selection.current() || m_others.count(ref) > 0)
-            refreshSoon();
+            scheduleRefresh();
     };
     connect(&m_desk, &session::Desk::servoChanged, this, changed);
     connect(&m_desk, &session::Desk::tableChanged, this, changed);
@@ -190,29 +190,32 @@ void SnapshotsPage::connectAll()
 void SnapshotsPage::retranslate()
 {
     setAccessibleName(tr("Snapshots"));
-    const auto say = [](QAbstractButton* button, const QString& name, const QString& tip) {
+    const auto setTexts = [](QAbstractButton* button, const QString& name, const QString& tip) {
         button->setText(name);
         button->setAccessibleName(name);
         button->setToolTip(tip);
     };
-    say(m_take, tr("Take snapshot"),
-        tr("Read the whole table of the selected servo and keep it in the history"));
-    say(m_open, tr("Open file…"), tr("Open snapshots, templates or bundles; or drop them here"));
-    say(m_more, tr("More"), tr("Save, label or delete a snapshot; save all servos"));
+    setTexts(m_take, tr("Take snapshot"),
+             tr("Read the whole table of the selected servo and keep it in the history"));
+    setTexts(m_open, tr("Open file…"),
+             tr("Open snapshots, templates or bundles; or drop them here"));
+    setTexts(m_more, tr("More"), tr("Save, label or delete a snapshot; save all servos"));
     m_saveCopy->setText(tr("Save as file…"));
     m_note->setText(tr("Label and note…"));
     m_bundle->setText(tr("Save all servos as a bundle…"));
     m_remove->setText(tr("Delete from the history…"));
-    say(m_identity, tr("ID and rate too"),
+    setTexts(
+        m_identity, tr("ID and rate too"),
         tr("Tick ID and baud rate as well: the servo then answers there. They are written at the "
            "very end"));
-    say(m_rollBack, tr("If a row fails, put all back"),
-        tr("Otherwise writing ends at the row that fails, and what is written stays"));
-    say(m_write, m_write->text(), tr("Write the ticked rows that differ, and only those"));
-    say(m_dryRun, tr("Dry run…"), tr("Show exactly what would be written, in which order"));
-    say(m_several, m_several->text(), tr("Write the ticked rows to more than one servo"));
-    say(m_template, tr("Save template…"),
-        tr("Choose rows of this snapshot and save them as a file, for setting other servos"));
+    setTexts(m_rollBack, tr("If a row fails, put all back"),
+             tr("Otherwise writing ends at the row that fails, and what is written stays"));
+    setTexts(m_write, m_write->text(), tr("Write the ticked rows that differ, and only those"));
+    setTexts(m_dryRun, tr("Dry run…"), tr("Show exactly what would be written, in which order"));
+    setTexts(m_applyToSeveral, m_applyToSeveral->text(),
+             tr("Write the ticked rows to more than one servo"));
+    setTexts(m_template, tr("Save template…"),
+             tr("Choose rows of this snapshot and save them as a file, for setting other servos"));
     m_saveResult->setText(tr("Save result…"));
 }
 } // namespace ui

@@ -24,12 +24,12 @@
 
 namespace ui {
 namespace {
-const QString folderChoice = QStringLiteral("snapshots/folder");
-const QString snapshotEnd = QStringLiteral(".servo.json");
-const QString bundleEnd = QStringLiteral(".bundle.json");
+const QString folderKey = QStringLiteral("snapshots/folder");
+const QString snapshotSuffix = QStringLiteral(".servo.json");
+const QString bundleSuffix = QStringLiteral(".bundle.json");
 
 /// A double suffix, which a file dialog does not add by itself.
-QString withEnd(const QString& path, const QString& end)
+QString withSuffix(const QString& path, const QString& end)
 {
     if (path.endsWith(QLatin1StringView(".csv"), Qt::CaseInsensitive) ||
         path.endsWith(end, Qt::CaseInsensitive))
@@ -40,18 +40,18 @@ QString withEnd(const QString& path, const QString& end)
 }
 
 /// What is ticked, and what this servo has already but others may not.
-bool forOthers(const jobs::RestoreRow& row)
+bool isTransferable(const jobs::RestoreRow& row)
 {
     using jobs::RestoreReason;
     if (row.reasons.testFlag(RestoreReason::Identity))
         return false;
-    const jobs::RestoreReasons special =
-        jobs::RestoreReasons(RestoreReason::Live) | RestoreReason::ReadOnly |
-        RestoreReason::Factory | RestoreReason::NeedsConsent | RestoreReason::OffUnlessAsked;
-    return row.ticked || (row.reasons.testFlag(RestoreReason::Same) && !(row.reasons & special));
+    const jobs::RestoreReasons special = jobs::RestoreReasons(RestoreReason::Live) |
+                                         RestoreReason::ReadOnly | RestoreReason::Factory |
+                                         RestoreReason::NeedsConsent | RestoreReason::OptIn;
+    return row.selected || (row.reasons.testFlag(RestoreReason::Same) && !(row.reasons & special));
 }
 
-QString fileWord(QString name)
+QString fileNamePart(QString name)
 {
     for (QChar& letter : name) {
         if (!letter.isLetterOrNumber() && letter != QLatin1Char('-'))
@@ -63,11 +63,12 @@ QString fileWord(QString name)
 
 QString SnapshotsPage::folder() const
 {
-    return m_settings.choice(folderChoice, QDir::homePath()).toString();
+    return m_settings.pageValue(folderKey, QDir::homePath()).toString();
 }
 
 void SnapshotsPage::askFile(const QString& title, const QString& name, const QStringList& filters,
-                            const QString& suffix, std::function<void(const QString&)> chosen)
+                            const QString& suffix,
+                            std::function<void(const QString&)> selectedSnapshots)
 {
     auto* dialog = new QFileDialog(this, title);
     dialog->setObjectName(QStringLiteral("snapshotFileDialog"));
@@ -78,16 +79,16 @@ void SnapshotsPage::askFile(const QString& title, const QString& name, const QSt
     dialog->setDirectory(folder());
     dialog->selectFile(name);
     connect(dialog, &QFileDialog::fileSelected, this,
-            [this, chosen = std::move(chosen)](const QString& path) {
-                m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
-                chosen(path);
+            [this, selectedSnapshots = std::move(selectedSnapshots)](const QString& path) {
+                m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
+                selectedSnapshots(path);
             });
     dialog->open();
 }
 
-void SnapshotsPage::take()
+void SnapshotsPage::takeSnapshot()
 {
-    m_banner->clear();
+    m_banner->hideMessage();
     m_snapshots.take(m_selection.current(), {});
 }
 
@@ -101,9 +102,9 @@ void SnapshotsPage::openFiles()
         {tr("Snapshots and bundles (*.servo.json *.bundle.json)"), tr("All files (*)")});
     dialog->setDirectory(folder());
     connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
-        m_banner->clear();
+        m_banner->hideMessage();
         for (const QString& path : paths) {
-            m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
+            m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
             m_snapshots.open(path);
         }
     });
@@ -112,36 +113,37 @@ void SnapshotsPage::openFiles()
 
 void SnapshotsPage::saveCopy()
 {
-    const auto chosen = m_shelf->chosen();
-    if (chosen.empty())
+    const auto selectedSnapshots = m_browser->selectedSnapshots();
+    if (selectedSnapshots.empty())
         return;
-    const session::SharedSnapshot table = chosen.front().snapshot;
+    const session::SharedSnapshot table = selectedSnapshots.front().snapshot;
     const QString name = QStringLiteral("%1-id%2-%3")
-                             .arg(fileWord(table->servo.model))
+                             .arg(fileNamePart(table->servo.model))
                              .arg(table->servo.id)
                              .arg(table->at.toLocalTime().toString(QStringLiteral("yyyyMMdd")));
-    askFile(tr("Save the snapshot"), name + snapshotEnd,
+    askFile(tr("Save the snapshot"), name + snapshotSuffix,
             {tr("Snapshot (*.servo.json)"), tr("Table for spreadsheets (*.csv)")}, {},
             [this, table](const QString& path) {
-                m_snapshots.save(table, withEnd(path, snapshotEnd));
+                m_snapshots.save(table, withSuffix(path, snapshotSuffix));
             });
 }
 
 void SnapshotsPage::saveBundle()
 {
-    askFile(tr("Save all servos"), QStringLiteral("servos") + bundleEnd,
-            {tr("Bundle (*.bundle.json)")}, {}, [this](const QString& path) {
-                m_banner->clear();
-                m_snapshots.takeAll({QFileInfo(path).baseName(), {}, withEnd(path, bundleEnd)});
-            });
+    askFile(
+        tr("Save all servos"), QStringLiteral("servos") + bundleSuffix,
+        {tr("Bundle (*.bundle.json)")}, {}, [this](const QString& path) {
+            m_banner->hideMessage();
+            m_snapshots.takeAll({QFileInfo(path).baseName(), {}, withSuffix(path, bundleSuffix)});
+        });
 }
 
 void SnapshotsPage::saveTemplate()
 {
-    const auto chosen = m_shelf->chosen();
-    if (chosen.empty())
+    const auto selectedSnapshots = m_browser->selectedSnapshots();
+    if (selectedSnapshots.empty())
         return;
-    const session::SharedSnapshot from = chosen.front().snapshot;
+    const session::SharedSnapshot from = selectedSnapshots.front().snapshot;
     const auto profile = record::profileOf(*from, m_desk.catalog());
     if (!profile)
         return;
@@ -153,32 +155,32 @@ void SnapshotsPage::saveTemplate()
 
 void SnapshotsPage::askTemplateFile(const session::SharedSnapshot& from, const QStringList& keys)
 {
-    askFile(tr("Save the template"), QStringLiteral("template") + snapshotEnd,
+    askFile(tr("Save the template"), QStringLiteral("template") + snapshotSuffix,
             {tr("Template (*.servo.json)")}, {}, [this, from, keys](const QString& path) {
-                const auto made = m_snapshots.asTemplate(*from, keys, {QFileInfo(path).baseName()});
+                const auto made = m_snapshots.toTemplate(*from, keys, {QFileInfo(path).baseName()});
                 if (made)
-                    m_snapshots.save(*made, withEnd(path, snapshotEnd));
+                    m_snapshots.save(*made, withSuffix(path, snapshotSuffix));
                 else
-                    fail(made.error());
+                    showError(made.error());
             });
 }
 
 void SnapshotsPage::editNote()
 {
-    const auto kept = m_shelf->onlyKept();
+    const auto kept = m_browser->selectedHistoryRow();
     if (!kept)
         return;
     auto* dialog = new NoteDialog(kept->label, kept->note, this);
     connect(dialog, &NoteDialog::accepted, this, [this, dialog, number = kept->number] {
-        m_shelf->forget(number);
-        m_archive.setSnapshotNote(number, dialog->label(), dialog->note());
+        m_browser->invalidate(number);
+        m_historyService.setSnapshotNote(number, dialog->label(), dialog->note());
     });
     dialog->open();
 }
 
-void SnapshotsPage::removeKept()
+void SnapshotsPage::deleteSnapshots()
 {
-    const auto numbers = m_shelf->chosenNumbers();
+    const auto numbers = m_browser->selectedNumbers();
     if (numbers.empty())
         return;
     Question question;
@@ -186,9 +188,9 @@ void SnapshotsPage::removeKept()
                                          : tr("Delete %1 snapshots?").arg(numbers.size());
     question.text = tr("They leave the history of this computer. Files stay where they are.");
     question.risk = tr("This cannot be undone.");
-    question.yes = tr("Delete");
+    question.acceptText = tr("Delete");
     question.guard = this;
-    ask(this, question, [this, numbers] { m_archive.removeSnapshots(numbers); });
+    ask(this, question, [this, numbers] { m_historyService.removeSnapshots(numbers); });
 }
 
 bool SnapshotsPage::torqueIsOn(const jobs::RestorePlan& plan)
@@ -199,7 +201,7 @@ bool SnapshotsPage::torqueIsOn(const jobs::RestorePlan& plan)
 void SnapshotsPage::dryRun()
 {
     const auto& now = m_pane->model().plan();
-    if (!now || m_dryRunComing)
+    if (!now || m_dryRunPending)
         return;
     // What the journal remembers is written back, too; it is asked where it may be waited for.
     const auto plan = std::make_shared<jobs::RestorePlan>(*now);
@@ -207,27 +209,27 @@ void SnapshotsPage::dryRun()
     task.name = QStringLiteral("dry-run");
     task.quiet = true;
     task.work = [plan](session::TaskContext& context) -> base::Result<void> {
-        const auto speed = device::rememberedSpeed(context.device.journal, plan->servo);
+        const auto speed = device::savedSpeed(context.device.journal, plan->servo);
         if (!speed)
             return tl::unexpected(speed.error());
         plan->positionSpeed = *speed;
         return {};
     };
     task.guard = this;
-    task.done = [this, plan](const session::TaskEnd& end) {
-        m_dryRunComing = false;
+    task.done = [this, plan](const session::TaskCompletion& end) {
+        m_dryRunPending = false;
         if (end.error)
-            fail(*end.error);
+            showError(*end.error);
         else
             (new DryRunDialog(m_pane->model(), *plan, this))->open();
     };
-    m_dryRunComing = true;
+    m_dryRunPending = true;
     m_desk.perform(m_selection.current(), std::move(task));
 }
 
 /// Asked about is what can hurt: a shaft that turns or drops, an address that changes, a row that
 /// can make the servo unreachable. The rest is in sight anyway.
-void SnapshotsPage::write()
+void SnapshotsPage::confirmWrite()
 {
     const auto& now = m_pane->model().plan();
     if (!now)
@@ -235,7 +237,7 @@ void SnapshotsPage::write()
     using jobs::RestoreReason;
     QStringList risks;
     bool consent = false;
-    for (const jobs::RestoreWrite& one : jobs::writesOf(*now)) {
+    for (const jobs::RestoreWrite& one : jobs::plannedWrites(*now)) {
         const jobs::RestoreRow* row = now->find(one.key);
         const QString name = m_pane->model().nameOf(one.key);
         consent = consent || row->reasons.testFlag(RestoreReason::NeedsConsent);
@@ -264,8 +266,8 @@ void SnapshotsPage::write()
         question.text = tr("Torque is on: it goes off first and stays off. What the servo holds "
                            "may drop.");
     question.risk = risks.join(QLatin1Char('\n'));
-    question.yes = consent ? tr("Write anyway") : tr("Write");
-    question.harmless = risks.isEmpty();
+    question.acceptText = consent ? tr("Write anyway") : tr("Write");
+    question.acceptIsDefault = risks.isEmpty();
     question.guard = this;
     ask(this, question, [this] { sendPlan(); });
 }
@@ -273,89 +275,91 @@ void SnapshotsPage::write()
 void SnapshotsPage::sendPlan()
 {
     const auto& now = m_pane->model().plan();
-    const auto chosen = m_shelf->chosen();
-    if (!now || chosen.empty() || m_writing)
+    const auto selectedSnapshots = m_browser->selectedSnapshots();
+    if (!now || selectedSnapshots.empty() || m_writing)
         return;
-    m_banner->clear();
-    session::RestoreOrder order;
+    m_banner->hideMessage();
+    session::RestoreRequest order;
     order.plan = *now;
     order.dangerous = now->needsConsent(); // asked for in write()
     order.onFailure = m_rollBack->isChecked() ? jobs::OnFailure::RollBack : jobs::OnFailure::Stop;
     order.guard = this;
-    const QString source =
-        chosen.front().path.isEmpty() ? chosen.front().title : chosen.front().path;
-    order.done = [this, source](const session::RestoreEnd& end) { restored(end, source); };
+    const QString source = selectedSnapshots.front().path.isEmpty()
+                               ? selectedSnapshots.front().title
+                               : selectedSnapshots.front().path;
+    order.done = [this, source](const session::RestoreCompletion& end) { restored(end, source); };
     m_writing = true;
     showState();
     m_desk.restore(m_selection.current(), order);
 }
 
 namespace {
-bool tookValue(const jobs::RestoreRowResult& row)
+bool isApplied(const jobs::RestoreRowResult& row)
 {
     return row.write.outcome == device::WriteOutcome::Kept ||
            row.write.outcome == device::WriteOutcome::Temporary;
 }
 
-bool wentWell(const jobs::RestoreOutcome& outcome)
+bool isSuccess(const jobs::RestoreOutcome& outcome)
 {
     return outcome.verdict == jobs::RestoreVerdict::Done ||
-           outcome.verdict == jobs::RestoreVerdict::AlreadySo;
+           outcome.verdict == jobs::RestoreVerdict::AlreadySet;
 }
 
-BannerWords outcomeWords(const jobs::RestoreOutcome& outcome, const CompareModel& model)
+BannerText restoreOutcomeText(const jobs::RestoreOutcome& outcome, const CompareModel& model)
 {
     const RegisterNames names{
         [&model](const QString& key) { return model.nameOf(key); },
         [&model](const QString& key, std::int64_t raw) { return model.formatted(key, raw); }};
-    const auto good = std::count_if(outcome.rows.begin(), outcome.rows.end(), tookValue);
+    const auto good = std::count_if(outcome.rows.begin(), outcome.rows.end(), isApplied);
     QStringList others;
     for (const jobs::RestoreRowResult& row : outcome.rows) {
-        if (!tookValue(row))
+        if (!isApplied(row))
             others << names.name(row.write.key);
     }
-    BannerWords words;
-    words.tone = wentWell(outcome) ? Tone::Good : Tone::Bad;
-    words.what = text::restoreVerdictWords(jobs::verdictName(outcome.verdict));
+    BannerText message;
+    message.tone = isSuccess(outcome) ? Tone::Good : Tone::Bad;
+    message.message = text::restoreVerdictText(jobs::verdictName(outcome.verdict));
     if (outcome.verdict != jobs::RestoreVerdict::RolledBack)
-        words.what += QStringLiteral(": ") +
-                      (good == 1 ? SnapshotsPage::tr("1 row written and read back")
-                                 : SnapshotsPage::tr("%1 rows written and read back").arg(good));
+        message.message +=
+            QStringLiteral(": ") +
+            (good == 1 ? SnapshotsPage::tr("1 row written and read back")
+                       : SnapshotsPage::tr("%1 rows written and read back").arg(good));
     QStringList cause;
     if (!others.isEmpty())
         cause << SnapshotsPage::tr("Not written, or not proven: %1.")
                      .arg(others.join(QStringLiteral(", ")));
-    cause << notPutBackWords(outcome, names) << lockWords(outcome.lock);
+    cause << notRolledBackText(outcome, names) << openLockText(outcome.lock);
     cause.removeAll(QString());
-    words.cause = cause.join(QLatin1Char(' '));
+    message.cause = cause.join(QLatin1Char(' '));
     if (outcome.verdict == jobs::RestoreVerdict::Failed)
-        words.remedy = restoreRemedy(outcome);
-    return words;
+        message.remedy = restoreRemedy(outcome);
+    return message;
 }
 } // namespace
 
-void SnapshotsPage::restored(const session::RestoreEnd& end, const QString& source)
+void SnapshotsPage::restored(const session::RestoreCompletion& end, const QString& source)
 {
     m_writing = false;
     m_results.clear();
     if (end.error) {
-        fail(*end.error);
+        showError(*end.error);
     } else if (end.outcome) {
         if (const session::ServoEntry* servo = entry())
             m_results.push_back(
-                jobs::resultOf(*end.outcome, servo->servo, source, session::programName()));
+                jobs::toRestoreResult(*end.outcome, servo->servo, source, session::programName()));
         // Ticked by hand for this one write: a dangerous row asks for it anew.
         for (const jobs::RestoreRowResult& row : end.outcome->rows) {
-            if (tookValue(row))
-                m_ticks.erase(row.write.key);
+            if (isApplied(row))
+                m_checks.erase(row.write.key);
         }
-        m_tellsRestore = true;
-        m_banner->present(
-            [this, outcome = *end.outcome] { return outcomeWords(outcome, m_pane->model()); },
+        m_bannerShowsRestore = true;
+        m_banner->showMessage(
+            [this, outcome = *end.outcome] { return restoreOutcomeText(outcome, m_pane->model()); },
             {m_saveResult});
     }
     m_desk.readTable(m_selection.current());
-    refreshSoon();
+    scheduleRefresh();
     showState();
 }
 
@@ -369,16 +373,16 @@ void SnapshotsPage::askResultFile()
 void SnapshotsPage::applyToSeveral()
 {
     ApplySource source;
-    source.bundle = m_shelf->bundle();
-    const auto chosen = m_shelf->chosen();
+    source.bundle = m_browser->bundle();
+    const auto selectedSnapshots = m_browser->selectedSnapshots();
     if (source.bundle) {
-        source.name = QFileInfo(m_shelf->bundlePath()).fileName();
-    } else if (!chosen.empty()) {
-        source.name = chosen.front().title;
-        source.snapshot = chosen.front().snapshot;
+        source.name = QFileInfo(m_browser->bundlePath()).fileName();
+    } else if (!selectedSnapshots.empty()) {
+        source.name = selectedSnapshots.front().title;
+        source.snapshot = selectedSnapshots.front().snapshot;
         const auto& now = m_pane->model().plan();
         for (const jobs::RestoreRow& row : now ? now->rows : std::vector<jobs::RestoreRow>{}) {
-            if (!forOthers(row))
+            if (!isTransferable(row))
                 continue;
             source.only << row.key;
             source.dangerous =
@@ -392,19 +396,19 @@ void SnapshotsPage::applyToSeveral()
     (new ApplyDialog(m_desk, m_snapshots, std::move(source), this))->open();
 }
 
-void SnapshotsPage::tellSaved(const QString& path)
+void SnapshotsPage::showSaved(const QString& path)
 {
-    m_tellsRestore = false;
-    m_banner->present([path] {
-        return BannerWords{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
+    m_bannerShowsRestore = false;
+    m_banner->showMessage([path] {
+        return BannerText{Tone::Good, tr("Saved: %1").arg(QDir::toNativeSeparators(path))};
     });
 }
 
-void SnapshotsPage::fail(const base::Error& error)
+void SnapshotsPage::showError(const base::Error& error)
 {
-    m_tellsRestore = false;
+    m_bannerShowsRestore = false;
     if (error.code != base::ErrorCode::Stopped)
-        m_banner->present(error);
+        m_banner->showMessage(error);
     showState();
 }
 } // namespace ui

@@ -13,15 +13,15 @@
 
 namespace ui {
 namespace {
-constexpr int mostRepeats = 50;
-constexpr int usualRepeats = 3;
-constexpr int longestHold = 10'000; ///< ms
+constexpr int maxRepeats = 50;
+constexpr int defaultRepeats = 3;
+constexpr int maxHold = 10'000; ///< ms
 constexpr int holdStep = 100;
-constexpr int partOfTurn = 12; ///< 30° of a servo that turns all round
+constexpr int defaultTurnFraction = 12; ///< 30° of a servo that turns all round
 
-const QString sizeChoice = QStringLiteral("step/size");
-const QString repeatsChoice = QStringLiteral("step/repeats");
-const QString holdChoice = QStringLiteral("step/hold");
+const QString sizeKey = QStringLiteral("step/size");
+const QString repeatsKey = QStringLiteral("step/repeats");
+const QString holdKey = QStringLiteral("step/hold");
 } // namespace
 
 StepForm::StepForm(session::Settings& settings, QWidget* parent)
@@ -41,15 +41,15 @@ StepForm::StepForm(session::Settings& settings, QWidget* parent)
     , m_acceleration(line("stepAcceleration"))
 {
     m_repeats->setObjectName(QStringLiteral("stepRepeats"));
-    m_repeats->setRange(1, mostRepeats);
-    m_repeats->setValue(settings.choice(repeatsChoice, usualRepeats).toInt());
+    m_repeats->setRange(1, maxRepeats);
+    m_repeats->setValue(settings.pageValue(repeatsKey, defaultRepeats).toInt());
     m_hold->setObjectName(QStringLiteral("stepHold"));
-    m_hold->setRange(0, longestHold);
+    m_hold->setRange(0, maxHold);
     m_hold->setSingleStep(holdStep);
-    m_hold->setValue(settings.choice(holdChoice, 0).toInt());
-    const QString size = settings.choice(sizeChoice, QString()).toString();
+    m_hold->setValue(settings.pageValue(holdKey, 0).toInt());
+    const QString size = settings.pageValue(sizeKey, QString()).toString();
     m_size->setText(size);
-    m_sizeTyped = !size.isEmpty();
+    m_sizeEdited = !size.isEmpty();
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins({});
     const std::array<std::pair<QLabel*, QWidget*>, 6> rows{{{m_sizeLabel, m_size},
@@ -66,7 +66,7 @@ StepForm::StepForm(session::Settings& settings, QWidget* parent)
     }
     grid->setColumnStretch(1, 1);
     connect(m_size, &QLineEdit::textEdited, this,
-            [this](const QString& text) { m_sizeTyped = !text.isEmpty(); });
+            [this](const QString& text) { m_sizeEdited = !text.isEmpty(); });
     connect(m_repeats, &QSpinBox::valueChanged, this, &StepForm::changed);
     connect(m_hold, &QSpinBox::valueChanged, this, &StepForm::changed);
     retranslate();
@@ -85,8 +85,8 @@ void StepForm::showServo(const session::ServoEntry* entry)
     if (entry == nullptr || !entry->servo.profile)
         return;
     const catalog::Profile& profile = *entry->servo.profile;
-    if (!m_sizeTyped)
-        m_size->setText(QString::number(profile.stepsPerTurn / partOfTurn));
+    if (!m_sizeEdited)
+        m_size->setText(QString::number(profile.stepsPerTurn / defaultTurnFraction));
     // What its present mode has may be known only after the mode has been switched.
     const device::MoveFieldSet fields = device::moveFields(entry->servo);
     const bool positions = device::goalKind(entry->servo) == device::GoalKind::Position ||
@@ -113,31 +113,33 @@ record::StepSpec StepForm::spec() const
     return spec;
 }
 
-void StepForm::remember()
+void StepForm::saveSettings()
 {
-    m_settings.setChoice(sizeChoice, m_sizeTyped ? m_size->text().trimmed() : QString());
-    m_settings.setChoice(repeatsChoice, m_repeats->value());
-    m_settings.setChoice(holdChoice, m_hold->value());
+    m_settings.setPageValue(sizeKey, m_sizeEdited ? m_size->text().trimmed() : QString());
+    m_settings.setPageValue(repeatsKey, m_repeats->value());
+    m_settings.setPageValue(holdKey, m_hold->value());
 }
 
 void StepForm::retranslate()
 {
-    const auto say = [](QLabel* label, QWidget* field, const QString& name, const QString& tip) {
+    const auto setTexts = [](QLabel* label, QWidget* field, const QString& name,
+                             const QString& tip) {
         label->setText(name);
         field->setAccessibleName(name);
         field->setToolTip(tip);
     };
-    say(m_sizeLabel, m_size, tr("Step"),
-        tr("How far: in steps, or with a unit (30deg); negative: downwards first"));
-    say(m_fromLabel, m_from, tr("Start"),
+    setTexts(m_sizeLabel, m_size, tr("Step"),
+             tr("How far: in steps, or with a unit (30deg); negative: downwards first"));
+    setTexts(
+        m_fromLabel, m_from, tr("Start"),
         tr("Where the step begins; empty: where the servo stands, or as near as there is room"));
-    say(m_repeatsLabel, m_repeats, tr("Repeats"), tr("So many times there and back"));
-    say(m_holdLabel, m_hold, tr("Wait"),
-        tr("From one goal to the next; 0: as long as the step needs"));
-    say(m_speedLabel, m_speed, tr("Speed"),
-        tr("Raw or with a unit; empty: as fast as it can. It gets its own value back"));
-    say(m_accelerationLabel, m_acceleration, tr("Acceleration"),
-        tr("Raw or with a unit; empty: as fast as it can. It gets its own value back"));
+    setTexts(m_repeatsLabel, m_repeats, tr("Repeats"), tr("So many times there and back"));
+    setTexts(m_holdLabel, m_hold, tr("Wait"),
+             tr("From one goal to the next; 0: as long as the step needs"));
+    setTexts(m_speedLabel, m_speed, tr("Speed"),
+             tr("Raw or with a unit; empty: as fast as it can. It gets its own value back"));
+    setTexts(m_accelerationLabel, m_acceleration, tr("Acceleration"),
+             tr("Raw or with a unit; empty: as fast as it can. It gets its own value back"));
     m_from->setPlaceholderText(tr("where it stands"));
     m_speed->setPlaceholderText(tr("as fast as it can"));
     m_acceleration->setPlaceholderText(tr("as fast as it can"));

@@ -24,7 +24,7 @@ public:
     /// Proposes a size that suits it, until somebody types one; hides the fields it has not.
     void showServo(const session::ServoEntry* entry);
     record::StepSpec spec() const; ///< without a trial
-    void remember();               ///< for the next start of the program
+    void saveSettings();           ///< for the next start of the program
 
 Q_SIGNALS:
     void changed();
@@ -49,6 +49,6 @@ private:
     QLineEdit* m_speed;
     QLabel* m_accelerationLabel;
     QLineEdit* m_acceleration;
-    bool m_sizeTyped = false;
+    bool m_sizeEdited = false;
 };
 } // namespace ui

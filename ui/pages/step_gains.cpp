@@ -62,7 +62,7 @@ void StepGains::build(const session::ServoEntry& entry)
     m_profile = entry.servo.profile;
     m_servo = entry.ref;
     int line = 2;
-    for (const catalog::Register* reg : jobs::stepRegisters(*m_profile)) {
+    for (const catalog::Register* reg : jobs::loopRegisters(*m_profile)) {
         Row row{reg, new QLabel(this), new QLabel(this), new QSpinBox(this)};
         row.now->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         row.now->setObjectName(QStringLiteral("stepNow_") + reg->key);
@@ -77,7 +77,7 @@ void StepGains::build(const session::ServoEntry& entry)
         connect(row.trial, &QSpinBox::valueChanged, this, [this, key = reg->key] {
             for (Row& one : m_rows) {
                 if (one.reg->key == key)
-                    mark(one);
+                    markChanged(one);
             }
             Q_EMIT changed();
         });
@@ -98,7 +98,7 @@ void StepGains::showServo(const session::ServoEntry* entry)
     if (entry->ref != m_servo || entry->servo.profile != m_profile)
         build(*entry);
     for (Row& row : m_rows) {
-        const auto raw = entry->shown(*row.reg);
+        const auto raw = entry->displayedRaw(*row.reg);
         if (raw == row.raw)
             continue;
         row.raw = raw;
@@ -106,12 +106,12 @@ void StepGains::showServo(const session::ServoEntry* entry)
         row.trial->setEnabled(raw.has_value());
         if (raw)
             row.trial->setValue(bounded(raw, row.trial->minimum()));
-        mark(row);
+        markChanged(row);
     }
 }
 
-/// What is tried stands out by weight, not by colour alone.
-void StepGains::mark(Row& row)
+/// What is tried stands out by weight, not by color alone.
+void StepGains::markChanged(Row& row)
 {
     const bool differs = row.raw && row.trial->value() != *row.raw;
     QFont font = row.name->font();
@@ -132,7 +132,7 @@ std::vector<record::StepGain> StepGains::trial() const
     return gains;
 }
 
-void StepGains::put(const QString& key, std::int64_t raw)
+void StepGains::setTrial(const QString& key, std::int64_t raw)
 {
     for (const Row& row : m_rows) {
         if (row.reg->key == key)
@@ -158,10 +158,10 @@ void StepGains::retranslate()
     m_nowTitle->setVisible(!m_rows.empty());
     m_trialTitle->setVisible(!m_rows.empty());
     for (const Row& row : m_rows) {
-        const QString name = row.reg->name.in(text::inChinese());
+        const QString name = row.reg->name.in(text::isUiChinese());
         row.name->setText(name);
         row.name->setToolTip(row.reg->key + QStringLiteral("\n") +
-                             row.reg->help.in(text::inChinese()));
+                             row.reg->help.in(text::isUiChinese()));
         row.trial->setAccessibleName(tr("%1: value to try").arg(name));
         row.trial->setToolTip(tr("%1 … %2; in force during a trial run only, until it is accepted")
                                   .arg(row.trial->minimum())

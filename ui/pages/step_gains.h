@@ -25,9 +25,9 @@ public:
 
     /// What differs from now.
     std::vector<record::StepGain> trial() const;
-    bool known() const { return !m_rows.empty(); }  ///< it has such registers
-    void put(const QString& key, std::int64_t raw); ///< into what is tried
-    void reset();                                   ///< what is tried becomes what is now
+    bool hasRegisters() const { return !m_rows.empty(); } ///< it has such registers
+    void setTrial(const QString& key, std::int64_t raw);  ///< into what is tried
+    void reset();                                         ///< what is tried becomes what is now
 
 Q_SIGNALS:
     void changed();
@@ -45,7 +45,7 @@ private:
     };
     void build(const session::ServoEntry& entry);
     void clear();
-    void mark(Row& row);
+    void markChanged(Row& row);
     void retranslate();
 
     session::ServoRef m_servo = 0;

@@ -23,24 +23,24 @@
 
 namespace ui {
 namespace {
-constexpr int leastSetup = 280;
-constexpr int mostSetup = 340;
+constexpr int minSetupWidth = 280;
+constexpr int maxSetupWidth = 340;
 constexpr int setupPercent = 27;
 } // namespace
 
-StepPage::StepPage(Bench& bench, session::Settings& settings, QWidget* parent)
+StepPage::StepPage(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(bench.desk)
-    , m_deskLives(&bench.desk)
-    , m_selection(bench.selection)
-    , m_archive(bench.archive)
-    , m_test(bench.desk)
+    , m_desk(appContext.desk)
+    , m_deskGuard(&appContext.desk)
+    , m_selection(appContext.selection)
+    , m_historyService(appContext.history)
+    , m_test(appContext.desk)
 {
     setObjectName(QStringLiteral("stepPage"));
     build(settings);
     connectAll();
     retranslate();
-    servoChosen();
+    onServoSelected();
 }
 
 void StepPage::connectAll()
@@ -54,40 +54,41 @@ void StepPage::connectAll()
     connect(m_accept, &QPushButton::clicked, this, &StepPage::accept);
     connect(m_back, &QPushButton::clicked, this, [this] {
         m_gains->reset();
-        m_test.back(m_selection.current());
+        m_test.revert(m_selection.current());
     });
-    connect(m_results, &StepResults::wished, this, [this](const record::StepAdvice& advice) {
-        m_gains->put(advice.key, advice.proposed);
-        m_try->setFocus();
-    });
-    connect(&m_test, &session::StepTest::progressed, this, &StepPage::showProgress);
-    connect(&m_test, &session::StepTest::ended, this, &StepPage::ended);
-    connect(&m_test, &session::StepTest::failed, this, &StepPage::failed);
-    connect(&m_test, &session::StepTest::keptChanged, this, &StepPage::showState);
-    connect(&m_selection, &Selection::changed, this, &StepPage::servoChosen);
+    connect(m_results, &StepResults::adviceRequested, this,
+            [this](const record::StepAdvice& advice) {
+                m_gains->setTrial(advice.key, advice.proposed);
+                m_try->setFocus();
+            });
+    connect(&m_test, &session::StepTest::progressChanged, this, &StepPage::showProgress);
+    connect(&m_test, &session::StepTest::finished, this, &StepPage::onTestFinished);
+    connect(&m_test, &session::StepTest::failed, this, &StepPage::onTestFailed);
+    connect(&m_test, &session::StepTest::acceptedChanged, this, &StepPage::showState);
+    connect(&m_selection, &Selection::changed, this, &StepPage::onServoSelected);
     for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
                               &session::Desk::servosCleared, &session::Desk::taskChanged})
         connect(&m_desk, signal, this, &StepPage::showState);
-    const auto known = [this](session::ServoRef ref) {
+    const auto isShownServo = [this](session::ServoRef ref) {
         if (ref == m_selection.current())
-            servoChosen();
+            onServoSelected();
     };
-    connect(&m_desk, &session::Desk::servoChanged, this, known);
-    connect(&m_desk, &session::Desk::tableChanged, this, known);
+    connect(&m_desk, &session::Desk::servoChanged, this, isShownServo);
+    connect(&m_desk, &session::Desk::tableChanged, this, isShownServo);
 }
 
-void StepPage::servoChosen()
+void StepPage::onServoSelected()
 {
-    if (!m_deskLives)
+    if (!m_deskGuard)
         return;
     const session::ServoEntry* entry = m_desk.servo(m_selection.current());
     m_form->showServo(entry);
     // What a trial sets is no value of the servo's own.
-    if (!m_test.running())
+    if (!m_test.isRunning())
         m_gains->showServo(entry);
-    if (m_test.servo() != 0 && m_test.servo() != m_selection.current() && !m_test.running() &&
+    if (m_test.servo() != 0 && m_test.servo() != m_selection.current() && !m_test.isRunning() &&
         !m_test.runs().empty()) {
-        m_test.forget();
+        m_test.clear();
         m_results->refresh();
     }
     showState();
@@ -102,7 +103,7 @@ bool StepPage::otherMode() const
     return kind != device::GoalKind::Position && kind != device::GoalKind::Turns;
 }
 
-QString StepPage::whyNot() const
+QString StepPage::blockedReason() const
 {
     if (m_desk.state() != session::LinkState::Open)
         return tr("Connect first.");
@@ -111,9 +112,9 @@ QString StepPage::whyNot() const
         return tr("Choose a servo in the list.");
     if (!entry->servo.profile || !entry->servo.profile->writable)
         return tr("What this servo is, is not known: nothing is moved.");
-    if (m_desk.searching())
+    if (m_desk.isSearching())
         return tr("The search goes on; a run can be started when it has ended.");
-    if (m_desk.testing())
+    if (m_desk.isTesting())
         return tr("Another test runs.");
     if (entry->stopped)
         return tr("It was stopped in an emergency: switch torque on first.");
@@ -124,9 +125,9 @@ QString StepPage::whyNot() const
     return {};
 }
 
-QString StepPage::whyNoTrial() const
+QString StepPage::trialBlockedReason() const
 {
-    const QString why = whyNot();
+    const QString why = blockedReason();
     if (!why.isEmpty())
         return why;
     return m_gains->trial().empty() ? tr("Change a value under Try first.") : QString();
@@ -134,32 +135,32 @@ QString StepPage::whyNoTrial() const
 
 void StepPage::showState()
 {
-    if (!m_deskLives)
+    if (!m_deskGuard)
         return;
-    const bool running = m_test.running();
+    const bool running = m_test.isRunning();
     const session::ServoRef ref = m_selection.current();
     m_switchMode->setVisible(otherMode() && !running);
-    const QString why = whyNot();
-    const QString noTrial = whyNoTrial();
+    const QString why = blockedReason();
+    const QString noTrial = trialBlockedReason();
     m_setup->setEnabled(!running);
     m_run->setEnabled(!running && why.isEmpty());
     m_try->setEnabled(!running && noTrial.isEmpty());
     m_stop->setEnabled(running);
-    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.testing();
+    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.isTesting();
     m_accept->setEnabled(!running && open && !m_gains->trial().empty());
     m_back->setEnabled(!running && open &&
-                       (!m_gains->trial().empty() || !m_test.earlier(ref).empty()));
+                       (!m_gains->trial().empty() || !m_test.previousValues(ref).empty()));
     m_progress->setVisible(running);
-    m_why->setText(running          ? tr("The servo moves. Esc takes torque off all servos.")
-                   : !why.isEmpty() ? why
-                                    : tr("The servo will move when you press Run or Try."));
+    m_reasonLabel->setText(running ? tr("The servo moves. Esc takes torque off all servos.")
+                           : !why.isEmpty() ? why
+                                            : tr("The servo will move when you press Run or Try."));
     m_try->setToolTip(noTrial.isEmpty()
                           ? tr("The same step with the values under Try, which are put back "
                                "afterwards: %1")
                                 .arg(stepGainsText(m_gains->trial()))
                           : noTrial);
     QStringList earlier;
-    for (const device::WriteItem& item : m_test.earlier(ref))
+    for (const device::WriteItem& item : m_test.previousValues(ref))
         earlier << QStringLiteral("%1 %2").arg(item.key).arg(item.raw);
     m_back->setToolTip(
         earlier.isEmpty()
@@ -170,19 +171,19 @@ void StepPage::showState()
 
 void StepPage::showProgress()
 {
-    if (m_test.running())
+    if (m_test.isRunning())
         m_progress->setValue(int(m_test.progress().fraction * 1000));
 }
 
 void StepPage::run(bool trial)
 {
-    if (m_asked)
+    if (m_confirmed)
         start(trial);
     else
-        askFirst(trial);
+        askForConfirmation(trial);
 }
 
-void StepPage::askFirst(bool trial)
+void StepPage::askForConfirmation(bool trial)
 {
     const session::ServoEntry* entry = m_desk.servo(m_selection.current());
     if (entry == nullptr || !entry->servo.profile)
@@ -198,24 +199,24 @@ void StepPage::askFirst(bool trial)
                        "stop the run or close the window during it.");
     question.risk = tr("Keep hands and objects out of its way. Esc takes torque off all servos at "
                        "once.");
-    question.yes = tr("Start");
+    question.acceptText = tr("Start");
     question.guard = this;
     ask(this, question, [this, trial] {
-        m_asked = true;
+        m_confirmed = true;
         start(trial);
     });
 }
 
 void StepPage::start(bool trial)
 {
-    m_banner->clear();
-    m_form->remember();
-    session::StepTestOrder order{m_form->spec(), m_selection.current()};
+    m_banner->hideMessage();
+    m_form->saveSettings();
+    session::StepTestRequest order{m_form->spec(), m_selection.current()};
     if (trial)
         order.spec.trial = m_gains->trial();
     order.switchMode = otherMode() && m_switchMode->isChecked();
     if (!m_test.start(order))
-        m_banner->present([] { return notStartedWords(); });
+        m_banner->showMessage([] { return notStartedText(); });
     showState();
 }
 
@@ -225,54 +226,55 @@ void StepPage::accept()
     m_test.accept(m_selection.current(), m_gains->trial());
 }
 
-void StepPage::ended()
+void StepPage::onTestFinished()
 {
     const record::StepRun& run = m_test.runs().back();
-    m_archive.keep(std::make_shared<const record::StepRun>(run));
+    m_historyService.saveRun(std::make_shared<const record::StepRun>(run));
     const bool early =
         run.end != record::SweepEnd::Finished && run.end != record::SweepEnd::Stopped;
-    if (early || !run.putBack || !m_test.torqueLeft().empty())
-        m_banner->present(endWords());
-    servoChosen();
+    if (early || !run.isReverted || !m_test.unreleasedTorque().empty())
+        m_banner->showMessage(endMessage());
+    onServoSelected();
 }
 
 /// How the latest run ended, and all that it has left in the servo.
-std::function<BannerWords()> StepPage::endWords() const
+std::function<BannerText()> StepPage::endMessage() const
 {
     const record::StepRun& run = m_test.runs().back();
     const session::ServoEntry* entry = m_desk.servo(m_test.servo());
-    return [end = run.end, putBack = run.putBack, trial = m_test.trialLeft(),
-            torque = m_test.torqueLeft(),
+    return [end = run.end, isReverted = run.isReverted, trial = m_test.unrevertedItems(),
+            torque = m_test.unreleasedTorque(),
             profile = entry != nullptr ? entry->servo.profile : catalog::ProfilePtr()] {
-        const bool bad = !putBack || !torque.empty();
-        BannerWords words{bad ? Tone::Bad : Tone::Warn,
-                          report::endWords(end).in(text::inChinese())};
+        const bool bad = !isReverted || !torque.empty();
+        BannerText message{bad ? Tone::Bad : Tone::Warn,
+                           report::endText(end).in(text::isUiChinese())};
         QStringList left;
         QStringList remedies;
         if (!trial.empty())
             left << tr("Trial values still in the servo: %1.")
-                        .arg(trialLeftText(trial, profile.get()));
-        else if (!putBack)
+                        .arg(unrevertedTrialText(trial, profile.get()));
+        else if (!isReverted)
             left << tr("What the run had set could not be put back.");
-        if (!putBack)
-            remedies << settingsLeftRemedy();
+        if (!isReverted)
+            remedies << unrevertedSettingsRemedy();
         if (!torque.empty()) {
-            left << torqueLeftText(torque);
-            remedies << torqueLeftRemedy();
+            left << unreleasedTorqueText(torque);
+            remedies << unreleasedTorqueRemedy();
         }
-        words.cause = left.join(QLatin1Char(' '));
-        words.remedy = remedies.join(QLatin1Char(' '));
-        return words;
+        message.cause = left.join(QLatin1Char(' '));
+        message.remedy = remedies.join(QLatin1Char(' '));
+        return message;
     };
 }
 
-void StepPage::failed(const base::Error& error)
+void StepPage::onTestFailed(const base::Error& error)
 {
-    if (!m_test.torqueLeft().empty())
-        m_banner->present([error, left = m_test.torqueLeft()] { return failedWords(error, left); });
+    if (!m_test.unreleasedTorque().empty())
+        m_banner->showMessage(
+            [error, left = m_test.unreleasedTorque()] { return failureText(error, left); });
     else if (error.code != base::ErrorCode::Stopped)
-        m_banner->present(error);
-    servoChosen();
+        m_banner->showMessage(error);
+    onServoSelected();
 }
 
 void StepPage::changeEvent(QEvent* event)
@@ -287,12 +289,12 @@ void StepPage::changeEvent(QEvent* event)
 void StepPage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    m_scroll->setFixedWidth(std::clamp(width() * setupPercent / 100, leastSetup, mostSetup));
+    m_scroll->setFixedWidth(std::clamp(width() * setupPercent / 100, minSetupWidth, maxSetupWidth));
 }
 
 void StepPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    servoChosen();
+    onServoSelected();
 }
 } // namespace ui

@@ -19,7 +19,7 @@ class QScrollArea;
 
 namespace ui {
 class Banner;
-struct BannerWords;
+struct BannerText;
 class StepForm;
 class StepGains;
 class StepResults;
@@ -29,7 +29,7 @@ class StepPage final : public QWidget {
     Q_OBJECT
 
 public:
-    StepPage(Bench& bench, session::Settings& settings, QWidget* parent = nullptr);
+    StepPage(AppContext& appContext, session::Settings& settings, QWidget* parent = nullptr);
 
     session::StepTest& test() { return m_test; }
 
@@ -44,25 +44,25 @@ private:
     QWidget* buildRun();
     QPushButton* button(const char* name, QWidget* parent);
     void connectAll();
-    void servoChosen();
+    void onServoSelected();
     void run(bool trial);
     void start(bool trial);
-    void askFirst(bool trial);
+    void askForConfirmation(bool trial);
     void accept();
-    void ended();
-    void failed(const base::Error& error);
-    std::function<BannerWords()> endWords() const;
+    void onTestFinished();
+    void onTestFailed(const base::Error& error);
+    std::function<BannerText()> endMessage() const;
     void showState();
     void showProgress();
-    bool otherMode() const; ///< the servo is in one without positions
-    QString whyNot() const; ///< nothing can be run now; empty: it can
-    QString whyNoTrial() const;
+    bool otherMode() const;        ///< the servo is in one without positions
+    QString blockedReason() const; ///< nothing can be run now; empty: it can
+    QString trialBlockedReason() const;
     void retranslate();
 
     session::Desk& m_desk;
-    QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
+    QPointer<session::Desk> m_deskGuard; ///< a window may hide its pages on its way out
     Selection& m_selection;
-    session::Archive& m_archive;
+    session::HistoryService& m_historyService;
     session::StepTest m_test;
 
     Banner* m_banner = nullptr;
@@ -72,7 +72,7 @@ private:
     QLabel* m_gainsTitle = nullptr;
     StepGains* m_gains = nullptr;
     QCheckBox* m_switchMode = nullptr;
-    QLabel* m_why = nullptr;
+    QLabel* m_reasonLabel = nullptr;
     QPushButton* m_run = nullptr;
     QPushButton* m_try = nullptr;
     QPushButton* m_stop = nullptr;
@@ -80,6 +80,6 @@ private:
     QPushButton* m_back = nullptr;
     ThinProgress* m_progress = nullptr;
     StepResults* m_results = nullptr;
-    bool m_asked = false; ///< whether it may move, in this session
+    bool m_confirmed = false; ///< whether it may move, in this session
 };
 } // namespace ui

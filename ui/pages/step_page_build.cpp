@@ -23,16 +23,16 @@ void StepPage::build(session::Settings& settings)
     column->setContentsMargins(0, 6, 0, 0);
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("stepBanner"));
-    m_banner->clear();
+    m_banner->hideMessage();
     // What could not be put back is settled elsewhere; then there is nothing to say any more.
-    connect(&m_desk, &session::Desk::openIntents, m_banner,
-            [this](const std::vector<jobs::Recovered>& found, const auto& elsewhere) {
+    connect(&m_desk, &session::Desk::openIntentsFound, m_banner,
+            [this](const std::vector<jobs::RecoveryResult>& found, const auto& elsewhere) {
                 const bool settled =
-                    std::any_of(found.begin(), found.end(), [](const jobs::Recovered& one) {
+                    std::any_of(found.begin(), found.end(), [](const jobs::RecoveryResult& one) {
                         return one.done && one.before.intent.kind == base::IntentKind::Trial;
                     });
                 if (settled || (found.empty() && elsewhere.empty()))
-                    m_banner->clear();
+                    m_banner->hideMessage();
             });
     auto* left = new QVBoxLayout;
     left->setSpacing(6);
@@ -49,7 +49,7 @@ void StepPage::build(session::Settings& settings)
     row->addLayout(left);
     row->addWidget(m_results, 1);
     column->addLayout(row, 1);
-    new FloatOver(m_banner, this, FloatOver::Corner::BottomRight);
+    new FloatingOverlay(m_banner, this, FloatingOverlay::Corner::BottomRight);
 }
 
 QWidget* StepPage::buildSetup(session::Settings& settings)
@@ -82,9 +82,9 @@ QWidget* StepPage::buildRun()
     auto* grid = new QGridLayout(box);
     grid->setContentsMargins({});
     grid->setSpacing(4);
-    m_why = new QLabel(box);
-    m_why->setObjectName(QStringLiteral("stepWhy"));
-    m_why->setWordWrap(true);
+    m_reasonLabel = new QLabel(box);
+    m_reasonLabel->setObjectName(QStringLiteral("stepWhy"));
+    m_reasonLabel->setWordWrap(true);
     m_switchMode = new QCheckBox(box);
     m_switchMode->setObjectName(QStringLiteral("stepSwitchMode"));
     m_switchMode->hide();
@@ -99,7 +99,7 @@ QWidget* StepPage::buildRun()
     m_progress->setRange(0, 1000);
     // The buttons stand last: what comes and goes above them must not move them.
     grid->addWidget(m_progress, 0, 0, 1, 3);
-    grid->addWidget(m_why, 1, 0, 1, 3);
+    grid->addWidget(m_reasonLabel, 1, 0, 1, 3);
     grid->addWidget(m_switchMode, 2, 0, 1, 3);
     grid->addWidget(m_run, 3, 0);
     grid->addWidget(m_try, 3, 1);

@@ -29,13 +29,13 @@ using record::StepChange;
 
 namespace {
 constexpr std::size_t storeBudget = std::size_t(16) << 20;
-const QString folderChoice = QStringLiteral("sweep/report_folder");
+const QString folderKey = QStringLiteral("sweep/report_folder");
 
 enum Column : int { Figure, Before, After, Difference, Change, Columns };
 
 QString in(const catalog::Text& words)
 {
-    return words.in(text::inChinese());
+    return words.in(text::isUiChinese());
 }
 
 Tone toneOf(StepChange change)
@@ -62,8 +62,8 @@ StepResults::StepResults(session::StepTest& test, session::Settings& settings, Q
     m_chart->setLive(false);
     m_chart->setOrigin({});
     connect(m_choice, &QComboBox::activated, this, &StepResults::showCurves);
-    connect(&m_test, &session::StepTest::responded, this, &StepResults::showCurves);
-    connect(&m_test, &session::StepTest::ended, this, &StepResults::refresh);
+    connect(&m_test, &session::StepTest::responsesAdded, this, &StepResults::showCurves);
+    connect(&m_test, &session::StepTest::finished, this, &StepResults::refresh);
     connect(&m_test, &session::StepTest::failed, this, &StepResults::refresh);
     connect(&m_test, &session::StepTest::saved, this, [this](const QString& path) {
         m_savedPath = path;
@@ -75,7 +75,7 @@ StepResults::StepResults(session::StepTest& test, session::Settings& settings, Q
         retranslate();
     });
     connect(m_forget, &QPushButton::clicked, this, [this] {
-        m_test.forget();
+        m_test.clear();
         refresh();
     });
     refresh();
@@ -85,7 +85,7 @@ void StepResults::refresh()
 {
     fillChoice();
     showCurves();
-    showFigures();
+    showMetrics();
     showAdvice();
     retranslate();
 }
@@ -93,16 +93,16 @@ void StepResults::refresh()
 /// "1: there", "1: back", "2: there" … of the longest run.
 void StepResults::fillChoice()
 {
-    std::size_t most = 0;
+    std::size_t maxResponses = 0;
     for (const record::StepRun& run : m_test.runs())
-        most = std::max(most, run.responses.size());
+        maxResponses = std::max(maxResponses, run.responses.size());
     const int kept = std::max(0, m_choice->currentIndex());
     m_choice->clear();
-    for (std::size_t i = 0; i < most; ++i)
+    for (std::size_t i = 0; i < maxResponses; ++i)
         m_choice->addItem(i % 2 == 0 ? tr("%1, there").arg(i / 2 + 1)
                                      : tr("%1, back").arg(i / 2 + 1));
-    m_choice->setCurrentIndex(most == 0 ? -1 : std::min(kept, int(most) - 1));
-    m_choice->setEnabled(most > 1);
+    m_choice->setCurrentIndex(maxResponses == 0 ? -1 : std::min(kept, int(maxResponses) - 1));
+    m_choice->setEnabled(maxResponses > 1);
 }
 
 int StepResults::shownResponse() const
@@ -124,7 +124,7 @@ void StepResults::addCurve(const std::vector<record::StepResponse>& responses, c
         std::find_if(responses.begin(), responses.end(), [this](const record::StepResponse& one) {
             return one.number == shownResponse();
         });
-    const int colour = int(m_nextColour++);
+    const int color = int(m_nextColor++);
     if (found == responses.end())
         return;
     const record::ChannelId channel = m_store.open();
@@ -132,8 +132,8 @@ void StepResults::addCurve(const std::vector<record::StepResponse>& responses, c
     const double sign = found->target < found->start ? -1 : 1;
     for (const record::StepSample& sample : found->samples)
         m_store.append(channel, sample.at, sign * (sample.position - found->start));
-    m_channels.push_back({channel, QStringLiteral("run%1").arg(colour), name, tr("steps"),
-                          trendColour(colour, ground)});
+    m_channels.push_back({channel, QStringLiteral("run%1").arg(color), name, tr("steps"),
+                          trendColor(color, ground)});
 }
 
 /// Where the way ends, as long as the longest response.
@@ -147,7 +147,7 @@ void StepResults::showTarget(const std::vector<record::StepResponse>& responses)
     m_store.append(channel, {}, std::abs(one.target - one.start));
     m_store.append(channel, one.samples.back().at, std::abs(one.target - one.start));
     TrendChannel goal{channel, QStringLiteral("goal"), tr("Target"), tr("steps"),
-                      trendColour(trendColourCount - 1, palette().color(QPalette::Base))};
+                      trendColor(trendColorCount - 1, palette().color(QPalette::Base))};
     goal.steps = true;
     m_channels.push_back(goal);
 }
@@ -159,24 +159,24 @@ void StepResults::showCurves()
     for (const record::ChannelId channel : m_opened)
         m_store.close(channel);
     m_opened.clear();
-    m_nextColour = 0;
+    m_nextColor = 0;
     const auto& runs = m_test.runs();
-    const auto& live = m_test.live();
+    const auto& live = m_test.liveResponses();
     showTarget(!runs.empty() ? runs.back().responses : live);
     std::size_t place = 0;
     for (const record::StepRun& run : runs)
         addCurve(run.responses, nameOf(run.spec, ++place));
     if (!live.empty())
         addCurve(live, nameOf(m_test.liveSpec(), ++place));
-    m_nothing->setVisible(m_channels.empty());
+    m_emptyLabel->setVisible(m_channels.empty());
     m_chart->setChannels(m_channels);
-    m_chart->fit();
+    m_chart->zoomToFit();
 }
 
-void StepResults::showFigures()
+void StepResults::showMetrics()
 {
     const auto& runs = m_test.runs();
-    const record::StepRun* before = m_test.before();
+    const record::StepRun* before = m_test.previousRun();
     m_figures->setRowCount(0);
     if (runs.empty())
         return;
@@ -193,7 +193,7 @@ void StepResults::showFigures()
     for (const int column : {Before, Difference, Change})
         m_figures->setColumnHidden(column, before == nullptr);
     // Of a run that was broken off nothing is better or worse.
-    if (brokenOff(before) || brokenOff(&after))
+    if (wasAborted(before) || wasAborted(&after))
         m_figures->setColumnHidden(Change, true);
     m_figures->resizeColumnsToContents();
 }
@@ -201,8 +201,8 @@ void StepResults::showFigures()
 void StepResults::fillRow(int row, const record::StepFigure& figure)
 {
     const record::StepRun& after = m_test.runs().back();
-    const record::StepRun* before = m_test.before();
-    const auto put = [this, row](int column, const QString& words, Tone tone = Tone::Quiet) {
+    const record::StepRun* before = m_test.previousRun();
+    const auto setCell = [this, row](int column, const QString& words, Tone tone = Tone::Quiet) {
         auto* item = new QTableWidgetItem(words);
         const bool number = column != Figure && column != Change;
         item->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
@@ -210,28 +210,28 @@ void StepResults::fillRow(int row, const record::StepFigure& figure)
             item->setData(toneRole, int(tone));
         m_figures->setItem(row, column, item);
     };
-    const QString unit = report::stepUnit(figure, text::inChinese());
-    const QString name = in(report::stepFigureWords(QString::fromLatin1(figure.key)));
-    put(Figure, unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit));
-    put(After, report::stepValue(after.mean.*figure.member));
+    const QString unit = report::stepUnit(figure, text::isUiChinese());
+    const QString name = in(report::stepFigureText(QString::fromLatin1(figure.key)));
+    setCell(Figure, unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit));
+    setCell(After, report::stepValue(after.mean.*figure.member));
     if (before == nullptr)
         return;
-    put(Before, report::stepValue(before->mean.*figure.member));
+    setCell(Before, report::stepValue(before->mean.*figure.member));
     for (const record::StepDifference& one : record::compareSteps(*before, after)) {
         if (QLatin1StringView(one.figure.key) != QLatin1StringView(figure.key))
             continue;
-        put(Difference, report::stepValue(one.difference));
-        put(Change, in(report::stepChangeWords(one.change)), toneOf(one.change));
+        setCell(Difference, report::stepValue(one.difference));
+        setCell(Change, in(report::stepChangeText(one.change)), toneOf(one.change));
     }
 }
 
 /// What may help, and where it can be tried a button that puts it there.
-QWidget* StepResults::remedy(const record::StepAdvice& advice)
+QWidget* StepResults::adviceRow(const record::StepAdvice& advice)
 {
     auto* row = new QWidget(m_adviceBox);
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(8, 0, 0, 0);
-    auto* words = new QLabel(in(report::stepAdviceWords(advice)), row);
+    auto* words = new QLabel(in(report::stepAdviceLine(advice)), row);
     words->setWordWrap(true);
     line->addWidget(words, 1);
     if (advice.key.isEmpty())
@@ -240,7 +240,8 @@ QWidget* StepResults::remedy(const record::StepAdvice& advice)
     button->setObjectName(QStringLiteral("stepTake_") + advice.key);
     button->setAccessibleName(words->text());
     button->setToolTip(tr("Put this value into Try; nothing is written"));
-    connect(button, &QPushButton::clicked, this, [this, advice] { Q_EMIT wished(advice); });
+    connect(button, &QPushButton::clicked, this,
+            [this, advice] { Q_EMIT adviceRequested(advice); });
     line->addWidget(button);
     return row;
 }
@@ -256,22 +257,22 @@ void StepResults::showAdvice()
     for (std::size_t i = 0; i < advice.size(); ++i) {
         const record::StepAdvice one = advice[i];
         if (i == 0 || one.symptom != advice[i - 1].symptom) {
-            auto* symptom = new QLabel(in(report::stepSymptomWords(one.symptom)), m_adviceBox);
+            auto* symptom = new QLabel(in(report::stepSymptomText(one.symptom)), m_adviceBox);
             symptom->setWordWrap(true);
             symptom->setObjectName(QStringLiteral("stepSymptom"));
             m_advice->addWidget(symptom);
         }
-        m_advice->addWidget(remedy(one));
+        m_advice->addWidget(adviceRow(one));
     }
     m_advice->addStretch();
 }
 
-void StepResults::askWhere(const QString& ending)
+void StepResults::askForSavePath(const QString& ending)
 {
     const QString folder =
         m_settings
-            .choice(folderChoice,
-                    QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+            .pageValue(folderKey,
+                       QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
             .toString();
     auto* dialog = new QFileDialog(this, tr("Save the runs"), folder);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -280,8 +281,8 @@ void StepResults::askWhere(const QString& ending)
     dialog->setNameFilter(QStringLiteral("*.") + ending);
     dialog->selectFile(QStringLiteral("step-response.") + ending);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
-        m_test.save(path, text::inChinese());
+        m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
+        m_test.save(path, text::isUiChinese());
     });
     dialog->open();
 }

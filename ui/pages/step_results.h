@@ -31,7 +31,7 @@ public:
 
 Q_SIGNALS:
     /// The button of a piece of advice: into what is tried.
-    void wished(const record::StepAdvice& advice);
+    void adviceRequested(const record::StepAdvice& advice);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -41,12 +41,12 @@ private:
     void showCurves();
     void addCurve(const std::vector<record::StepResponse>& responses, const QString& name);
     void showTarget(const std::vector<record::StepResponse>& responses);
-    void showFigures();
+    void showMetrics();
     void fillRow(int row, const record::StepFigure& figure);
     void showAdvice();
-    QWidget* remedy(const record::StepAdvice& advice);
+    QWidget* adviceRow(const record::StepAdvice& advice);
     void fillChoice();
-    void askWhere(const QString& ending);
+    void askForSavePath(const QString& ending);
     void retranslate();
     QString nameOf(const record::StepSpec& spec, std::size_t place) const;
     int shownResponse() const; ///< from 1
@@ -59,7 +59,7 @@ private:
     QLabel* m_title;
     QLabel* m_choiceLabel;
     QComboBox* m_choice; ///< which response of each run
-    QLabel* m_nothing;
+    QLabel* m_emptyLabel;
     TrendChart* m_chart;
     QTableWidget* m_figures;
     QWidget* m_adviceBox;
@@ -70,7 +70,7 @@ private:
     QLabel* m_saved;
     QString m_savedPath;
     std::optional<base::Error> m_saveError{};
-    std::size_t m_nextColour = 0;
+    std::size_t m_nextColor = 0;
     std::vector<TrendChannel> m_channels;
 };
 } // namespace ui

@@ -24,10 +24,10 @@ namespace ui {
 namespace {
 constexpr int rowPadding = 6;
 constexpr int columns = 5;
-constexpr int leastAdvice = 220;
-constexpr int leastChart = 210;
+constexpr int minAdviceHeight = 220;
+constexpr int minChartHeight = 210;
 
-QTableWidget* figuresTable(QWidget* parent)
+QTableWidget* metricsTableWidget(QWidget* parent)
 {
     auto* table = new QTableWidget(0, columns, parent);
     table->setObjectName(QStringLiteral("stepFigures"));
@@ -38,7 +38,7 @@ QTableWidget* figuresTable(QWidget* parent)
     table->setWordWrap(false);
     table->verticalHeader()->hide();
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowPadding);
-    new RoomyColumn(table);
+    new StretchFirstColumn(table);
     return table;
 }
 } // namespace
@@ -62,21 +62,21 @@ void StepResults::build()
     head->addWidget(m_choiceLabel);
     head->addWidget(m_choice);
     head->addWidget(m_forget);
-    m_nothing = new QLabel(this);
-    m_nothing->setObjectName(QStringLiteral("stepNothing"));
-    m_nothing->setWordWrap(true);
-    m_nothing->setForegroundRole(QPalette::PlaceholderText);
+    m_emptyLabel = new QLabel(this);
+    m_emptyLabel->setObjectName(QStringLiteral("stepNothing"));
+    m_emptyLabel->setWordWrap(true);
+    m_emptyLabel->setForegroundRole(QPalette::PlaceholderText);
     m_chart = new TrendChart(this);
     m_chart->setObjectName(QStringLiteral("stepChart"));
-    m_chart->setMinimumHeight(leastChart);
+    m_chart->setMinimumHeight(minChartHeight);
     auto* findings = new QSplitter(Qt::Horizontal, this);
     findings->setChildrenCollapsible(false);
-    m_figures = figuresTable(findings);
+    m_figures = metricsTableWidget(findings);
     auto* side = new QScrollArea(findings);
     side->setFrameShape(QFrame::NoFrame);
     side->setWidgetResizable(true);
     side->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    side->setMinimumWidth(leastAdvice);
+    side->setMinimumWidth(minAdviceHeight);
     m_adviceBox = new QWidget(side);
     auto* advice = new QVBoxLayout(m_adviceBox);
     advice->setContentsMargins(6, 0, 0, 0);
@@ -92,7 +92,7 @@ void StepResults::build()
         const QString end = QString::fromLatin1(ending);
         button->setObjectName(QStringLiteral("stepReport_") + end);
         button->setProperty("ending", end);
-        connect(button, &QPushButton::clicked, this, [this, end] { askWhere(end); });
+        connect(button, &QPushButton::clicked, this, [this, end] { askForSavePath(end); });
         flow->addWidget(button);
         m_reports.push_back(button);
     }
@@ -116,7 +116,7 @@ void StepResults::build()
     split->setStretchFactor(0, 3);
     split->setStretchFactor(1, 2);
     column->addLayout(head);
-    column->addWidget(m_nothing);
+    column->addWidget(m_emptyLabel);
     column->addWidget(split, 1);
 }
 
@@ -130,17 +130,18 @@ void StepResults::retranslate()
     m_forget->setText(tr("Clear"));
     m_forget->setToolTip(tr("Forget these runs; nothing in the servo changes"));
     m_forget->setAccessibleName(m_forget->toolTip());
-    m_forget->setEnabled(some && !m_test.running());
-    m_nothing->setText(tr("Run measures how the servo answers a step; Try does the same with other "
-                          "gains, lays both over each other, and puts the gains back."));
+    m_forget->setEnabled(some && !m_test.isRunning());
+    m_emptyLabel->setText(
+        tr("Run measures how the servo answers a step; Try does the same with other "
+           "gains, lays both over each other, and puts the gains back."));
     m_chart->setAccessibleName(tr("Step responses over each other"));
     m_figures->setAccessibleName(tr("Figures before and after"));
     m_figures->setToolTip(tr("Means of all steps of a run, there and back"));
-    const QString value = m_test.before() != nullptr ? tr("After") : tr("Value");
+    const QString value = m_test.previousRun() != nullptr ? tr("After") : tr("Value");
     m_figures->setHorizontalHeaderLabels(
         {tr("Figure"),
-         brokenOff(m_test.before()) ? tr("%1 (broken off)").arg(tr("Before")) : tr("Before"),
-         some && brokenOff(&m_test.runs().back()) ? tr("%1 (broken off)").arg(value) : value,
+         wasAborted(m_test.previousRun()) ? tr("%1 (broken off)").arg(tr("Before")) : tr("Before"),
+         some && wasAborted(&m_test.runs().back()) ? tr("%1 (broken off)").arg(value) : value,
          tr("Difference"), tr("Change")});
     const bool advised = !m_test.advice().empty();
     m_adviceTitle->setText(advised ? tr("<b>What to try next</b>")
@@ -150,13 +151,13 @@ void StepResults::retranslate()
     for (QPushButton* button : m_reports) {
         const QString ending = button->property("ending").toString();
         button->setText(ending.toUpper());
-        button->setEnabled(some && !m_test.running());
+        button->setEnabled(some && !m_test.isRunning());
         button->setToolTip(tr("Save these runs as %1").arg(ending.toUpper()));
         button->setAccessibleName(button->toolTip());
     }
     m_saved->setVisible(m_saveError || !m_savedPath.isEmpty());
     if (m_saveError) {
-        m_saved->setText(text::describe(*m_saveError).what.toHtmlEscaped());
+        m_saved->setText(text::describe(*m_saveError).message.toHtmlEscaped());
     } else if (!m_savedPath.isEmpty()) {
         m_saved->setText(QStringLiteral("<a href=\"%1\">%2</a>")
                              .arg(QUrl::fromLocalFile(m_savedPath).toString(QUrl::FullyEncoded),

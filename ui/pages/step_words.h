@@ -14,29 +14,29 @@ namespace ui {
 /// "position_p 40, position_d 20"
 inline QString stepGainsText(const std::vector<record::StepGain>& gains)
 {
-    QStringList words;
+    QStringList parts;
     for (const record::StepGain& gain : gains)
-        words << QStringLiteral("%1 %2").arg(gain.key).arg(gain.raw);
-    return words.join(QStringLiteral(", "));
+        parts << QStringLiteral("%1 %2").arg(gain.key).arg(gain.raw);
+    return parts.join(QStringLiteral(", "));
 }
 
-inline bool brokenOff(const record::StepRun* run)
+inline bool wasAborted(const record::StepRun* run)
 {
     return run != nullptr && run->end != record::SweepEnd::Finished;
 }
 
 /// "Position loop P 12 (own value 32)"; by key without a profile.
-inline QString trialLeftText(const std::vector<base::JournalItem>& trial,
-                             const catalog::Profile* profile)
+inline QString unrevertedTrialText(const std::vector<base::JournalItem>& trial,
+                                   const catalog::Profile* profile)
 {
-    QStringList words;
+    QStringList parts;
     for (const base::JournalItem& item : trial) {
         const catalog::Register* reg = profile != nullptr ? profile->find(item.key) : nullptr;
-        words << text::translate("ui::StepPage", "%1 %2 (own value %3)")
-                     .arg(reg != nullptr ? reg->name.in(text::inChinese()) : item.key)
+        parts << text::translate("ui::StepPage", "%1 %2 (own value %3)")
+                     .arg(reg != nullptr ? reg->name.in(text::isUiChinese()) : item.key)
                      .arg(item.newRaw)
                      .arg(item.oldRaw);
     }
-    return words.join(QStringLiteral(", "));
+    return parts.join(QStringLiteral(", "));
 }
 } // namespace ui

@@ -31,24 +31,24 @@ namespace {
 constexpr std::array shapes{SweepShape::Sweep, SweepShape::Stairs, SweepShape::BothSides,
                             SweepShape::Sine,  SweepShape::Random, SweepShape::Points};
 constexpr int columns = 2;
-constexpr int mostPause = 3'600'000; // ms
-constexpr int mostCycles = 1'000'000;
-constexpr double mostMinutes = 7 * 24 * 60;
-constexpr int leastPeriod = 100; // ms
-constexpr double mostPeriod = 3600;
-constexpr int mostWarmUp = 24 * 3600;
-constexpr int usualPause = 2000;
-constexpr int usualCycles = 10;
-constexpr double usualMinutes = 10;
-constexpr double usualPeriod = 4;
+constexpr int maxPause = 3'600'000; // ms
+constexpr int maxCycles = 1'000'000;
+constexpr double maxMinutes = 7 * 24 * 60;
+constexpr int minPeriod = 100; // ms
+constexpr double maxPeriod = 3600;
+constexpr int maxWarmUp = 24 * 3600;
+constexpr int defaultPause = 2000;
+constexpr int defaultCycles = 10;
+constexpr double defaultMinutes = 10;
+constexpr double defaultPeriod = 4;
 
-const QString paceChoice = QStringLiteral("sweep/pace");
-const QString shapeChoice = QStringLiteral("sweep/shape");
-const QString cyclesChoice = QStringLiteral("sweep/cycles");
-const QString minutesChoice = QStringLiteral("sweep/minutes");
-const QString untilChoice = QStringLiteral("sweep/until");
-const QString operatorChoice = QStringLiteral("sweep/operator");
-const QString folderChoice = QStringLiteral("sweep/list_folder");
+const QString paceKey = QStringLiteral("sweep/pace");
+const QString shapeKey = QStringLiteral("sweep/shape");
+const QString cyclesKey = QStringLiteral("sweep/cycles");
+const QString minutesKey = QStringLiteral("sweep/minutes");
+const QString untilKey = QStringLiteral("sweep/until");
+const QString operatorKey = QStringLiteral("sweep/operator");
+const QString folderKey = QStringLiteral("sweep/list_folder");
 } // namespace
 
 SweepForm::SweepForm(session::Settings& settings, QWidget* parent)
@@ -57,7 +57,7 @@ SweepForm::SweepForm(session::Settings& settings, QWidget* parent)
 {
     setObjectName(QStringLiteral("sweepForm"));
     build();
-    recall(settings);
+    loadSettings(settings);
     retranslate();
     arrange();
 }
@@ -81,12 +81,12 @@ void SweepForm::build()
         flow->addWidget(button);
         m_shapes[i] = button;
         connect(button, &QToolButton::clicked, this, [this, i] {
-            choose(shapes[i]);
-            typed();
+            selectShape(shapes[i]);
+            onEdited();
         });
     }
     m_middle = new QVBoxLayout;
-    for (QGridLayout** grid : {&m_grid, &m_seldom}) {
+    for (QGridLayout** grid : {&m_grid, &m_extraGrid}) {
         *grid = new QGridLayout;
         (*grid)->setHorizontalSpacing(10);
         (*grid)->setVerticalSpacing(2);
@@ -104,7 +104,7 @@ void SweepForm::build()
         box->setObjectName(QString::fromLatin1(name));
         box->setChecked(on);
         ticks->addWidget(box);
-        connect(box, &QCheckBox::toggled, this, &SweepForm::typed);
+        connect(box, &QCheckBox::toggled, this, &SweepForm::onEdited);
         return box;
     };
     m_onAlarm = tick("sweepOnAlarm", true);
@@ -112,10 +112,10 @@ void SweepForm::build()
     m_onFailure = tick("sweepOnFailure", false);
     column->addWidget(m_earlyTitle);
     column->addWidget(early);
-    column->addLayout(m_seldom);
+    column->addLayout(m_extraGrid);
 }
 
-void SweepForm::insert(QWidget* servos)
+void SweepForm::insertServoList(QWidget* servos)
 {
     m_middle->addWidget(servos);
     m_inserted = servos;
@@ -143,27 +143,28 @@ QLineEdit* SweepForm::line(Cell cell, const char* name, bool wide)
 {
     auto* edit = new QLineEdit(this);
     add(cell, edit, name, wide);
-    connect(edit, &QLineEdit::textEdited, this, &SweepForm::typed);
+    connect(edit, &QLineEdit::textEdited, this, &SweepForm::onEdited);
     return edit;
 }
 
 void SweepForm::buildFields()
 {
-    const auto spin = [this](Cell cell, const char* name, int least, int most, int value) {
+    const auto spin = [this](Cell cell, const char* name, int minValue, int maxValue, int value) {
         auto* box = new QSpinBox(this);
-        box->setRange(least, most);
+        box->setRange(minValue, maxValue);
         box->setValue(value);
         add(cell, box, name);
-        connect(box, &QSpinBox::valueChanged, this, &SweepForm::typed);
+        connect(box, &QSpinBox::valueChanged, this, &SweepForm::onEdited);
         return box;
     };
-    const auto real = [this](Cell cell, const char* name, double least, double most, double value) {
+    const auto real = [this](Cell cell, const char* name, double minValue, double maxValue,
+                             double value) {
         auto* box = new QDoubleSpinBox(this);
-        box->setRange(least, most);
+        box->setRange(minValue, maxValue);
         box->setDecimals(1);
         box->setValue(value);
         add(cell, box, name);
-        connect(box, &QDoubleSpinBox::valueChanged, this, &SweepForm::typed);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &SweepForm::onEdited);
         return box;
     };
     const auto choice = [this](Cell cell, const char* name) {
@@ -173,7 +174,7 @@ void SweepForm::buildFields()
         connect(box, &QComboBox::activated, this, [this] {
             retranslate(); // a delay becomes a dwell
             arrange();
-            typed();
+            onEdited();
         });
         return box;
     };
@@ -181,59 +182,59 @@ void SweepForm::buildFields()
     m_end = line(End, "sweepEnd");
     m_step = line(Step, "sweepStep");
     m_step->setText(QStringLiteral("256"));
-    m_period = real(Period, "sweepPeriod", leastPeriod / 1000.0, mostPeriod, usualPeriod);
+    m_period = real(Period, "sweepPeriod", minPeriod / 1000.0, maxPeriod, defaultPeriod);
     m_seed = spin(Seed, "sweepSeed", 0, std::numeric_limits<int>::max(), 1);
     m_list = new QPushButton(this);
     add(List, m_list, "sweepList", true);
     connect(m_list, &QPushButton::clicked, this, &SweepForm::openList);
     m_pace = choice(Pace, "sweepPace");
-    m_pause = spin(Pause, "sweepPause", 1, mostPause, usualPause);
+    m_pause = spin(Pause, "sweepPause", 1, maxPause, defaultPause);
     m_pause->setSingleStep(100);
     m_until = choice(Until, "sweepUntil");
-    m_cycles = spin(Cycles, "sweepCycles", 1, mostCycles, usualCycles);
-    m_minutes = real(Minutes, "sweepMinutes", 0.1, mostMinutes, usualMinutes);
+    m_cycles = spin(Cycles, "sweepCycles", 1, maxCycles, defaultCycles);
+    m_minutes = real(Minutes, "sweepMinutes", 0.1, maxMinutes, defaultMinutes);
     m_speed = line(Speed, "sweepSpeed");
     m_acceleration = line(Acceleration, "sweepAcceleration");
     m_time = line(Time, "sweepTime");
-    m_warmUp = spin(WarmUp, "sweepWarmUp", 0, mostWarmUp, 0);
+    m_warmUp = spin(WarmUp, "sweepWarmUp", 0, maxWarmUp, 0);
     m_afterwards = choice(Afterwards, "sweepAfterwards");
     m_operator = line(Operator, "sweepOperator", true);
     m_note = line(Note, "sweepNote", true);
-    const auto range = [this] { m_rangeTyped = true; };
+    const auto range = [this] { m_rangeEdited = true; };
     connect(m_start, &QLineEdit::textEdited, this, range);
     connect(m_end, &QLineEdit::textEdited, this, range);
-    connect(m_pause, &QSpinBox::valueChanged, this, [this] { m_pauseTyped = true; });
-    connect(m_period, &QDoubleSpinBox::valueChanged, this, [this] { m_periodTyped = true; });
+    connect(m_pause, &QSpinBox::valueChanged, this, [this] { m_pauseEdited = true; });
+    connect(m_period, &QDoubleSpinBox::valueChanged, this, [this] { m_periodEdited = true; });
 }
 
-void SweepForm::recall(session::Settings& settings)
+void SweepForm::loadSettings(session::Settings& settings)
 {
-    const QString shape = settings.choice(shapeChoice, QString()).toString();
-    choose(record::sweepShapeFromName(shape).value_or(SweepShape::Sweep));
-    const QSignalBlocker quiet(this);
-    m_pace->setCurrentIndex(settings.choice(paceChoice, 0).toInt() == 1 ? 1 : 0);
-    m_until->setCurrentIndex(settings.choice(untilChoice, 0).toInt() == 1 ? 1 : 0);
-    m_cycles->setValue(settings.choice(cyclesChoice, usualCycles).toInt());
-    m_minutes->setValue(settings.choice(minutesChoice, usualMinutes).toDouble());
-    m_operator->setText(settings.choice(operatorChoice, QString()).toString());
+    const QString shape = settings.pageValue(shapeKey, QString()).toString();
+    selectShape(record::sweepShapeFromName(shape).value_or(SweepShape::Sweep));
+    const QSignalBlocker blocker(this);
+    m_pace->setCurrentIndex(settings.pageValue(paceKey, 0).toInt() == 1 ? 1 : 0);
+    m_until->setCurrentIndex(settings.pageValue(untilKey, 0).toInt() == 1 ? 1 : 0);
+    m_cycles->setValue(settings.pageValue(cyclesKey, defaultCycles).toInt());
+    m_minutes->setValue(settings.pageValue(minutesKey, defaultMinutes).toDouble());
+    m_operator->setText(settings.pageValue(operatorKey, QString()).toString());
 }
 
-void SweepForm::remember()
+void SweepForm::saveSettings()
 {
-    m_settings.setChoice(shapeChoice, record::sweepShapeName(m_shape));
-    m_settings.setChoice(paceChoice, m_pace->currentIndex());
-    m_settings.setChoice(untilChoice, m_until->currentIndex());
-    m_settings.setChoice(cyclesChoice, m_cycles->value());
-    m_settings.setChoice(minutesChoice, m_minutes->value());
-    m_settings.setChoice(operatorChoice, m_operator->text().trimmed());
+    m_settings.setPageValue(shapeKey, record::sweepShapeName(m_shape));
+    m_settings.setPageValue(paceKey, m_pace->currentIndex());
+    m_settings.setPageValue(untilKey, m_until->currentIndex());
+    m_settings.setPageValue(cyclesKey, m_cycles->value());
+    m_settings.setPageValue(minutesKey, m_minutes->value());
+    m_settings.setPageValue(operatorKey, m_operator->text().trimmed());
 }
 
-void SweepForm::typed()
+void SweepForm::onEdited()
 {
     Q_EMIT changed();
 }
 
-void SweepForm::choose(SweepShape shape)
+void SweepForm::selectShape(SweepShape shape)
 {
     m_shape = shape;
     for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -241,7 +242,7 @@ void SweepForm::choose(SweepShape shape)
     arrange();
 }
 
-bool SweepForm::has(Cell cell) const
+bool SweepForm::isShown(Cell cell) const
 {
     const bool list = m_shape == SweepShape::Points;
     const bool sine = m_shape == SweepShape::Sine;
@@ -280,7 +281,7 @@ void SweepForm::arrange()
     if (m_cells[Note].field == nullptr)
         return;
     arrange(*m_grid, Start, Time);
-    arrange(*m_seldom, WarmUp, Note);
+    arrange(*m_extraGrid, WarmUp, Note);
 }
 
 /// Title above field, two columns.
@@ -288,10 +289,10 @@ void SweepForm::arrange(QGridLayout& grid, Cell first, Cell last)
 {
     int place = 0;
     for (int i = first; i <= last; ++i) {
-        const Place& cell = m_cells[std::size_t(i)];
+        const FieldCell& cell = m_cells[std::size_t(i)];
         grid.removeWidget(cell.title);
         grid.removeWidget(cell.field);
-        const bool shown = has(static_cast<Cell>(i));
+        const bool shown = isShown(static_cast<Cell>(i));
         cell.title->setVisible(shown);
         cell.field->setVisible(shown);
         if (!shown)
@@ -321,25 +322,25 @@ void SweepForm::showServo(const session::ServoEntry* entry)
     }
 }
 
-SweepForm::Typed SweepForm::typedValues() const
+SweepForm::UserInput SweepForm::userInput() const
 {
-    Typed values;
-    if (m_rangeTyped)
+    UserInput values;
+    if (m_rangeEdited)
         values.range = record::SweepRange{m_start->text(), m_end->text()};
-    if (m_pauseTyped)
+    if (m_pauseEdited)
         values.pause = m_pause->value();
-    if (m_periodTyped)
+    if (m_periodEdited)
         values.period = m_period->value();
     return values;
 }
 
-void SweepForm::takeTyped(const Typed& values)
+void SweepForm::setUserInput(const UserInput& values)
 {
-    m_rangeTyped = values.range.has_value();
-    m_pauseTyped = values.pause.has_value();
-    m_periodTyped = values.period.has_value();
-    const QSignalBlocker quietPause(m_pause);
-    const QSignalBlocker quietPeriod(m_period);
+    m_rangeEdited = values.range.has_value();
+    m_pauseEdited = values.pause.has_value();
+    m_periodEdited = values.period.has_value();
+    const QSignalBlocker pauseBlocker(m_pause);
+    const QSignalBlocker periodBlocker(m_period);
     if (values.range) {
         m_start->setText(values.range->from);
         m_end->setText(values.range->to);
@@ -352,7 +353,7 @@ void SweepForm::takeTyped(const Typed& values)
 
 void SweepForm::propose(const record::SweepRange& range)
 {
-    if (m_rangeTyped)
+    if (m_rangeEdited)
         return;
     m_start->setText(range.from);
     m_end->setText(range.to);
@@ -363,18 +364,18 @@ void SweepForm::propose(base::Duration enough)
     if (enough <= base::Duration::zero())
         return;
     const auto ms = enough / std::chrono::milliseconds(1);
-    if (m_shape == SweepShape::Sine && !m_periodTyped) {
-        const QSignalBlocker quiet(m_period);
+    if (m_shape == SweepShape::Sine && !m_periodEdited) {
+        const QSignalBlocker blocker(m_period);
         m_period->setValue(double(ms) / 1000);
-    } else if (m_shape != SweepShape::Sine && !m_pauseTyped && m_pace->currentIndex() == 0) {
-        const QSignalBlocker quiet(m_pause);
-        m_pause->setValue(int(std::min<std::int64_t>(ms, mostPause)));
+    } else if (m_shape != SweepShape::Sine && !m_pauseEdited && m_pace->currentIndex() == 0) {
+        const QSignalBlocker blocker(m_pause);
+        m_pause->setValue(int(std::min<std::int64_t>(ms, maxPause)));
     }
 }
 
 void SweepForm::setPace(base::Duration enough)
 {
-    (m_shape == SweepShape::Sine ? m_periodTyped : m_pauseTyped) = false;
+    (m_shape == SweepShape::Sine ? m_periodEdited : m_pauseEdited) = false;
     propose(enough);
 }
 
@@ -383,21 +384,21 @@ record::SweepSpec SweepForm::spec() const
     using std::chrono::milliseconds;
     record::SweepSpec spec;
     const auto shown = [this](Cell cell, const QLineEdit* edit) {
-        return has(cell) ? edit->text().trimmed() : QString();
+        return isShown(cell) ? edit->text().trimmed() : QString();
     };
     spec.shape = m_shape;
     spec.range = {shown(Start, m_start), shown(End, m_end)};
     spec.step = shown(Step, m_step);
-    if (has(List))
+    if (isShown(List))
         spec.points = m_points;
     spec.seed = std::uint32_t(m_seed->value());
-    if (has(Period))
+    if (isShown(Period))
         spec.period = milliseconds(std::llround(m_period->value() * 1000));
     spec.pace = m_pace->currentIndex() == 1 ? SweepPace::Dwell : SweepPace::Delay;
-    if (has(Pause))
+    if (isShown(Pause))
         spec.pause = milliseconds(m_pause->value());
-    spec.cycles = has(Cycles) ? m_cycles->value() : 0;
-    if (has(Minutes))
+    spec.cycles = isShown(Cycles) ? m_cycles->value() : 0;
+    if (isShown(Minutes))
         spec.length = milliseconds(std::llround(m_minutes->value() * 60'000));
     spec.speed = shown(Speed, m_speed);
     spec.acceleration = shown(Acceleration, m_acceleration);
@@ -420,24 +421,24 @@ void SweepForm::openList()
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilters(
         {tr("Targets, one a line: target,pause in ms (*.csv *.txt)"), tr("All files (*)")});
-    dialog->setDirectory(m_settings.choice(folderChoice, QString()).toString());
+    dialog->setDirectory(m_settings.pageValue(folderKey, QString()).toString());
     connect(dialog, &QFileDialog::fileSelected, this, &SweepForm::readList);
     dialog->open();
 }
 
 void SweepForm::readList(const QString& path)
 {
-    m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
+    m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
     m_listPath = path;
     auto points = record::loadSweepPoints(path);
     m_points = points ? std::move(*points) : std::vector<record::SweepPoint>{};
     m_listTrouble.clear();
     if (!points) {
-        const text::Description words = text::describe(points.error());
-        m_listTrouble = words.what + QLatin1Char(' ') + words.remedy;
+        const text::Description description = text::describe(points.error());
+        m_listTrouble = description.message + QLatin1Char(' ') + description.remedy;
     }
     retranslate();
-    typed();
+    onEdited();
 }
 
 void SweepForm::changeEvent(QEvent* event)

@@ -34,7 +34,7 @@ public:
     SweepForm(session::Settings& settings, QWidget* parent);
 
     /// Between what is set for every test and what seldom changes.
-    void insert(QWidget* servos);
+    void insertServoList(QWidget* servos);
     /// While a test runs: all but what was inserted.
     void setLocked(bool locked);
 
@@ -45,19 +45,19 @@ public:
     void propose(base::Duration enough);
     void setPace(base::Duration enough); ///< asked for: typed or not
     /// What was typed into range, delay and period; the rest is proposed.
-    struct Typed {
+    struct UserInput {
         std::optional<record::SweepRange> range{};
         std::optional<int> pause{};     ///< ms
         std::optional<double> period{}; ///< s
     };
-    Typed typedValues() const;
+    UserInput userInput() const;
     /// Another servo: what was typed for it before. What was not is a proposal again.
-    void takeTyped(const Typed& values);
+    void setUserInput(const UserInput& values);
 
     /// As shown. A list that could not be read is empty; complaint() says why.
     record::SweepSpec spec() const;
-    QString complaint() const { return m_listTrouble; }
-    void remember(); ///< for the next start of the program
+    QString inputError() const { return m_listTrouble; }
+    void saveSettings(); ///< for the next start of the program
 
 Q_SIGNALS:
     void changed(); ///< typed, chosen, ticked; not by propose()
@@ -87,7 +87,7 @@ private:
         Note,
         CellCount
     };
-    struct Place {
+    struct FieldCell {
         QLabel* title = nullptr;
         QWidget* field = nullptr;
         bool wide = false; ///< both columns
@@ -95,24 +95,24 @@ private:
     void build();
     void buildShapes();
     void buildFields();
-    void recall(session::Settings& settings);
+    void loadSettings(session::Settings& settings);
     void add(Cell cell, QWidget* field, const char* name, bool wide = false);
     QLineEdit* line(Cell cell, const char* name, bool wide = false);
     void arrange();
     void arrange(QGridLayout& grid, Cell first, Cell last);
-    bool has(Cell cell) const;
-    void choose(record::SweepShape shape);
+    bool isShown(Cell cell) const;
+    void selectShape(record::SweepShape shape);
     void openList();
     void readList(const QString& path);
     void retranslate();
-    void typed();
+    void onEdited();
 
     session::Settings& m_settings;
     record::SweepShape m_shape = record::SweepShape::Sweep;
     std::array<SegmentButton*, 6> m_shapes{};
-    std::array<Place, CellCount> m_cells{};
+    std::array<FieldCell, CellCount> m_cells{};
     QGridLayout* m_grid = nullptr;
-    QGridLayout* m_seldom = nullptr; ///< below the servos
+    QGridLayout* m_extraGrid = nullptr; ///< below the servos
     QVBoxLayout* m_middle = nullptr;
     QWidget* m_inserted = nullptr;
     QLineEdit* m_start = nullptr;
@@ -139,9 +139,9 @@ private:
     QCheckBox* m_onFailure = nullptr;
 
     std::array<bool, 3> m_moves{true, true, false}; ///< speed, acceleration, time
-    bool m_rangeTyped = false;
-    bool m_pauseTyped = false;
-    bool m_periodTyped = false;
+    bool m_rangeEdited = false;
+    bool m_pauseEdited = false;
+    bool m_periodEdited = false;
     std::vector<record::SweepPoint> m_points;
     QString m_listPath;
     QString m_listTrouble;

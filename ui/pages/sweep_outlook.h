@@ -7,15 +7,15 @@
 #include "ui/app/theme.h"
 
 namespace ui {
-struct OutlookWords {
+struct PreviewText {
     Tone tone = Tone::Quiet;
     QString text; ///< rich text; a link in it means "take the time that is enough"
 };
 
 /// `switching`: servos in another mode will be switched.
-OutlookWords outlookWords(const std::vector<session::SweepLook>& looks,
-                          const record::SweepSpec& spec, const session::Desk& desk, bool switching);
+PreviewText previewText(const std::vector<session::SweepPreview>& previews,
+                        const record::SweepSpec& spec, const session::Desk& desk, bool switching);
 
 /// `run`: null before it has begun.
-QString progressWords(const jobs::SweepProgress& progress, const record::SweepRun* run);
+QString progressText(const jobs::SweepProgress& progress, const record::SweepRun* run);
 } // namespace ui

@@ -28,11 +28,11 @@ namespace ui {
 using namespace std::chrono_literals;
 
 namespace {
-constexpr auto lookDelay = 250ms; ///< after the last letter
-constexpr auto retryAfter = 1s;   ///< of a servo that is heard again
-constexpr auto retryPeriod = 3s;  ///< of one that nothing else reads
-constexpr int leastSetup = 300;
-constexpr int mostSetup = 360;
+constexpr auto previewDelay = 250ms; ///< after the last letter
+constexpr auto retryAfter = 1s;      ///< of a servo that is heard again
+constexpr auto retryPeriod = 3s;     ///< of one that nothing else reads
+constexpr int minSetupWidth = 300;
+constexpr int maxSetupWidth = 360;
 constexpr int setupPercent = 28;
 
 QString settingsOf(const session::ServoEntry* entry)
@@ -40,7 +40,7 @@ QString settingsOf(const session::ServoEntry* entry)
     if (entry == nullptr || !entry->servo.profile)
         return {};
     const catalog::Mode* mode = entry->servo.mode();
-    const auto span = device::goalSpan(entry->servo);
+    const auto span = device::goalSliderRange(entry->servo);
     return QStringLiteral("%1 %2 %3 %4")
         .arg(mode != nullptr ? mode->key : QString())
         .arg(span ? span->min : 0)
@@ -48,34 +48,35 @@ QString settingsOf(const session::ServoEntry* entry)
         .arg(int(entry->stopped) + 2 * int(entry->silent));
 }
 
-bool gotNoAnswer(const session::SweepLook& look)
+bool isNoAnswer(const session::SweepPreview& preview)
 {
     using base::ErrorCode;
-    return look.error &&
-           (look.error->code == ErrorCode::NoAnswer || look.error->code == ErrorCode::Garbled ||
-            look.error->code == ErrorCode::WrongAnswer || look.error->code == ErrorCode::LineBusy);
+    return preview.error && (preview.error->code == ErrorCode::NoReply ||
+                             preview.error->code == ErrorCode::Garbled ||
+                             preview.error->code == ErrorCode::UnexpectedReply ||
+                             preview.error->code == ErrorCode::LineBusy);
 }
 
-bool wrongMode(const session::SweepLook& look)
+bool isWrongMode(const session::SweepPreview& preview)
 {
-    return look.error && look.error->code == base::ErrorCode::NotSupported &&
-           look.error->detail == QLatin1StringView("not-position");
+    return preview.error && preview.error->code == base::ErrorCode::NotSupported &&
+           preview.error->detail == QLatin1StringView("not-position");
 }
 } // namespace
 
-SweepPage::SweepPage(Bench& bench, session::Settings& settings, QWidget* parent)
+SweepPage::SweepPage(AppContext& appContext, session::Settings& settings, QWidget* parent)
     : QWidget(parent)
-    , m_desk(bench.desk)
-    , m_deskLives(&bench.desk)
-    , m_selection(bench.selection)
-    , m_test(bench.sweep)
-    , m_archive(bench.archive)
+    , m_desk(appContext.desk)
+    , m_deskGuard(&appContext.desk)
+    , m_selection(appContext.selection)
+    , m_test(appContext.sweepTest)
+    , m_historyService(appContext.history)
 {
     setObjectName(QStringLiteral("sweepPage"));
     build(settings);
     connectAll();
     retranslate();
-    servoChosen();
+    onServoSelected();
     showState();
 }
 
@@ -87,7 +88,7 @@ void SweepPage::build(session::Settings& settings)
     column->setContentsMargins(0, 6, 0, 0);
     m_banner = new Banner(this);
     m_banner->setObjectName(QStringLiteral("sweepBanner"));
-    m_banner->clear();
+    m_banner->hideMessage();
     auto* row = new QHBoxLayout;
     row->setSpacing(10);
     auto* left = new QVBoxLayout;
@@ -102,7 +103,7 @@ void SweepPage::build(session::Settings& settings)
     m_form = new SweepForm(settings, body);
     m_servos = new SweepServos(m_desk, m_selection, settings, body);
     setup->addWidget(m_form);
-    m_form->insert(m_servos);
+    m_form->insertServoList(m_servos);
     setup->addStretch();
     m_scroll->setWidget(body);
     left->addWidget(m_scroll, 1);
@@ -111,7 +112,7 @@ void SweepPage::build(session::Settings& settings)
     row->addLayout(left);
     row->addWidget(m_results, 1);
     column->addLayout(row, 1);
-    new FloatOver(m_banner, m_results->chart(), FloatOver::Corner::BottomRight);
+    new FloatingOverlay(m_banner, m_results->chart(), FloatingOverlay::Corner::BottomRight);
 }
 
 /// Always in sight, however long the fields above are.
@@ -121,10 +122,10 @@ QWidget* SweepPage::buildRun()
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins({});
     column->setSpacing(4);
-    m_outlook = new QLabel(box);
-    m_outlook->setObjectName(QStringLiteral("sweepOutlook"));
-    m_outlook->setWordWrap(true);
-    m_outlook->setTextFormat(Qt::RichText);
+    m_previewLabel = new QLabel(box);
+    m_previewLabel->setObjectName(QStringLiteral("sweepOutlook"));
+    m_previewLabel->setWordWrap(true);
+    m_previewLabel->setTextFormat(Qt::RichText);
     m_switchMode = new QCheckBox(box);
     m_switchMode->setObjectName(QStringLiteral("sweepSwitchMode"));
     m_switchMode->hide();
@@ -139,13 +140,13 @@ QWidget* SweepPage::buildRun()
     m_progress = new ThinProgress(box);
     m_progress->setObjectName(QStringLiteral("sweepProgress"));
     m_progress->setRange(0, 1000);
-    m_progressWords = new QLabel(box);
-    m_progressWords->setObjectName(QStringLiteral("sweepProgressWords"));
-    m_progressWords->setWordWrap(true);
+    m_progressLabel = new QLabel(box);
+    m_progressLabel->setObjectName(QStringLiteral("sweepProgressWords"));
+    m_progressLabel->setWordWrap(true);
     // The buttons stand last: what comes and goes above them must not move them.
     column->addWidget(m_progress);
-    column->addWidget(m_progressWords);
-    column->addWidget(m_outlook);
+    column->addWidget(m_progressLabel);
+    column->addWidget(m_previewLabel);
     column->addWidget(m_switchMode);
     column->addLayout(buttons);
     new PressGuard(m_run);
@@ -154,15 +155,15 @@ QWidget* SweepPage::buildRun()
 
 void SweepPage::connectAll()
 {
-    m_lookTimer.setSingleShot(true);
-    m_lookTimer.setInterval(lookDelay);
-    connect(&m_lookTimer, &QTimer::timeout, this, &SweepPage::look);
-    m_retry.setSingleShot(true);
-    m_retry.setInterval(retryPeriod);
-    connect(&m_retry, &QTimer::timeout, this, &SweepPage::lookSoon);
-    connect(m_form, &SweepForm::changed, this, &SweepPage::lookSoon);
-    connect(m_servos, &SweepServos::changed, this, &SweepPage::servoChosen);
-    connect(m_servos, &SweepServos::limitsWished, this, &SweepPage::editLimits);
+    m_previewTimer.setSingleShot(true);
+    m_previewTimer.setInterval(previewDelay);
+    connect(&m_previewTimer, &QTimer::timeout, this, &SweepPage::preview);
+    m_retryTimer.setSingleShot(true);
+    m_retryTimer.setInterval(retryPeriod);
+    connect(&m_retryTimer, &QTimer::timeout, this, &SweepPage::schedulePreview);
+    connect(m_form, &SweepForm::changed, this, &SweepPage::schedulePreview);
+    connect(m_servos, &SweepServos::changed, this, &SweepPage::onServoSelected);
+    connect(m_servos, &SweepServos::limitsRequested, this, &SweepPage::editLimits);
     connect(m_servos, &SweepServos::clicked, this, [this](session::ServoRef ref) {
         const auto& tested = m_test.servos();
         const auto place = std::find(tested.begin(), tested.end(), ref);
@@ -170,148 +171,150 @@ void SweepPage::connectAll()
             m_results->showServo(int(place - tested.begin()));
     });
     connect(m_switchMode, &QCheckBox::toggled, this, &SweepPage::showState);
-    connect(m_outlook, &QLabel::linkActivated, this, [this] {
-        for (const session::SweepLook& one : m_looks) {
-            if (one.outlook)
-                m_form->setPace(one.outlook->enough);
+    connect(m_previewLabel, &QLabel::linkActivated, this, [this] {
+        for (const session::SweepPreview& one : m_previews) {
+            if (one.estimate)
+                m_form->setPace(one.estimate->proposedDelay);
         }
-        lookSoon();
+        schedulePreview();
     });
     connect(m_run, &QPushButton::clicked, this, &SweepPage::run);
     connect(m_stop, &QPushButton::clicked, &m_test, &session::SweepTest::stop);
-    connect(m_results, &SweepResults::earlierWished, this, &SweepPage::earlierWished);
+    connect(m_results, &SweepResults::previousTestsRequested, this,
+            &SweepPage::previousTestsRequested);
     connect(m_results, &SweepResults::servoShown, this, [this] {
         showReference();
         if (m_results->shownServo() < m_test.servos().size())
             m_servos->markRow(m_test.servos()[m_results->shownServo()]);
     });
-    connect(&m_archive, &session::Archive::keepFailed, this,
+    connect(&m_historyService, &session::HistoryService::runSaveFailed, this,
             [this](const base::Error& error, const QString& file) {
-                m_leftShown = false; // one message at a time
-                m_banner->present([error, file] {
+                m_leftoversShown = false; // one message at a time
+                m_banner->showMessage([error, file] {
                     const text::Description words = text::describe(error);
-                    return BannerWords{Tone::Bad, tr("The test is not in the history."), words.what,
-                                       file.isEmpty()
-                                           ? words.remedy
-                                           : tr("It was left in the file %1.").arg(file)};
+                    return BannerText{Tone::Bad, tr("The test is not in the history."),
+                                      words.message,
+                                      file.isEmpty() ? words.remedy
+                                                     : tr("It was left in the file %1.").arg(file)};
                 });
             });
-    connect(&m_test, &session::SweepTest::looked, this, &SweepPage::takeLooks);
-    connect(&m_test, &session::SweepTest::began, this, [this] {
+    connect(&m_test, &session::SweepTest::previewReady, this, &SweepPage::setPreviews);
+    connect(&m_test, &session::SweepTest::started, this, [this] {
         showVerdicts();
         showState();
     });
-    connect(&m_test, &session::SweepTest::progressed, this, &SweepPage::showProgress);
-    connect(&m_test, &session::SweepTest::ended, this, &SweepPage::ended);
-    connect(&m_test, &session::SweepTest::leftChanged, this, &SweepPage::showLess);
-    connect(m_banner, &Banner::dismissed, this, [this] { m_leftShown = false; });
-    connect(&m_test, &session::SweepTest::failed, this, &SweepPage::failed);
+    connect(&m_test, &session::SweepTest::progressChanged, this, &SweepPage::showProgress);
+    connect(&m_test, &session::SweepTest::finished, this, &SweepPage::onTestFinished);
+    connect(&m_test, &session::SweepTest::leftoversChanged, this,
+            &SweepPage::showRemainingLeftovers);
+    connect(m_banner, &Banner::dismissed, this, [this] { m_leftoversShown = false; });
+    connect(&m_test, &session::SweepTest::failed, this, &SweepPage::onTestFailed);
     for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
                               &session::Desk::servosCleared, &session::Desk::taskChanged})
         connect(&m_desk, signal, this, &SweepPage::showState);
-    connect(&m_desk, &session::Desk::linkChanged, this, &SweepPage::lookSoon);
-    connect(&m_desk, &session::Desk::servoChanged, this, &SweepPage::settingsRead);
-    connect(&m_desk, &session::Desk::tableChanged, this, &SweepPage::settingsRead);
-    connect(&m_desk, &session::Desk::searchChanged, this, &SweepPage::lookSoon);
+    connect(&m_desk, &session::Desk::linkChanged, this, &SweepPage::schedulePreview);
+    connect(&m_desk, &session::Desk::servoChanged, this, &SweepPage::onSettingsRead);
+    connect(&m_desk, &session::Desk::tableChanged, this, &SweepPage::onSettingsRead);
+    connect(&m_desk, &session::Desk::searchChanged, this, &SweepPage::schedulePreview);
 }
 
-session::SweepTestOrder SweepPage::order() const
+session::SweepTestRequest SweepPage::testRequest() const
 {
-    session::SweepTestOrder order;
-    order.spec = m_form->spec();
-    order.servos = m_servos->ticked();
-    order.spec.ranges = m_servos->ranges();
-    for (auto& [id, range] : order.spec.ranges) {
-        range.from = range.from.isEmpty() ? order.spec.range.from : range.from;
-        range.to = range.to.isEmpty() ? order.spec.range.to : range.to;
+    session::SweepTestRequest testRequest;
+    testRequest.spec = m_form->spec();
+    testRequest.servos = m_servos->selected();
+    testRequest.spec.ranges = m_servos->ranges();
+    for (auto& [id, range] : testRequest.spec.ranges) {
+        range.from = range.from.isEmpty() ? testRequest.spec.range.from : range.from;
+        range.to = range.to.isEmpty() ? testRequest.spec.range.to : range.to;
     }
-    for (const session::ServoRef ref : order.servos)
-        order.limits.push_back(m_servos->limits(ref));
-    order.switchMode = m_switchMode->isVisibleTo(this) && m_switchMode->isChecked();
-    return order;
+    for (const session::ServoRef ref : testRequest.servos)
+        testRequest.limits.push_back(m_servos->limits(ref));
+    testRequest.switchMode = m_switchMode->isVisibleTo(this) && m_switchMode->isChecked();
+    return testRequest;
 }
 
-void SweepPage::servoChosen()
+void SweepPage::onServoSelected()
 {
-    const auto ticked = m_servos->ticked();
-    for (const session::ServoRef ref : ticked) // it may fall silent before it has been read
-        m_settingsSeen.try_emplace(ref, settingsOf(m_desk.servo(ref)));
-    const session::ServoRef first = ticked.empty() ? 0 : ticked.front();
+    const auto selected = m_servos->selected();
+    for (const session::ServoRef ref : selected) // it may fall silent before it has been read
+        m_knownSettings.try_emplace(ref, settingsOf(m_desk.servo(ref)));
+    const session::ServoRef first = selected.empty() ? 0 : selected.front();
     if (first != 0 && first != m_shown) {
         if (m_shown != 0)
-            m_typed[m_shown] = m_form->typedValues();
+            m_typed[m_shown] = m_form->userInput();
         m_shown = first;
-        m_form->takeTyped(m_typed[first]);
+        m_form->setUserInput(m_typed[first]);
         m_form->showServo(m_desk.servo(first));
     }
-    lookSoon();
+    schedulePreview();
 }
 
 /// Mode or limits have changed, or a servo that could not be read answers: what was found out may
 /// not be so any more.
-void SweepPage::settingsRead(session::ServoRef ref)
+void SweepPage::onSettingsRead(session::ServoRef ref)
 {
-    const auto seen = m_settingsSeen.find(ref);
-    if (seen == m_settingsSeen.end())
+    const auto seen = m_knownSettings.find(ref);
+    if (seen == m_knownSettings.end())
         return;
     const bool changed = seen->second != settingsOf(m_desk.servo(ref));
     if (changed)
         showState(); // one that answers no more blocks Run before the reading has ended
     // Readings come faster than the timer runs, so they must not start it anew.
-    if (m_lookTimer.isActive())
+    if (m_previewTimer.isActive())
         return;
     if (changed)
-        lookSoon();
+        schedulePreview();
     else
-        lookAgain();
+        retryPreview();
 }
 
 /// After a reading that got no answer, once its servos are heard again.
-void SweepPage::lookAgain()
+void SweepPage::retryPreview()
 {
-    const auto heardSince = [this](const session::SweepLook& one) {
+    const auto isHeardSince = [this](const session::SweepPreview& one) {
         const session::ServoEntry* entry = m_desk.servo(one.servo);
-        return gotNoAnswer(one) && entry != nullptr && !entry->silent &&
-               entry->lastSeen - m_lookedAt > retryAfter;
+        return isNoAnswer(one) && entry != nullptr && !entry->silent &&
+               entry->lastSeen - m_previewTime > retryAfter;
     };
-    if (std::any_of(m_looks.begin(), m_looks.end(), heardSince))
-        lookSoon();
+    if (std::any_of(m_previews.begin(), m_previews.end(), isHeardSince))
+        schedulePreview();
 }
 
-void SweepPage::lookSoon()
+void SweepPage::schedulePreview()
 {
-    if (m_test.running() || !isVisible())
+    if (m_test.isRunning() || !isVisible())
         return;
-    m_lookTimer.start();
+    m_previewTimer.start();
 }
 
-void SweepPage::look()
+void SweepPage::preview()
 {
-    if (!m_deskLives || !isVisible())
+    if (!m_deskGuard || !isVisible())
         return;
     // What changes from now on is looked at anew. What had changed before must not be: a reading of
     // several silent servos takes long and would never come to its end.
-    noteSettings(m_servos->ticked());
-    if (!whyNot().isEmpty()) {
-        m_looks.clear();
+    rememberSettings(m_servos->selected());
+    if (!blockedReason().isEmpty()) {
+        m_previews.clear();
         showState();
         return;
     }
-    m_test.look(order());
+    m_test.preview(testRequest());
 }
 
-void SweepPage::noteSettings(const std::vector<session::ServoRef>& servos)
+void SweepPage::rememberSettings(const std::vector<session::ServoRef>& servos)
 {
-    m_settingsSeen.clear();
+    m_knownSettings.clear();
     for (const session::ServoRef ref : servos)
-        m_settingsSeen[ref] = settingsOf(m_desk.servo(ref));
+        m_knownSettings[ref] = settingsOf(m_desk.servo(ref));
 }
 
 /// Of those that take part: an emergency stop holds them.
-QStringList SweepPage::heldByStop() const
+QStringList SweepPage::servosHeldByStop() const
 {
     QStringList held;
-    for (const session::ServoRef ref : m_servos->ticked()) {
+    for (const session::ServoRef ref : m_servos->selected()) {
         if (const session::ServoEntry* entry = m_desk.servo(ref); entry->stopped)
             held.append(QStringLiteral("ID %1").arg(entry->servo.id));
     }
@@ -319,104 +322,105 @@ QStringList SweepPage::heldByStop() const
 }
 
 /// Of those that take part, the first that does not answer now, whatever was read of it before.
-std::optional<session::SweepLook> SweepPage::silentNow() const
+std::optional<session::SweepPreview> SweepPage::silentServo() const
 {
-    for (const session::ServoRef ref : m_servos->ticked()) {
+    for (const session::ServoRef ref : m_servos->selected()) {
         const session::ServoEntry* entry = m_desk.servo(ref);
         if (entry != nullptr && entry->silent)
-            return session::SweepLook{
+            return session::SweepPreview{
                 ref,
                 {},
-                base::Error{
-                    base::ErrorCode::NoAnswer, QStringLiteral("sweep"), {}, entry->servo.id},
+                base::Error{base::ErrorCode::NoReply, QStringLiteral("sweep"), {}, entry->servo.id},
                 {}};
     }
     return std::nullopt;
 }
 
 /// What is proposed changes the test, so that it has to be looked at once more.
-void SweepPage::takeLooks(const std::vector<session::SweepLook>& looks)
+void SweepPage::setPreviews(const std::vector<session::SweepPreview>& previews)
 {
-    m_looks = looks;
-    m_lookedAt = m_desk.now();
-    noteSettings(m_servos->ticked());
-    if (std::any_of(looks.begin(), looks.end(), gotNoAnswer))
-        m_retry.start();
+    m_previews = previews;
+    m_previewTime = m_desk.now();
+    rememberSettings(m_servos->selected());
+    if (std::any_of(previews.begin(), previews.end(), isNoAnswer))
+        m_retryTimer.start();
     else
-        m_retry.stop();
-    if (!looks.empty()) {
+        m_retryTimer.stop();
+    if (!previews.empty()) {
         const record::SweepSpec before = m_form->spec();
-        const session::SweepLook& first = looks.front();
+        const session::SweepPreview& first = previews.front();
         m_form->showServo(m_desk.servo(first.servo));
         if (first.proposed)
             m_form->propose(*first.proposed);
         base::Duration enough{};
-        for (const session::SweepLook& one : looks)
-            enough = std::max(enough, one.outlook ? one.outlook->enough : base::Duration{});
+        for (const session::SweepPreview& one : previews)
+            enough =
+                std::max(enough, one.estimate ? one.estimate->proposedDelay : base::Duration{});
         m_form->propose(enough);
         if (!(m_form->spec() == before))
-            lookSoon();
+            schedulePreview();
     }
     showState();
 }
 
-QString SweepPage::whyNot() const
+QString SweepPage::blockedReason() const
 {
     if (m_desk.state() != session::LinkState::Open)
         return tr("Connect first: there is no open port.");
-    if (m_desk.searching())
+    if (m_desk.isSearching())
         return tr("The search goes on; the test can be started when it has ended.");
-    if (m_servos->ticked().empty())
+    if (m_servos->selected().empty())
         return tr("Choose a servo in the list, or tick one below.");
-    if (const QStringList held = heldByStop(); !held.isEmpty())
+    if (const QStringList held = servosHeldByStop(); !held.isEmpty())
         return tr("Held by the emergency stop: %1. Switch torque on first; the Operate page does "
                   "it for all selected servos.")
             .arg(held.join(QStringLiteral(", ")));
-    return m_form->complaint();
+    return m_form->inputError();
 }
 
 void SweepPage::showState()
 {
-    if (!m_deskLives)
+    if (!m_deskGuard)
         return;
-    const bool running = m_test.running();
-    const bool mode = std::any_of(m_looks.begin(), m_looks.end(), wrongMode);
+    const bool running = m_test.isRunning();
+    const bool mode = std::any_of(m_previews.begin(), m_previews.end(), isWrongMode);
     m_switchMode->setVisible(mode && !running);
-    const bool refused = std::any_of(m_looks.begin(), m_looks.end(), [&](const auto& one) {
-        return one.error && !(wrongMode(one) && m_switchMode->isChecked());
+    const bool refused = std::any_of(m_previews.begin(), m_previews.end(), [&](const auto& one) {
+        return one.error && !(isWrongMode(one) && m_switchMode->isChecked());
     });
     m_form->setLocked(running);
     m_servos->setLocked(running);
-    m_run->setEnabled(!running && whyNot().isEmpty() && !refused && !m_looks.empty() &&
-                      !silentNow());
+    m_run->setEnabled(!running && blockedReason().isEmpty() && !refused && !m_previews.empty() &&
+                      !silentServo());
     m_stop->setEnabled(running);
     m_progress->setVisible(running);
-    m_progressWords->setVisible(running);
-    m_outlook->setVisible(!running);
-    showOutlook();
+    m_progressLabel->setVisible(running);
+    m_previewLabel->setVisible(!running);
+    showPreview();
     showProgress();
 }
 
-void SweepPage::showOutlook()
+void SweepPage::showPreview()
 {
-    OutlookWords words{Tone::Quiet, whyNot()};
+    PreviewText words{Tone::Quiet, blockedReason()};
     if (words.text.isEmpty())
-        words = outlookWords(m_looks, m_form->spec(), m_desk, m_switchMode->isChecked());
-    if (const auto silent = silentNow(); silent && words.tone != Tone::Bad && whyNot().isEmpty())
-        words = outlookWords({*silent}, m_form->spec(), m_desk, false);
-    m_outlook->setText(words.text);
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, tone(words.tone, palette()));
-    m_outlook->setPalette(colours);
+        words = previewText(m_previews, m_form->spec(), m_desk, m_switchMode->isChecked());
+    if (const auto silent = silentServo();
+        silent && words.tone != Tone::Bad && blockedReason().isEmpty())
+        words = previewText({*silent}, m_form->spec(), m_desk, false);
+    m_previewLabel->setText(words.text);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(words.tone, palette()));
+    m_previewLabel->setPalette(colors);
 }
 
 void SweepPage::showProgress()
 {
-    if (!m_test.running())
+    if (!m_test.isRunning())
         return;
     const jobs::SweepProgress& now = m_test.progress();
     m_progress->setValue(int(now.fraction * 1000));
-    m_progressWords->setText(progressWords(now, m_test.run()));
+    m_progressLabel->setText(progressText(now, m_test.run()));
 }
 
 void SweepPage::retranslate()
@@ -450,15 +454,15 @@ void SweepPage::changeEvent(QEvent* event)
 void SweepPage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    const int wide = std::clamp(width() * setupPercent / 100, leastSetup, mostSetup);
+    const int wide = std::clamp(width() * setupPercent / 100, minSetupWidth, maxSetupWidth);
     m_scroll->setFixedWidth(wide);
-    m_outlook->setMaximumWidth(wide);
+    m_previewLabel->setMaximumWidth(wide);
 }
 
 void SweepPage::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    servoChosen();
+    onServoSelected();
     showState();
 }
 } // namespace ui

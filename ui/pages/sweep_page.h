@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sweep test: chooses test and servos at the left, tells beforehand whether it can be run and
 // whether the time is enough, runs it, shows what is measured at the right. Opening it moves
-// nothing and energises nothing; the first run of a session asks. Owned by the window; main thread.
+// nothing and energizes nothing; the first run of a session asks. Owned by the window; main thread.
 #pragma once
 
 #include "session/settings.h"
@@ -27,11 +27,11 @@ class SweepPage final : public QWidget {
     Q_OBJECT
 
 public:
-    SweepPage(Bench& bench, session::Settings& settings, QWidget* parent = nullptr);
+    SweepPage(AppContext& appContext, session::Settings& settings, QWidget* parent = nullptr);
     ~SweepPage() override;
 
 Q_SIGNALS:
-    void earlierWished(); ///< the window of kept tests
+    void previousTestsRequested(); ///< the window of kept tests
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -49,62 +49,62 @@ private:
     void build(session::Settings& settings);
     QWidget* buildRun();
     void connectAll();
-    session::SweepTestOrder order() const;
-    void lookSoon();
-    void look();
-    void takeLooks(const std::vector<session::SweepLook>& looks);
-    void servoChosen();
-    void lookAgain();
-    void settingsRead(session::ServoRef ref);
+    session::SweepTestRequest testRequest() const;
+    void schedulePreview();
+    void preview();
+    void setPreviews(const std::vector<session::SweepPreview>& previews);
+    void onServoSelected();
+    void retryPreview();
+    void onSettingsRead(session::ServoRef ref);
     QString rangeOf(session::ServoRef ref, const record::SweepSpec& spec) const;
-    void noteSettings(const std::vector<session::ServoRef>& servos);
-    QStringList heldByStop() const;
-    std::optional<session::SweepLook> silentNow() const;
+    void rememberSettings(const std::vector<session::ServoRef>& servos);
+    QStringList servosHeldByStop() const;
+    std::optional<session::SweepPreview> silentServo() const;
     static QString torqueAfterwards(const Consent& consent);
     void run();
     void start();
-    QString settingsLeftText() const;
-    void showLeft(const std::optional<base::Error>& error);
-    void showLess();
-    void ended();
-    void keep();
+    QString unrevertedSettingsText() const;
+    void showLeftovers(const std::optional<base::Error>& error);
+    void showRemainingLeftovers();
+    void onTestFinished();
+    void saveRun();
     void showReference();
     void showVerdicts();
-    void failed(const base::Error& error);
+    void onTestFailed(const base::Error& error);
     void editLimits(session::ServoRef ref);
     void showState();
-    void showOutlook();
+    void showPreview();
     void showProgress();
-    QString whyNot() const; ///< nothing can be run now; empty: it can
+    QString blockedReason() const; ///< nothing can be run now; empty: it can
     void retranslate();
 
     session::Desk& m_desk;
-    QPointer<session::Desk> m_deskLives; ///< a window may hide its pages on its way out
+    QPointer<session::Desk> m_deskGuard; ///< a window may hide its pages on its way out
     Selection& m_selection;
     session::SweepTest& m_test;
-    session::Archive& m_archive;
+    session::HistoryService& m_historyService;
 
     Banner* m_banner = nullptr;
-    bool m_leftShown = false;             ///< in it: what the test has left in its servos
+    bool m_leftoversShown = false;        ///< in it: what the test has left in its servos
     std::optional<base::Error> m_failure; ///< likewise, beside it
     QScrollArea* m_scroll = nullptr;
     SweepForm* m_form = nullptr;
     SweepServos* m_servos = nullptr;
-    QLabel* m_outlook = nullptr;
+    QLabel* m_previewLabel = nullptr;
     QCheckBox* m_switchMode = nullptr;
     QPushButton* m_run = nullptr;
     QPushButton* m_stop = nullptr;
     ThinProgress* m_progress = nullptr;
-    QLabel* m_progressWords = nullptr;
+    QLabel* m_progressLabel = nullptr;
     SweepResults* m_results = nullptr;
-    QTimer m_lookTimer;
-    QTimer m_retry; ///< after a reading that got no answer: nothing else may read those servos
-    std::vector<session::SweepLook> m_looks;
-    base::Duration m_lookedAt{};                           ///< desk clock
-    session::ServoRef m_shown = 0;                         ///< the fields are about it
-    std::map<session::ServoRef, SweepForm::Typed> m_typed; ///< for the servos shown before
-    std::map<session::ServoRef, QString> m_settingsSeen; ///< mode and limits when it was looked at
-    std::vector<session::ReferenceResult> m_references;  ///< of the latest test
-    std::optional<Consent> m_consent;                    ///< that was given in this session
+    QTimer m_previewTimer;
+    QTimer m_retryTimer; ///< after a reading that got no answer: nothing else may read those servos
+    std::vector<session::SweepPreview> m_previews;
+    base::Duration m_previewTime{};                            ///< desk clock
+    session::ServoRef m_shown = 0;                             ///< the fields are about it
+    std::map<session::ServoRef, SweepForm::UserInput> m_typed; ///< for the servos shown before
+    std::map<session::ServoRef, QString> m_knownSettings; ///< mode and limits when it was looked at
+    std::vector<session::ReferenceResult> m_references;   ///< of the latest test
+    std::optional<Consent> m_consent;                     ///< that was given in this session
 };
 } // namespace ui

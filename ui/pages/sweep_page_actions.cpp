@@ -21,7 +21,7 @@
 namespace ui {
 void SweepPage::run()
 {
-    const session::SweepTestOrder now = order();
+    const session::SweepTestRequest now = testRequest();
     const Consent consent{now.servos, now.spec.releaseAtEnd, now.switchMode};
     if (m_consent == consent) {
         start();
@@ -42,7 +42,7 @@ void SweepPage::run()
                     QLatin1Char('\n') + torqueAfterwards(consent);
     question.risk = tr("Keep hands and objects out of their way. Esc takes torque off all servos "
                        "at once.");
-    question.yes = tr("Start");
+    question.acceptText = tr("Start");
     question.guard = this;
     ask(this, question, [this, consent] {
         m_consent = consent;
@@ -56,17 +56,17 @@ QString SweepPage::rangeOf(session::ServoRef ref, const record::SweepSpec& spec)
     const auto words = [](const QString& from, const QString& to) {
         return tr("range %1 … %2").arg(from, to);
     };
-    const auto look = std::find_if(m_looks.begin(), m_looks.end(), [ref](const auto& one) {
-        return one.servo == ref && one.outlook;
+    const auto preview = std::find_if(m_previews.begin(), m_previews.end(), [ref](const auto& one) {
+        return one.servo == ref && one.estimate;
     });
     if (spec.shape != record::SweepShape::Points) {
         const auto own = spec.ranges.find(m_desk.servo(ref)->servo.id);
         const record::SweepRange& range = own != spec.ranges.end() ? own->second : spec.range;
         return words(range.from, range.to);
     }
-    if (look == m_looks.end())
+    if (preview == m_previews.end())
         return tr("targets of the list");
-    const auto& axis = look->outlook->axis;
+    const auto& axis = preview->estimate->axis;
     return words(QString::number(axis.from), QString::number(axis.to));
 }
 
@@ -86,32 +86,32 @@ QString SweepPage::torqueAfterwards(const Consent& consent)
 
 void SweepPage::start()
 {
-    m_banner->clear();
-    m_leftShown = false;
+    m_banner->hideMessage();
+    m_leftoversShown = false;
     m_references.clear();
-    m_form->remember();
-    m_lookTimer.stop();
-    if (m_test.start(order()))
-        m_progressWords->setText(tr("On the way to the start"));
+    m_form->saveSettings();
+    m_previewTimer.stop();
+    if (m_test.start(testRequest()))
+        m_progressLabel->setText(tr("On the way to the start"));
     else
-        m_banner->present([] { return notStartedWords(); });
+        m_banner->showMessage([] { return notStartedText(); });
     showState();
 }
 
-void SweepPage::ended()
+void SweepPage::onTestFinished()
 {
-    keep();
-    showLeft({});
+    saveRun();
+    showLeftovers({});
     showVerdicts();
     showState();
-    lookSoon(); // what the servo has set now may be something else
+    schedulePreview(); // what the servo has set now may be something else
 }
 
 /// "ID 1: Operating mode (own value 1), Goal speed (own value 0)"
-QString SweepPage::settingsLeftText() const
+QString SweepPage::unrevertedSettingsText() const
 {
     std::map<int, QStringList> names;
-    for (const device::Notice& one : m_test.settingsLeft()) {
+    for (const device::Notice& one : m_test.unrevertedSettings()) {
         const auto& all = m_desk.servos();
         const auto found = std::find_if(all.begin(), all.end(), [&](session::ServoRef ref) {
             const session::ServoEntry* entry = m_desk.servo(ref);
@@ -120,7 +120,7 @@ QString SweepPage::settingsLeftText() const
         const catalog::Register* reg =
             found != all.end() ? m_desk.servo(*found)->servo.profile->find(one.key) : nullptr;
         names[one.id] << tr("%1 (own value %2)")
-                             .arg(reg != nullptr ? reg->name.in(text::inChinese()) : one.key)
+                             .arg(reg != nullptr ? reg->name.in(text::isUiChinese()) : one.key)
                              .arg(one.a);
     }
     QStringList servos;
@@ -130,41 +130,42 @@ QString SweepPage::settingsLeftText() const
 }
 
 /// All that a test has left in its servos, and why it failed, if it did.
-void SweepPage::showLeft(const std::optional<base::Error>& error)
+void SweepPage::showLeftovers(const std::optional<base::Error>& error)
 {
     m_failure = error;
-    m_leftShown = !m_test.settingsLeft().empty() || !m_test.torqueLeft().empty();
-    if (!m_leftShown) {
+    m_leftoversShown = !m_test.unrevertedSettings().empty() || !m_test.unreleasedTorque().empty();
+    if (!m_leftoversShown) {
         if (error && error->code != base::ErrorCode::Stopped)
-            m_banner->present(*error);
+            m_banner->showMessage(*error);
         return;
     }
-    m_banner->present([this] {
+    m_banner->showMessage([this] {
         QStringList what;
         QStringList remedies;
-        if (const auto& torque = m_test.torqueLeft(); !torque.empty()) {
-            what << torqueLeftText(torque);
-            remedies << torqueLeftRemedy();
+        if (const auto& torque = m_test.unreleasedTorque(); !torque.empty()) {
+            what << unreleasedTorqueText(torque);
+            remedies << unreleasedTorqueRemedy();
         }
-        if (!m_test.settingsLeft().empty()) {
-            what << tr("Settings of the test still in the servo: %1.").arg(settingsLeftText());
-            remedies << settingsLeftRemedy();
+        if (!m_test.unrevertedSettings().empty()) {
+            what
+                << tr("Settings of the test still in the servo: %1.").arg(unrevertedSettingsText());
+            remedies << unrevertedSettingsRemedy();
         }
         if (m_failure)
-            what.prepend(text::describe(*m_failure).what);
+            what.prepend(text::describe(*m_failure).message);
         const QString first = what.isEmpty() ? QString() : what.takeFirst();
-        return BannerWords{Tone::Bad, first, what.join(QLatin1Char(' ')),
-                           remedies.join(QLatin1Char(' '))};
+        return BannerText{Tone::Bad, first, what.join(QLatin1Char(' ')),
+                          remedies.join(QLatin1Char(' '))};
     });
 }
 
 /// Something of it is over: it must not be said any longer.
-void SweepPage::showLess()
+void SweepPage::showRemainingLeftovers()
 {
-    if (!m_leftShown)
+    if (!m_leftoversShown)
         return;
-    m_banner->clear();
-    showLeft(m_failure);
+    m_banner->hideMessage();
+    showLeftovers(m_failure);
 }
 
 /// Of the latest test, in the table of servos.
@@ -172,22 +173,22 @@ void SweepPage::showVerdicts()
 {
     std::map<session::ServoRef, SweepServos::Verdict> verdicts;
     const record::SweepRun* run = m_test.run();
-    for (std::size_t i = 0; run != nullptr && !m_test.running() && i < run->servos.size(); ++i) {
+    for (std::size_t i = 0; run != nullptr && !m_test.isRunning() && i < run->servos.size(); ++i) {
         const record::SweepVerdict found = record::sweepVerdict(*run, run->servos[i]);
-        const bool bare = found.reason == record::NoVerdict::None;
+        const bool bare = found.reason == record::NoVerdictReason::None;
         verdicts[m_test.servos().at(i)] = {
             found.grade, bare ? gradeText(found.grade)
-                              : report::noVerdictWords(found.reason).in(text::inChinese())};
+                              : report::noVerdictReasonText(found.reason).in(text::isUiChinese())};
     }
     m_servos->setVerdicts(verdicts);
 }
 
 /// In the history, and held against the reference of its model.
-void SweepPage::keep()
+void SweepPage::saveRun()
 {
     const auto run = std::make_shared<const record::SweepRun>(*m_test.run());
-    m_archive.keep(run, {m_test.readingsPath()});
-    m_archive.compareWithReference(
+    m_historyService.saveRun(run, {m_test.readingsPath()});
+    m_historyService.compareWithReference(
         run, this, [this](const base::Result<std::vector<session::ReferenceResult>>& found) {
             m_references = found.value_or(std::vector<session::ReferenceResult>{});
             showReference();
@@ -198,7 +199,7 @@ void SweepPage::showReference()
 {
     const record::SweepRun* run = m_test.run();
     const std::size_t shown = m_results->shownServo();
-    if (run == nullptr || m_test.running() || shown >= run->servos.size())
+    if (run == nullptr || m_test.isRunning() || shown >= run->servos.size())
         return;
     const int id = run->servos[shown].parameters.servo.id;
     const auto found = std::find_if(m_references.begin(), m_references.end(),
@@ -206,11 +207,11 @@ void SweepPage::showReference()
     m_results->setComparison(found != m_references.end() ? referenceText(*found) : QString());
 }
 
-void SweepPage::failed(const base::Error& error)
+void SweepPage::onTestFailed(const base::Error& error)
 {
-    showLeft(error);
+    showLeftovers(error);
     showState();
-    lookSoon();
+    schedulePreview();
 }
 
 void SweepPage::editLimits(session::ServoRef ref)
@@ -220,7 +221,7 @@ void SweepPage::editLimits(session::ServoRef ref)
         return;
     const auto& profile = *entry->servo.profile;
     auto* dialog = new LimitsDialog(m_servos->limits(ref), profile.modelName, profile.series, this);
-    connect(dialog, &LimitsDialog::chosen, this,
+    connect(dialog, &LimitsDialog::limitsAccepted, this,
             [this, model = profile.modelName, series = profile.series](
                 const record::SweepLimits& limits) { m_servos->setLimits(model, series, limits); });
     dialog->open();

@@ -31,15 +31,15 @@ using namespace std::chrono_literals;
 using record::Grade;
 
 namespace {
-constexpr auto figuresEvery = 500ms;
+constexpr auto metricsInterval = 500ms;
 /// Figures are worked out from all legs: of a long test less often.
-constexpr std::size_t legsAMillisecond = 20;
-constexpr auto usualWidth = std::chrono::seconds(10);
-const QString folderChoice = QStringLiteral("sweep/report_folder");
+constexpr std::size_t legsPerMillisecond = 20;
+constexpr auto defaultWidth = std::chrono::seconds(10);
+const QString folderKey = QStringLiteral("sweep/report_folder");
 
 QString in(const catalog::Text& words)
 {
-    return words.in(text::inChinese());
+    return words.in(text::isUiChinese());
 }
 
 Tone toneOf(Grade grade)
@@ -63,9 +63,9 @@ QString servoName(const record::SweepServo& servo)
         .arg(servo.parameters.servo.model);
 }
 
-QString gradeLine(Grade grade)
+QString gradeSentence(Grade grade)
 {
-    return report::gradeSign(grade) + QLatin1Char(' ') + in(report::gradeWords(grade));
+    return report::gradeSign(grade) + QLatin1Char(' ') + in(report::gradeLabel(grade));
 }
 
 QString withReasons(const QString& grade, const QStringList& reasons)
@@ -80,9 +80,9 @@ QString verdictWords(const record::SweepServo& servo)
     QStringList reasons;
     for (const record::VerdictLine& line : servo.lines) {
         if (line.grade == servo.verdict && (line.grade == Grade::Fail || line.grade == Grade::Warn))
-            reasons.append(in(report::metricWords(line.limit.metric)));
+            reasons.append(in(report::metricLabel(line.limit.metric)));
     }
-    return withReasons(gradeLine(servo.verdict), reasons);
+    return withReasons(gradeSentence(servo.verdict), reasons);
 }
 
 /// The worst one counts, and is named: "✘ Failed: ID 2, ID 5".
@@ -95,7 +95,7 @@ QString verdictWords(const record::SweepRun& run)
         if (servo.verdict == run.verdict() && servo.verdict != Grade::Pass)
             worst.append(QStringLiteral("ID %1").arg(servo.parameters.servo.id));
     }
-    return withReasons(gradeLine(run.verdict()), worst);
+    return withReasons(gradeSentence(run.verdict()), worst);
 }
 } // namespace
 
@@ -109,7 +109,7 @@ SweepResults::SweepResults(session::Desk& desk, session::SweepTest& test,
     build();
     connectTest();
     m_chart->setStore(&test.store());
-    m_chart->setWidth(usualWidth);
+    m_chart->setWidth(defaultWidth);
     retranslate();
     showVerdict();
     enableReports();
@@ -122,23 +122,23 @@ QWidget* SweepResults::chart() const
 
 void SweepResults::connectTest()
 {
-    connect(&m_test, &session::SweepTest::began, this, &SweepResults::begin);
-    connect(&m_test, &session::SweepTest::ended, this, &SweepResults::end);
+    connect(&m_test, &session::SweepTest::started, this, &SweepResults::startRun);
+    connect(&m_test, &session::SweepTest::finished, this, &SweepResults::finishRun);
     connect(&m_test, &session::SweepTest::failed, this, &SweepResults::showVerdict);
-    connect(&m_test, &session::SweepTest::progressed, this, &SweepResults::showVerdict);
-    connect(&m_test, &session::SweepTest::grown, this, [this] {
+    connect(&m_test, &session::SweepTest::progressChanged, this, &SweepResults::showVerdict);
+    connect(&m_test, &session::SweepTest::samplesAdded, this, [this] {
         if (isVisible())
             m_chart->advance(m_desk.now());
     });
-    connect(&m_test, &session::SweepTest::legged, this, [this] {
-        takeLegs();
+    connect(&m_test, &session::SweepTest::legsAdded, this, [this] {
+        appendLegs();
         if (!m_figures.isActive()) {
-            const auto slower = std::chrono::milliseconds(m_legsTaken / legsAMillisecond);
-            m_figures.start(std::max<std::chrono::milliseconds>(figuresEvery, slower));
+            const auto slower = std::chrono::milliseconds(m_legsTaken / legsPerMillisecond);
+            m_figures.start(std::max<std::chrono::milliseconds>(metricsInterval, slower));
         }
     });
     m_figures.setSingleShot(true);
-    connect(&m_figures, &QTimer::timeout, this, &SweepResults::showFigures);
+    connect(&m_figures, &QTimer::timeout, this, &SweepResults::showMetrics);
     connect(m_servos, &QComboBox::activated, this, &SweepResults::showServo);
     connect(m_all, &QToolButton::toggled, &m_verdictModel, &SweepVerdictModel::setShowAll);
     connect(&m_legsModel, &SweepLegsModel::emptyColumnsChanged, this,
@@ -164,7 +164,7 @@ const record::SweepServo* SweepResults::servo() const
     return run != nullptr && m_servo < run->servos.size() ? &run->servos[m_servo] : nullptr;
 }
 
-void SweepResults::begin()
+void SweepResults::startRun()
 {
     m_savedPath.clear();
     m_saveError.reset();
@@ -172,33 +172,33 @@ void SweepResults::begin()
     m_servos->clear();
     for (const record::SweepServo& tested : m_test.run()->servos)
         m_servos->addItem(servoName(tested));
-    nameServos();
+    updateServoNames();
     m_servos->setVisible(m_servos->count() > 1);
     m_chart->setOrigin(m_test.startedAt());
-    m_chart->setWidth(usualWidth);
+    m_chart->setWidth(defaultWidth);
     m_chart->setFollowing(true);
     showServo(0);
     enableReports();
 }
 
 /// With its verdict, once there is one.
-void SweepResults::nameServos()
+void SweepResults::updateServoNames()
 {
     const record::SweepRun* run = m_test.run();
     for (int i = 0; run != nullptr && i < m_servos->count(); ++i) {
         const record::SweepServo& tested = run->servos[std::size_t(i)];
-        m_servos->setItemText(i, m_test.running() ? servoName(tested)
-                                                  : servoName(tested) + QStringLiteral(" · ") +
-                                                        gradeLine(tested.verdict));
+        m_servos->setItemText(i, m_test.isRunning() ? servoName(tested)
+                                                    : servoName(tested) + QStringLiteral(" · ") +
+                                                          gradeSentence(tested.verdict));
     }
 }
 
-void SweepResults::end()
+void SweepResults::finishRun()
 {
     m_figures.stop();
-    takeLegs();
-    showFigures();
-    m_chart->fit();
+    appendLegs();
+    showMetrics();
+    m_chart->zoomToFit();
     enableReports();
     retranslate();
 }
@@ -220,8 +220,8 @@ void SweepResults::showServo(int index)
                                limited ? limit->fail : std::nullopt);
     }
     showCurves();
-    takeLegs();
-    showFigures();
+    appendLegs();
+    showMetrics();
     showEnd();
     Q_EMIT servoShown();
 }
@@ -233,17 +233,17 @@ void SweepResults::showCurves()
         return;
     const QColor ground = palette().color(QPalette::Base);
     const session::SweepTest::Curves curves = m_test.curves(m_servo);
-    const report::SweepWords& words = report::sweepWords();
-    const QString unit = in(report::unitWords(QStringLiteral("step")));
+    const report::SweepTexts& words = report::sweepTexts();
+    const QString unit = in(report::unitText(QStringLiteral("step")));
     TrendChannel goal{curves.goal, QStringLiteral("goal"), in(words.goal), unit,
-                      trendColour(trendColourCount - 1, ground)};
+                      trendColor(trendColorCount - 1, ground)};
     goal.steps = true;
     m_chart->setChannels({goal,
                           {curves.position, QStringLiteral("position"), in(words.position), unit,
-                           trendColour(0, ground)}});
+                           trendColor(0, ground)}});
 }
 
-void SweepResults::takeLegs()
+void SweepResults::appendLegs()
 {
     const record::SweepServo* tested = servo();
     if (tested == nullptr || m_legsTaken >= tested->legs.size())
@@ -257,17 +257,17 @@ void SweepResults::takeLegs()
         if (leg.steadyError)
             errors.push_back(*leg.steadyError);
     }
-    m_histogram->add(errors);
+    m_histogram->addErrors(errors);
     m_legsTaken = tested->legs.size();
     if (atEnd)
         m_legsView->scrollToBottom();
 }
 
-void SweepResults::showFigures()
+void SweepResults::showMetrics()
 {
     if (const record::SweepServo* tested = servo()) {
-        const auto metrics = m_test.figures(m_servo);
-        m_verdictModel.show(metrics, record::judge(*tested, metrics, m_test.run()->spec.shape));
+        const auto metrics = m_test.metrics(m_servo);
+        m_verdictModel.show(metrics, record::evaluate(*tested, metrics, m_test.run()->spec.shape));
     }
     showVerdict();
 }
@@ -276,32 +276,32 @@ void SweepResults::hideEmptyColumns()
 {
     for (int column = 0; column < m_legsModel.columnCount(); ++column)
         m_legsView->setColumnHidden(column,
-                                    m_legsModel.columnEmpty(static_cast<LegColumn>(column)));
+                                    m_legsModel.isColumnEmpty(static_cast<LegColumn>(column)));
     m_legsView->resizeColumnsToContents();
 }
 
-QString SweepResults::words() const
+QString SweepResults::verdictText() const
 {
-    return m_verdict->words();
+    return m_verdict->text();
 }
 
 void SweepResults::showVerdict()
 {
     const record::SweepServo* tested = servo();
     const bool none = tested == nullptr;
-    m_nothing->setVisible(none && !m_test.running());
+    m_emptyLabel->setVisible(none && !m_test.isRunning());
     m_verdict->setVisible(!none);
     if (none)
         return;
     m_title->setText(m_servos->count() > 1 ? tr("Position and goal")
                                            : tr("Position and goal — %1").arg(servoName(*tested)));
-    if (m_test.running() && !m_test.progress().silent.empty())
+    if (m_test.isRunning() && !m_test.progress().silent.empty())
         m_verdict->setState(Tone::Warn, tr("no answer"));
-    else if (m_test.running())
+    else if (m_test.isRunning())
         m_verdict->setState(Tone::Accent, tr("running"));
     else
         m_verdict->setState(toneOf(m_test.run()->verdict()), verdictWords(*m_test.run()),
-                            in(report::gradeWords(m_test.run()->verdict())));
+                            in(report::gradeLabel(m_test.run()->verdict())));
 }
 
 void SweepResults::setComparison(const QString& text)
@@ -312,18 +312,18 @@ void SweepResults::setComparison(const QString& text)
 
 void SweepResults::enableReports()
 {
-    const bool ready = m_test.run() != nullptr && !m_test.running();
+    const bool ready = m_test.run() != nullptr && !m_test.isRunning();
     for (QPushButton* button : m_reports)
         button->setEnabled(ready);
 }
 
-void SweepResults::askWhere(const QString& ending)
+void SweepResults::askForSavePath(const QString& ending)
 {
     const record::SweepRun* run = m_test.run();
     if (run == nullptr || run->servos.empty())
         return;
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    const QDir folder(m_settings.choice(folderChoice, documents).toString());
+    const QDir folder(m_settings.pageValue(folderKey, documents).toString());
     QStringList ids;
     for (const record::SweepServo& tested : run->servos)
         ids.append(QString::number(tested.parameters.servo.id));
@@ -339,19 +339,20 @@ void SweepResults::askWhere(const QString& ending)
     dialog->setDirectory(folder);
     dialog->selectFile(name);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        m_settings.setChoice(folderChoice, QFileInfo(path).absolutePath());
-        m_test.save(path, text::inChinese());
+        m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
+        m_test.save(path, text::isUiChinese());
     });
     dialog->open();
 }
 
 void SweepResults::retranslate()
 {
-    const report::SweepWords& words = report::sweepWords();
+    const report::SweepTexts& words = report::sweepTexts();
     if (servo() == nullptr)
         m_title->setText(tr("Position and goal"));
-    m_nothing->setText(tr("No test has run yet. Choose a test at the left, look at start and end, "
-                          "then press Run: the servo will move."));
+    m_emptyLabel->setText(
+        tr("No test has run yet. Choose a test at the left, look at start and end, "
+           "then press Run: the servo will move."));
     m_servos->setToolTip(tr("The servo that is shown"));
     m_servos->setAccessibleName(tr("Servo shown"));
     m_tabs->setTabText(0, in(words.verdict));
@@ -371,15 +372,15 @@ void SweepResults::retranslate()
                                      .arg(button->text()));
         button->setAccessibleName(button->toolTip());
     }
-    m_earlier->setText(tr("Earlier tests…"));
-    m_earlier->setAccessibleName(m_earlier->text());
+    m_previousTests->setText(tr("Earlier tests…"));
+    m_previousTests->setAccessibleName(m_previousTests->text());
     m_all->setAccessibleName(m_all->text());
-    m_earlier->setToolTip(tr("Look at kept tests, compare two, choose a reference"));
-    nameServos();
+    m_previousTests->setToolTip(tr("Look at kept tests, compare two, choose a reference"));
+    updateServoNames();
     showEnd();
     if (m_saveError) {
         const text::Description trouble = text::describe(*m_saveError);
-        m_saved->setText((trouble.what + QLatin1Char(' ') + trouble.remedy).toHtmlEscaped());
+        m_saved->setText((trouble.message + QLatin1Char(' ') + trouble.remedy).toHtmlEscaped());
     } else {
         const QString link = QStringLiteral("<a href=\"%1\">%2</a>")
                                  .arg(QUrl::fromLocalFile(m_savedPath).toString(QUrl::FullyEncoded),
@@ -398,16 +399,16 @@ void SweepResults::showEnd()
 {
     const record::SweepRun* run = m_test.run();
     QStringList lines;
-    if (run != nullptr && !m_test.running()) {
+    if (run != nullptr && !m_test.isRunning()) {
         if (run->end != record::SweepEnd::Finished)
             lines.append(
-                in(report::endWords(run->end)) +
+                in(report::endText(run->end)) +
                 (run->endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run->endedBy) : QString()));
-        const record::NoVerdict reason = servo() != nullptr
-                                             ? record::sweepVerdict(*run, *servo()).reason
-                                             : record::NoVerdict::None;
-        if (reason != record::NoVerdict::None && reason != record::NoVerdict::Ended)
-            lines.append(in(report::noVerdictWords(reason)));
+        const record::NoVerdictReason reason = servo() != nullptr
+                                                   ? record::sweepVerdict(*run, *servo()).reason
+                                                   : record::NoVerdictReason::None;
+        if (reason != record::NoVerdictReason::None && reason != record::NoVerdictReason::Ended)
+            lines.append(in(report::noVerdictReasonText(reason)));
     }
     if (run != nullptr && !run->gaps.empty())
         lines.append(tr("Silences of the line that were waited out: %1.").arg(run->gaps.size()));

@@ -36,12 +36,12 @@ public:
     /// with.
     void setComparison(const QString& text);
     std::size_t shownServo() const { return m_servo; }
-    QString words() const; ///< the verdict in a line, as it is shown
+    QString verdictText() const; ///< the verdict in a line, as it is shown
     /// The figures of this servo of the test.
     void showServo(int index);
 
 Q_SIGNALS:
-    void earlierWished();
+    void previousTestsRequested();
     void servoShown();
 
 protected:
@@ -53,16 +53,16 @@ private:
     QWidget* buildFindings();
     QWidget* buildReport();
     void connectTest();
-    void begin();
-    void end();
-    void nameServos();
+    void startRun();
+    void finishRun();
+    void updateServoNames();
     void showEnd();
     void showCurves();
-    void takeLegs();
-    void showFigures();
+    void appendLegs();
+    void showMetrics();
     void hideEmptyColumns();
     void showVerdict();
-    void askWhere(const QString& ending);
+    void askForSavePath(const QString& ending);
     void enableReports();
     void retranslate();
     const record::SweepServo* servo() const;
@@ -79,7 +79,7 @@ private:
     QLabel* m_title = nullptr;
     QComboBox* m_servos = nullptr;
     Pill* m_verdict = nullptr;
-    QLabel* m_nothing = nullptr; ///< over the chart, until there is something
+    QLabel* m_emptyLabel = nullptr; ///< over the chart, until there is something
     TrendChart* m_chart = nullptr;
     QTabWidget* m_tabs = nullptr;
     QTableView* m_verdictView = nullptr;
@@ -91,7 +91,7 @@ private:
     ErrorHistogram* m_histogram = nullptr;
     QLabel* m_reportTitle = nullptr;
     std::vector<QPushButton*> m_reports;
-    QPushButton* m_earlier = nullptr;
+    QPushButton* m_previousTests = nullptr;
     QLabel* m_comparison = nullptr;
     QLabel* m_saved = nullptr;
     QString m_savedPath;

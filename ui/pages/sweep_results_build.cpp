@@ -22,11 +22,11 @@
 namespace ui {
 namespace {
 constexpr int rowPadding = 6;
-constexpr int chartShare = 5;
-constexpr int findingsShare = 5;
-constexpr int tableShare = 5;
-constexpr int reportShare = 2;
-constexpr int leastReport = 210;
+constexpr int chartStretch = 5;
+constexpr int findingsStretch = 5;
+constexpr int tableStretch = 5;
+constexpr int reportStretch = 2;
+constexpr int minReportWidth = 210;
 
 QTableView* table(const char* name, QAbstractItemModel& model, QWidget* parent)
 {
@@ -63,20 +63,20 @@ void SweepResults::build()
     head->addWidget(m_servos);
     head->addStretch();
     head->addWidget(m_verdict);
-    m_nothing = new QLabel(this);
-    m_nothing->setObjectName(QStringLiteral("sweepNothing"));
-    m_nothing->setWordWrap(true);
-    m_nothing->setForegroundRole(QPalette::PlaceholderText);
+    m_emptyLabel = new QLabel(this);
+    m_emptyLabel->setObjectName(QStringLiteral("sweepNothing"));
+    m_emptyLabel->setWordWrap(true);
+    m_emptyLabel->setForegroundRole(QPalette::PlaceholderText);
     m_chart = new TrendChart(this);
     m_chart->setObjectName(QStringLiteral("sweepChart"));
     auto* split = new QSplitter(Qt::Vertical, this);
     split->setChildrenCollapsible(false);
     split->addWidget(m_chart);
     split->addWidget(buildFindings());
-    split->setStretchFactor(0, chartShare);
-    split->setStretchFactor(1, findingsShare);
+    split->setStretchFactor(0, chartStretch);
+    split->setStretchFactor(1, findingsStretch);
     column->addLayout(head);
-    column->addWidget(m_nothing);
+    column->addWidget(m_emptyLabel);
     column->addWidget(split, 1);
 }
 
@@ -88,7 +88,7 @@ QWidget* SweepResults::buildFindings()
     m_tabs->setObjectName(QStringLiteral("sweepTabs"));
     m_tabs->setDocumentMode(true);
     m_verdictView = table("sweepVerdictTable", m_verdictModel, m_tabs);
-    new RoomyColumn(m_verdictView);
+    new StretchFirstColumn(m_verdictView);
     m_all = new QToolButton(m_tabs);
     m_all->setObjectName(QStringLiteral("sweepAllFigures"));
     m_all->setCheckable(true);
@@ -108,15 +108,15 @@ QWidget* SweepResults::buildFindings()
     m_tabs->addTab(legs, QString());
     split->addWidget(m_tabs);
     split->addWidget(buildReport());
-    split->setStretchFactor(0, tableShare);
-    split->setStretchFactor(1, reportShare);
+    split->setStretchFactor(0, tableStretch);
+    split->setStretchFactor(1, reportStretch);
     return split;
 }
 
 QWidget* SweepResults::buildReport()
 {
     auto* side = new QWidget(this);
-    side->setMinimumWidth(leastReport);
+    side->setMinimumWidth(minReportWidth);
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(6, 0, 0, 0);
     column->setSpacing(4);
@@ -145,12 +145,12 @@ QWidget* SweepResults::buildReport()
         row->addWidget(button);
         m_reports.push_back(button);
         connect(button, &QPushButton::clicked, this,
-                [this, ending] { askWhere(QString::fromLatin1(ending)); });
+                [this, ending] { askForSavePath(QString::fromLatin1(ending)); });
     }
-    m_earlier = new QPushButton(buttons);
-    m_earlier->setObjectName(QStringLiteral("sweepEarlier"));
-    row->addWidget(m_earlier);
-    connect(m_earlier, &QPushButton::clicked, this, &SweepResults::earlierWished);
+    m_previousTests = new QPushButton(buttons);
+    m_previousTests->setObjectName(QStringLiteral("sweepEarlier"));
+    row->addWidget(m_previousTests);
+    connect(m_previousTests, &QPushButton::clicked, this, &SweepResults::previousTestsRequested);
     m_saved = text("sweepSaved");
     m_saved->setTextFormat(Qt::RichText);
     m_saved->setOpenExternalLinks(true);

@@ -18,10 +18,10 @@
 namespace ui {
 namespace {
 enum Column { Servo, Start, End, Verdicts, ColumnCount };
-constexpr int rowsSeen = 4;
+constexpr int visibleRows = 4;
 constexpr int rowPadding = 8;
 
-QString limitsChoice(const QString& model)
+QString limitsKey(const QString& model)
 {
     return QStringLiteral("sweep/limits/") + model;
 }
@@ -34,7 +34,7 @@ QString shortGrade(record::Grade grade)
                : gradeText(grade);
 }
 
-bool testable(const session::ServoEntry* entry)
+bool isTestable(const session::ServoEntry* entry)
 {
     return entry != nullptr && entry->servo.profile && entry->servo.profile->writable;
 }
@@ -55,7 +55,7 @@ SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Set
     m_table->setObjectName(QStringLiteral("sweepServos"));
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + rowPadding);
-    m_table->setMinimumHeight((fontMetrics().height() + rowPadding) * (rowsSeen + 1));
+    m_table->setMinimumHeight((fontMetrics().height() + rowPadding) * (visibleRows + 1));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -83,8 +83,8 @@ SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Set
     connect(&desk, &session::Desk::servoRemoved, this, again);
     connect(&desk, &session::Desk::servosCleared, this, again);
     connect(&desk, &session::Desk::orderChanged, this, again);
-    connect(&selection, &Selection::chosenChanged, this, &SweepServos::followSelection);
-    connect(m_table, &QTableWidget::itemChanged, this, &SweepServos::edited);
+    connect(&selection, &Selection::selectedServosChanged, this, &SweepServos::followSelection);
+    connect(m_table, &QTableWidget::itemChanged, this, &SweepServos::onItemEdited);
     connect(m_table, &QTableWidget::currentCellChanged, this, &SweepServos::showLimits);
     connect(m_table, &QTableWidget::cellClicked, this, [this](int row) {
         if (const auto ref = refAt(row))
@@ -92,7 +92,7 @@ SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Set
     });
     connect(m_limits, &QPushButton::clicked, this, [this] {
         if (const auto ref = refAt(std::max(0, m_table->currentRow())))
-            Q_EMIT limitsWished(ref);
+            Q_EMIT limitsRequested(ref);
     });
     retranslate();
     followSelection();
@@ -111,7 +111,7 @@ void SweepServos::rebuild()
     m_table->clearContents();
     std::vector<const session::ServoEntry*> shown;
     for (const session::ServoRef ref : m_desk.servos()) {
-        if (const session::ServoEntry* entry = m_desk.servo(ref); testable(entry))
+        if (const session::ServoEntry* entry = m_desk.servo(ref); isTestable(entry))
             shown.push_back(entry);
     }
     m_table->setRowCount(int(shown.size()));
@@ -127,7 +127,7 @@ void SweepServos::rebuild()
     const auto gone = [this](const auto& one) { return m_desk.servo(one) == nullptr; };
     const std::size_t before = m_ticked.size();
     std::erase_if(m_ticked, gone);
-    if (m_ticked.empty() && std::exchange(m_byHand, false))
+    if (m_ticked.empty() && std::exchange(m_userSelected, false))
         followSelection();
     std::erase_if(m_ranges, [&](const auto& one) { return gone(one.first); });
     showLimits();
@@ -174,7 +174,7 @@ void SweepServos::showVerdicts()
             continue;
         const bool known = found != m_verdicts.end();
         item->setText(known ? shortGrade(found->second.grade) : QString());
-        item->setToolTip(known ? found->second.words : QString());
+        item->setToolTip(known ? found->second.text : QString());
         item->setData(toneRole, known ? QVariant(int(gradeTone(found->second.grade))) : QVariant());
     }
     m_filling = false;
@@ -216,7 +216,7 @@ void SweepServos::setLocked(bool locked)
     showLimits();
 }
 
-void SweepServos::edited(QTableWidgetItem* item)
+void SweepServos::onItemEdited(QTableWidgetItem* item)
 {
     const session::ServoRef ref = refAt(item->row());
     if (m_filling || ref == 0)
@@ -228,7 +228,7 @@ void SweepServos::edited(QTableWidgetItem* item)
             m_ticked.insert(ref);
         else
             m_ticked.erase(ref);
-        m_byHand = !m_ticked.empty();
+        m_userSelected = !m_ticked.empty();
     } else {
         record::SweepRange& range = m_ranges[ref];
         (item->column() == Start ? range.from : range.to) = item->text().trimmed();
@@ -239,19 +239,19 @@ void SweepServos::edited(QTableWidgetItem* item)
 /// What the user has ticked stays, whatever is looked at elsewhere, until the last tick is gone.
 void SweepServos::followSelection()
 {
-    if (m_byHand)
+    if (m_userSelected)
         return;
-    const auto& chosen = m_selection.chosen();
+    const auto& chosen = m_selection.selected();
     m_ticked = {chosen.begin(), chosen.end()};
     m_rebuild.start();
     Q_EMIT changed();
 }
 
-std::vector<session::ServoRef> SweepServos::ticked() const
+std::vector<session::ServoRef> SweepServos::selected() const
 {
     std::vector<session::ServoRef> refs;
     for (const session::ServoRef ref : m_desk.servos()) {
-        if (m_ticked.count(ref) != 0 && testable(m_desk.servo(ref)))
+        if (m_ticked.count(ref) != 0 && isTestable(m_desk.servo(ref)))
             refs.push_back(ref);
     }
     return refs;
@@ -260,7 +260,7 @@ std::vector<session::ServoRef> SweepServos::ticked() const
 std::map<int, record::SweepRange> SweepServos::ranges() const
 {
     std::map<int, record::SweepRange> ranges;
-    for (const session::ServoRef ref : ticked()) {
+    for (const session::ServoRef ref : selected()) {
         const auto own = m_ranges.find(ref);
         if (own != m_ranges.end() && !(own->second.from.isEmpty() && own->second.to.isEmpty()))
             ranges[m_desk.servo(ref)->servo.id] = own->second;
@@ -273,7 +273,7 @@ const std::optional<record::SweepLimits>& SweepServos::ownLimits(const QString& 
     const auto known = m_modelLimits.find(model);
     if (known != m_modelLimits.end())
         return known->second;
-    const QByteArray kept = m_settings.choice(limitsChoice(model), QString()).toString().toUtf8();
+    const QByteArray kept = m_settings.pageValue(limitsKey(model), QString()).toString().toUtf8();
     std::optional<record::SweepLimits> own;
     if (const auto read = record::decodeSweepLimits(kept); !kept.isEmpty() && read)
         own = *read;
@@ -283,7 +283,7 @@ const std::optional<record::SweepLimits>& SweepServos::ownLimits(const QString& 
 record::SweepLimits SweepServos::limits(session::ServoRef ref) const
 {
     const session::ServoEntry* entry = m_desk.servo(ref);
-    if (!testable(entry))
+    if (!isTestable(entry))
         return {};
     const auto& profile = *entry->servo.profile;
     return ownLimits(profile.modelName)
@@ -295,8 +295,8 @@ void SweepServos::setLimits(const QString& model, const QString& series,
 {
     const bool own = !(limits == record::builtInSweepLimits(model, series));
     m_modelLimits[model] = own ? std::optional(limits) : std::nullopt;
-    m_settings.setChoice(limitsChoice(model),
-                         own ? QString::fromUtf8(record::encodeSweepLimits(limits)) : QString());
+    m_settings.setPageValue(limitsKey(model),
+                            own ? QString::fromUtf8(record::encodeSweepLimits(limits)) : QString());
     showLimits();
     Q_EMIT changed();
 }

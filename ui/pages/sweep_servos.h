@@ -32,7 +32,7 @@ public:
                 QWidget* parent);
 
     /// Those that can be tested, in the order of the list.
-    std::vector<session::ServoRef> ticked() const;
+    std::vector<session::ServoRef> selected() const;
     std::map<int, record::SweepRange> ranges() const; ///< by ID, of the ticked ones
     /// The user's for this model, which the settings keep, else the built-in ones.
     record::SweepLimits limits(session::ServoRef ref) const;
@@ -41,7 +41,7 @@ public:
     /// What the latest test found of each; empty: nothing yet, and no column for it.
     struct Verdict {
         record::Grade grade = record::Grade::NotMeasured;
-        QString words{}; ///< said by the tool tip
+        QString text{}; ///< said by the tool tip
         bool operator==(const Verdict&) const = default;
     };
     void setVerdicts(const std::map<session::ServoRef, Verdict>& verdicts);
@@ -52,7 +52,7 @@ public:
 Q_SIGNALS:
     void clicked(session::ServoRef ref);
     void changed();
-    void limitsWished(session::ServoRef ref); ///< to be looked at and edited
+    void limitsRequested(session::ServoRef ref); ///< to be looked at and edited
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -61,7 +61,7 @@ private:
     void rebuild();
     void fillRow(int row, const session::ServoEntry& entry);
     Qt::ItemFlags servoFlags() const;
-    void edited(QTableWidgetItem* item);
+    void onItemEdited(QTableWidgetItem* item);
     void followSelection();
     void showLimits();
     void showVerdicts();
@@ -79,7 +79,7 @@ private:
     const QAbstractItemView::EditTriggers m_editTriggers;
     QTimer m_rebuild; ///< several changes of the list are one
     std::set<session::ServoRef> m_ticked;
-    bool m_byHand = false; ///< m_ticked is the user's choice, not the selection
+    bool m_userSelected = false; ///< m_ticked is the user's choice, not the selection
     std::map<session::ServoRef, record::SweepRange> m_ranges;
     std::map<session::ServoRef, Verdict> m_verdicts;
     mutable std::map<QString, std::optional<record::SweepLimits>> m_modelLimits; ///< as read

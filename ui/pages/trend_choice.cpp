@@ -15,47 +15,48 @@ using catalog::Role;
 using text::translate;
 
 namespace {
-struct ReadyMade {
+struct BuiltInCurve {
     const char* key;
     Role role; ///< None: goal and error, which are asked for otherwise
     const char* name;
 };
-constexpr std::array readyMade{
-    ReadyMade{"@goal", Role::None, QT_TRANSLATE_NOOP("Trend", "Goal")},
-    ReadyMade{"@position", Role::PresentPosition, QT_TRANSLATE_NOOP("Trend", "Position")},
-    ReadyMade{"@error", Role::None, QT_TRANSLATE_NOOP("Trend", "Error (goal − position)")},
-    ReadyMade{"@speed", Role::PresentSpeed, QT_TRANSLATE_NOOP("Trend", "Speed")},
-    ReadyMade{"@load", Role::PresentLoad, QT_TRANSLATE_NOOP("Trend", "Load")},
-    ReadyMade{"@current", Role::PresentCurrent, QT_TRANSLATE_NOOP("Trend", "Current")},
-    ReadyMade{"@voltage", Role::PresentVoltage, QT_TRANSLATE_NOOP("Trend", "Voltage")},
-    ReadyMade{"@temperature", Role::PresentTemperature, QT_TRANSLATE_NOOP("Trend", "Temperature")},
-    ReadyMade{"@moving", Role::Moving, QT_TRANSLATE_NOOP("Trend", "Moving")},
+constexpr std::array builtInCurves{
+    BuiltInCurve{"@goal", Role::None, QT_TRANSLATE_NOOP("Trend", "Goal")},
+    BuiltInCurve{"@position", Role::PresentPosition, QT_TRANSLATE_NOOP("Trend", "Position")},
+    BuiltInCurve{"@error", Role::None, QT_TRANSLATE_NOOP("Trend", "Error (goal − position)")},
+    BuiltInCurve{"@speed", Role::PresentSpeed, QT_TRANSLATE_NOOP("Trend", "Speed")},
+    BuiltInCurve{"@load", Role::PresentLoad, QT_TRANSLATE_NOOP("Trend", "Load")},
+    BuiltInCurve{"@current", Role::PresentCurrent, QT_TRANSLATE_NOOP("Trend", "Current")},
+    BuiltInCurve{"@voltage", Role::PresentVoltage, QT_TRANSLATE_NOOP("Trend", "Voltage")},
+    BuiltInCurve{"@temperature", Role::PresentTemperature,
+                 QT_TRANSLATE_NOOP("Trend", "Temperature")},
+    BuiltInCurve{"@moving", Role::Moving, QT_TRANSLATE_NOOP("Trend", "Moving")},
 };
 
-const ReadyMade* readyMadeOf(const QString& key)
+const BuiltInCurve* findBuiltIn(const QString& key)
 {
-    const auto found = std::find_if(readyMade.begin(), readyMade.end(), [&](const ReadyMade& one) {
-        return key == QLatin1StringView(one.key);
-    });
-    return found != readyMade.end() ? &*found : nullptr;
+    const auto found =
+        std::find_if(builtInCurves.begin(), builtInCurves.end(),
+                     [&](const BuiltInCurve& one) { return key == QLatin1StringView(one.key); });
+    return found != builtInCurves.end() ? &*found : nullptr;
 }
 
 QString nameOf(const catalog::Profile& profile, const QString& key)
 {
-    if (const ReadyMade* made = readyMadeOf(key))
+    if (const BuiltInCurve* made = findBuiltIn(key))
         return translate("Trend", made->name);
     if (key == session::errorKey)
         return translate("Trend", "Error (goal − position)");
     const catalog::Register* reg = profile.find(key);
-    return reg != nullptr ? reg->name.in(text::inChinese()) : key;
+    return reg != nullptr ? reg->name.in(text::isUiChinese()) : key;
 }
 
 /// The goal is company for the position: grey.
-QColor colourOf(const TrendChoice& choice, std::size_t place, const QColor& ground)
+QColor colorOf(const TrendCurve& curve, std::size_t place, const QColor& background)
 {
-    if (choice.key == QLatin1String("@goal"))
-        return trendColour(trendColourCount - 1, ground);
-    return trendColour(int(place % (trendColourCount - 1)), ground);
+    if (curve.key == QLatin1String("@goal"))
+        return trendColor(trendColorCount - 1, background);
+    return trendColor(int(place % (trendColorCount - 1)), background);
 }
 
 bool holdsItsValue(const catalog::Register* reg)
@@ -66,17 +67,17 @@ bool holdsItsValue(const catalog::Register* reg)
 }
 } // namespace
 
-TrendChoice TrendChoice::fromId(const QString& id)
+TrendCurve TrendCurve::fromId(const QString& id)
 {
-    TrendChoice choice;
-    choice.servo = id.section(QLatin1Char('/'), 0, 0);
-    choice.key = id.section(QLatin1Char('/'), 1);
-    return choice;
+    TrendCurve curve;
+    curve.servo = id.section(QLatin1Char('/'), 0, 0);
+    curve.key = id.section(QLatin1Char('/'), 1);
+    return curve;
 }
 
 QString registerOf(const catalog::Profile& profile, const QString& key)
 {
-    const ReadyMade* made = readyMadeOf(key);
+    const BuiltInCurve* made = findBuiltIn(key);
     if (made == nullptr)
         return key;
     if (key == QLatin1String("@goal"))
@@ -87,37 +88,37 @@ QString registerOf(const catalog::Profile& profile, const QString& key)
     return reg != nullptr ? reg->key : QString();
 }
 
-QStringList readyMadeKeys()
+QStringList builtInKeys()
 {
     QStringList keys;
-    for (const ReadyMade& one : readyMade)
+    for (const BuiltInCurve& one : builtInCurves)
         keys << QString::fromLatin1(one.key);
     return keys;
 }
 
-QString readyMadeName(const QString& key)
+QString builtInName(const QString& key)
 {
-    const ReadyMade* made = readyMadeOf(key);
+    const BuiltInCurve* made = findBuiltIn(key);
     return made != nullptr ? translate("Trend", made->name) : key;
 }
 
-std::vector<TrendChoice> defaultChoices()
+std::vector<TrendCurve> defaultCurves()
 {
-    std::vector<TrendChoice> choices;
+    std::vector<TrendCurve> curves;
     for (const char* key : {"@goal", "@position", "@speed", "@current", "@load"}) {
-        TrendChoice choice;
-        choice.key = QString::fromLatin1(key);
-        choice.visible = choice.key != QLatin1String("@load");
-        choices.push_back(choice);
+        TrendCurve curve;
+        curve.key = QString::fromLatin1(key);
+        curve.visible = curve.key != QLatin1String("@load");
+        curves.push_back(curve);
     }
-    return choices;
+    return curves;
 }
 
 namespace {
 /// "temperature", or "temperature (derived)" where the servo reports no faults itself.
-QString faultWords(const QString& text)
+QString faultsText(const QString& text)
 {
-    const QString word = faultWord(text.section(QLatin1Char(' '), 0, 0));
+    const QString word = faultText(text.section(QLatin1Char(' '), 0, 0));
     return text.contains(QLatin1String("(derived)"))
                ? translate("Trend", "%1 (worked out)").arg(word)
                : word;
@@ -136,11 +137,11 @@ QString writtenName(const session::Desk& desk, const QString& text)
 }
 } // namespace
 
-QString recordedName(const session::Desk& desk, const record::RecordingChannel& column)
+QString recordedChannelName(const session::Desk& desk, const record::RecordingChannel& column)
 {
     QString name = column.key;
     if (column.key == session::errorKey)
-        name = readyMadeName(QStringLiteral("@error"));
+        name = builtInName(QStringLiteral("@error"));
     for (const session::ServoRef ref : desk.servos()) {
         const catalog::ProfilePtr& profile = desk.servo(ref)->servo.profile;
         if (profile && profile->find(column.key) != nullptr)
@@ -149,17 +150,17 @@ QString recordedName(const session::Desk& desk, const record::RecordingChannel& 
     return translate("Trend", "ID %1 · %2").arg(column.servoId).arg(name);
 }
 
-QString markWords(const session::Desk& desk, const record::Mark& mark)
+QString markText(const session::Desk& desk, const record::Mark& mark)
 {
     using record::MarkKind;
     QString words = mark.text;
     if (mark.kind == MarkKind::Fault)
-        words = faultWords(mark.text);
-    else if (mark.kind == MarkKind::FaultOver)
-        words = translate("Trend", "over: %1").arg(faultWords(mark.text));
+        words = faultsText(mark.text);
+    else if (mark.kind == MarkKind::FaultCleared)
+        words = translate("Trend", "over: %1").arg(faultsText(mark.text));
     else if (mark.kind == MarkKind::LinkError)
         words = translate("Trend", "no answer");
-    else if (mark.kind == MarkKind::LinkBack)
+    else if (mark.kind == MarkKind::LinkRestored)
         words = translate("Trend", "answers again");
     else if (mark.kind == MarkKind::Stop)
         words = translate("Trend", "emergency stop");
@@ -171,11 +172,11 @@ QString markWords(const session::Desk& desk, const record::Mark& mark)
                : words;
 }
 
-session::ServoRef TrendResolver::servoOf(const TrendChoice& choice) const
+session::ServoRef TrendResolver::servoOf(const TrendCurve& curve) const
 {
-    if (choice.servo == QLatin1String("*"))
+    if (curve.servo == QLatin1String("*"))
         return m_desk.servo(m_selected) != nullptr ? m_selected : 0;
-    const int id = choice.servo.toInt();
+    const int id = curve.servo.toInt();
     for (const session::ServoRef ref : m_desk.servos()) {
         if (m_desk.servo(ref)->servo.id == id)
             return ref;
@@ -183,46 +184,46 @@ session::ServoRef TrendResolver::servoOf(const TrendChoice& choice) const
     return 0;
 }
 
-std::optional<TrendChannel> TrendResolver::channel(const TrendChoice& choice, std::size_t place,
-                                                   const QColor& ground) const
+std::optional<TrendChannel> TrendResolver::channel(const TrendCurve& curve, std::size_t place,
+                                                   const QColor& background) const
 {
-    const session::ServoRef ref = servoOf(choice);
+    const session::ServoRef ref = servoOf(curve);
     const session::ServoEntry* entry = m_desk.servo(ref);
     if (entry == nullptr || !entry->servo.profile)
         return std::nullopt;
     const catalog::Profile& profile = *entry->servo.profile;
-    const QString key = registerOf(profile, choice.key);
+    const QString key = registerOf(profile, curve.key);
     const catalog::Register* reg = profile.find(key);
     if (key.isEmpty() || (reg != nullptr && !entry->servo.measures(*reg)) ||
         (reg == nullptr && key != session::errorKey))
         return std::nullopt;
     TrendChannel channel;
-    channel.key = choice.id();
-    channel.name = nameOf(profile, choice.key);
-    if (choice.servo != QLatin1String("*"))
+    channel.key = curve.id();
+    channel.name = nameOf(profile, curve.key);
+    if (curve.servo != QLatin1String("*"))
         channel.name = translate("Trend", "ID %1 · %2").arg(entry->servo.id).arg(channel.name);
-    channel.colour = choice.colour.isValid() ? choice.colour : colourOf(choice, place, ground);
-    channel.visible = choice.visible;
+    channel.color = curve.color.isValid() ? curve.color : colorOf(curve, place, background);
+    channel.visible = curve.visible;
     channel.steps = holdsItsValue(reg);
-    channel.scale = choice.scale;
-    channel.offset = choice.offset;
-    if (const session::ScopeChannel* samples = m_scope.find(ref, key)) {
+    channel.scale = curve.scale;
+    channel.offset = curve.offset;
+    if (const session::LiveChannel* samples = m_liveData.find(ref, key)) {
         channel.id = samples->id;
         channel.unit = catalog::unitSuffix(samples->unit).trimmed();
     }
     return channel;
 }
 
-session::FeedWish TrendResolver::wish(const std::vector<TrendChoice>& choices) const
+session::Subscription TrendResolver::subscription(const std::vector<TrendCurve>& curves) const
 {
-    session::FeedWish wish;
-    for (const TrendChoice& choice : choices) {
-        const session::ServoRef ref = servoOf(choice);
+    session::Subscription wish;
+    for (const TrendCurve& curve : curves) {
+        const session::ServoRef ref = servoOf(curve);
         const session::ServoEntry* entry = m_desk.servo(ref);
-        if (entry == nullptr || !entry->servo.profile || !choice.visible)
+        if (entry == nullptr || !entry->servo.profile || !curve.visible)
             continue;
         const catalog::Profile& profile = *entry->servo.profile;
-        const QString key = registerOf(profile, choice.key);
+        const QString key = registerOf(profile, curve.key);
         QStringList keys{key};
         if (key == session::errorKey) {
             const catalog::Register* present = profile.byRole(Role::PresentPosition);

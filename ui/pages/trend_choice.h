@@ -9,51 +9,51 @@
 
 namespace ui {
 /// `servo` as presets have it: "*" the selected one, "3" the one with that ID.
-struct TrendChoice {
+struct TrendCurve {
     QString servo = QStringLiteral("*");
-    QString key;     ///< register key, session::errorKey, or a role's word: see standsFor
-    QColor colour{}; ///< invalid: from the palette, by its place
+    QString key;    ///< register key, session::errorKey, or a role's word: see standsFor
+    QColor color{}; ///< invalid: from the palette, by its place
     bool visible = true;
     double scale = 1.0;
     double offset = 0.0;
     QString id() const { return servo + QLatin1Char('/') + key; }
-    static TrendChoice fromId(const QString& id);
-    bool operator==(const TrendChoice&) const = default;
+    static TrendCurve fromId(const QString& id);
+    bool operator==(const TrendCurve&) const = default;
 };
 
 /// Words that mean a register of each family: "@goal", "@position", "@speed", "@load", "@current",
 /// "@voltage", "@temperature", "@error".
 QString registerOf(const catalog::Profile& profile, const QString& key);
-QStringList readyMadeKeys();
-QString readyMadeName(const QString& key);
+QStringList builtInKeys();
+QString builtInName(const QString& key);
 
 /// Goal, position, speed, current of the selected servo; load where no current is measured.
-std::vector<TrendChoice> defaultChoices();
+std::vector<TrendCurve> defaultCurves();
 
 /// Of a recording's column: the register's name as far as a servo here has it, else its key.
-QString recordedName(const session::Desk& desk, const record::RecordingChannel& column);
+QString recordedChannelName(const session::Desk& desk, const record::RecordingChannel& column);
 
 /// A mark as the chart says it: "ID 1 · Over-temperature".
-QString markWords(const session::Desk& desk, const record::Mark& mark);
+QString markText(const session::Desk& desk, const record::Mark& mark);
 
 class TrendResolver {
 public:
-    TrendResolver(const session::Desk& desk, const session::Scope& scope,
+    TrendResolver(const session::Desk& desk, const session::LiveData& scope,
                   session::ServoRef selected)
         : m_desk(desk)
-        , m_scope(scope)
+        , m_liveData(scope)
         , m_selected(selected)
     {}
-    session::ServoRef servoOf(const TrendChoice& choice) const; ///< 0: not in the list
+    session::ServoRef servoOf(const TrendCurve& curve) const; ///< 0: not in the list
     /// As the chart draws it; id −1 while nothing has been read.
-    std::optional<TrendChannel> channel(const TrendChoice& choice, std::size_t place,
-                                        const QColor& ground) const;
+    std::optional<TrendChannel> channel(const TrendCurve& curve, std::size_t place,
+                                        const QColor& background) const;
     /// What must be read for these.
-    session::FeedWish wish(const std::vector<TrendChoice>& choices) const;
+    session::Subscription subscription(const std::vector<TrendCurve>& curves) const;
 
 private:
     const session::Desk& m_desk;
-    const session::Scope& m_scope;
+    const session::LiveData& m_liveData;
     session::ServoRef m_selected;
 };
 } // namespace ui

@@ -22,28 +22,28 @@ using base::Duration;
 using namespace std::chrono_literals;
 
 namespace {
-const QString choicesKey = QStringLiteral("trend/curves");
+const QString curvesKey = QStringLiteral("trend/curves");
 const QString widthKey = QStringLiteral("trend/width_s");
 const QString rateKey = QStringLiteral("trend/rate_hz");
-const QString wishName = QStringLiteral("trend");
-constexpr int usualSeconds = 10;
+const QString subscriptionName = QStringLiteral("trend");
+constexpr int defaultSeconds = 10;
 
 /// One text a curve: "1/present_position;visible;#rrggbb;scale;offset".
-QString toText(const TrendChoice& choice)
+QString toText(const TrendCurve& choice)
 {
     return QStringList{choice.id(), choice.visible ? QStringLiteral("1") : QStringLiteral("0"),
-                       choice.colour.isValid() ? choice.colour.name() : QString(),
+                       choice.color.isValid() ? choice.color.name() : QString(),
                        QString::number(choice.scale, 'g', 10),
                        QString::number(choice.offset, 'g', 10)}
         .join(QLatin1Char(';'));
 }
 
-TrendChoice fromText(const QString& text)
+TrendCurve fromText(const QString& text)
 {
     const QStringList parts = text.split(QLatin1Char(';'));
-    TrendChoice choice = TrendChoice::fromId(parts.value(0));
+    TrendCurve choice = TrendCurve::fromId(parts.value(0));
     choice.visible = parts.value(1) != QLatin1String("0");
-    choice.colour = QColor(parts.value(2));
+    choice.color = QColor(parts.value(2));
     const double scale = parts.value(3).toDouble();
     choice.scale = scale != 0 ? scale : 1;
     choice.offset = parts.value(4).toDouble();
@@ -51,22 +51,22 @@ TrendChoice fromText(const QString& text)
 }
 } // namespace
 
-TrendPanel::TrendPanel(session::Desk& desk, session::Scope& scope, Selection& selection,
+TrendPanel::TrendPanel(session::Desk& desk, session::LiveData& scope, Selection& selection,
                        session::Settings& settings, QWidget* parent)
     : QWidget(parent)
     , m_desk(desk)
-    , m_deskLives(&desk)
-    , m_scope(scope)
+    , m_deskGuard(&desk)
+    , m_liveData(scope)
     , m_selection(selection)
     , m_settings(settings)
 {
-    for (const QString& text : settings.choice(choicesKey, QStringList()).toStringList()) {
-        const TrendChoice choice = fromText(text);
+    for (const QString& text : settings.pageValue(curvesKey, QStringList()).toStringList()) {
+        const TrendCurve choice = fromText(text);
         if (!choice.key.isEmpty())
-            m_choices.push_back(choice);
+            m_curves.push_back(choice);
     }
-    if (m_choices.empty())
-        m_choices = defaultChoices();
+    if (m_curves.empty())
+        m_curves = defaultCurves();
     build();
     connectToolbar();
     connectScope();
@@ -102,168 +102,169 @@ void TrendPanel::build()
     column->addWidget(m_chart, 1);
     column->addWidget(m_replayBar);
     column->addWidget(m_cursors);
-    m_chart->setStore(&m_scope.store());
-    m_chart->setMarks(&m_scope.marks());
-    m_chart->setMarkWords([this](const record::Mark& mark) { return markWords(m_desk, mark); });
-    m_chart->setWidth(usualWidth());
-    const int hz = m_settings.choice(rateKey, 0).toInt();
+    m_chart->setStore(&m_liveData.store());
+    m_chart->setMarks(&m_liveData.marks());
+    m_chart->setMarkTextFunction(
+        [this](const record::Mark& mark) { return markText(m_desk, mark); });
+    m_chart->setWidth(defaultWidth());
+    const int hz = m_settings.pageValue(rateKey, 0).toInt();
     m_period = hz > 0 ? Duration(1'000'000 / hz) : Duration{};
-    m_scope.setPeriod(m_period);
+    m_liveData.setPeriod(m_period);
     m_toolbar->setRate(hz);
-    m_toolbar->setWidthShown(m_chart->width());
+    m_toolbar->setShownWidth(m_chart->width());
 }
 
 void TrendPanel::connectToolbar()
 {
-    connect(m_toolbar, &TrendToolbar::followWished, m_chart, &TrendChart::setFollowing);
-    connect(m_toolbar, &TrendToolbar::fitWished, m_chart, &TrendChart::fit);
-    connect(m_toolbar, &TrendToolbar::backWished, m_chart, &TrendChart::zoomBack);
-    connect(m_toolbar, &TrendToolbar::cursorsWished, m_chart, &TrendChart::setCursorsShown);
-    connect(m_toolbar, &TrendToolbar::channelsWished, this, &TrendPanel::chooseChannels);
-    connect(m_toolbar, &TrendToolbar::triggerWished, this, &TrendPanel::chooseTrigger);
-    connect(m_toolbar, &TrendToolbar::recordWished, this, &TrendPanel::toggleRecording);
-    connect(m_toolbar, &TrendToolbar::openWished, this, &TrendPanel::openRecording);
-    connect(m_toolbar, &TrendToolbar::liveWished, this, &TrendPanel::leaveReplay);
-    connect(m_toolbar, &TrendToolbar::saveImageWished, this, &TrendPanel::saveImage);
-    connect(m_toolbar, &TrendToolbar::clearWished, &m_scope, &session::Scope::clear);
-    connect(m_toolbar, &TrendToolbar::presetWished, this, &TrendPanel::usePreset);
-    connect(m_toolbar, &TrendToolbar::presetSaveWished, this, &TrendPanel::keepPreset);
-    connect(m_toolbar, &TrendToolbar::presetRemoveWished, this, [this](const QString& name) {
+    connect(m_toolbar, &TrendToolbar::followRequested, m_chart, &TrendChart::setFollowing);
+    connect(m_toolbar, &TrendToolbar::fitRequested, m_chart, &TrendChart::zoomToFit);
+    connect(m_toolbar, &TrendToolbar::backRequested, m_chart, &TrendChart::zoomBack);
+    connect(m_toolbar, &TrendToolbar::cursorsRequested, m_chart, &TrendChart::setCursorsShown);
+    connect(m_toolbar, &TrendToolbar::channelsRequested, this, &TrendPanel::chooseChannels);
+    connect(m_toolbar, &TrendToolbar::triggerRequested, this, &TrendPanel::chooseTrigger);
+    connect(m_toolbar, &TrendToolbar::recordRequested, this, &TrendPanel::toggleRecording);
+    connect(m_toolbar, &TrendToolbar::openRequested, this, &TrendPanel::openRecording);
+    connect(m_toolbar, &TrendToolbar::liveRequested, this, &TrendPanel::closeReplay);
+    connect(m_toolbar, &TrendToolbar::saveImageRequested, this, &TrendPanel::saveImage);
+    connect(m_toolbar, &TrendToolbar::clearRequested, &m_liveData, &session::LiveData::clear);
+    connect(m_toolbar, &TrendToolbar::presetRequested, this, &TrendPanel::applyPreset);
+    connect(m_toolbar, &TrendToolbar::presetSaveRequested, this, &TrendPanel::savePresetAs);
+    connect(m_toolbar, &TrendToolbar::presetRemoveRequested, this, [this](const QString& name) {
         deletePreset(m_settings, name);
         showPresets();
     });
-    connect(m_toolbar, &TrendToolbar::widthWished, this, [this](Duration width) {
+    connect(m_toolbar, &TrendToolbar::widthRequested, this, [this](Duration width) {
         m_chart->setWidth(width);
-        m_settings.setChoice(widthKey, int(width.count() / 1'000'000));
+        m_settings.setPageValue(widthKey, int(width.count() / 1'000'000));
     });
-    connect(m_toolbar, &TrendToolbar::rateWished, this, [this](int hz) {
+    connect(m_toolbar, &TrendToolbar::rateRequested, this, [this](int hz) {
         m_period = hz > 0 ? Duration(1'000'000 / hz) : Duration{};
-        m_settings.setChoice(rateKey, hz);
-        m_scope.setPeriod(m_period);
-        updateWish();
+        m_settings.setPageValue(rateKey, hz);
+        m_liveData.setPeriod(m_period);
+        updateSubscription();
         Q_EMIT periodChanged();
     });
     connect(m_chart, &TrendChart::viewChanged, this, [this] {
-        m_toolbar->setFollowing(m_chart->following());
-        m_toolbar->setWidthShown(m_chart->width());
+        m_toolbar->setFollowing(m_chart->isFollowing());
+        m_toolbar->setShownWidth(m_chart->width());
     });
     connect(m_chart, &TrendChart::cursorsChanged, this, [this] {
-        m_toolbar->setCursorsShown(m_chart->cursorsShown());
-        m_cursors->setVisible(m_chart->cursorsShown());
+        m_toolbar->setCursorsShown(m_chart->areCursorsVisible());
+        m_cursors->setVisible(m_chart->areCursorsVisible());
     });
-    connect(m_chart, &TrendChart::playWished, this, &TrendPanel::toggleFollowing);
-    connect(m_chart, &TrendChart::channelsChanged, this, &TrendPanel::takeLegend);
-    connect(m_replayBar, &ReplayBar::moved, this, &TrendPanel::followReplay);
+    connect(m_chart, &TrendChart::playRequested, this, &TrendPanel::toggleFollowing);
+    connect(m_chart, &TrendChart::channelsChanged, this, &TrendPanel::applyLegend);
+    connect(m_replayBar, &ReplayBar::positionChanged, this, &TrendPanel::followReplay);
 }
 
 void TrendPanel::connectScope()
 {
-    connect(&m_scope, &session::Scope::grown, this, &TrendPanel::grown);
-    connect(&m_scope, &session::Scope::channelsChanged, this, &TrendPanel::showCurves);
-    connect(&m_scope, &session::Scope::triggerChanged, this, &TrendPanel::showTrigger);
-    connect(&m_scope, &session::Scope::recordingChanged, this, &TrendPanel::showRecording);
-    connect(&m_scope, &session::Scope::recordingFailed, this, &TrendPanel::recordingFailed);
-    connect(&m_scope, &session::Scope::recordingBegan, this, [this] {
+    connect(&m_liveData, &session::LiveData::samplesAdded, this, &TrendPanel::samplesAdded);
+    connect(&m_liveData, &session::LiveData::channelsChanged, this, &TrendPanel::showCurves);
+    connect(&m_liveData, &session::LiveData::triggerChanged, this, &TrendPanel::showTrigger);
+    connect(&m_liveData, &session::LiveData::recordingChanged, this, &TrendPanel::showRecording);
+    connect(&m_liveData, &session::LiveData::recordingFailed, this, &TrendPanel::recordingFailed);
+    connect(&m_liveData, &session::LiveData::recordingBegan, this, [this] {
         if (m_recordDialog)
             m_recordDialog->close();
     });
-    connect(&m_scope, &session::Scope::recordingEnded, this, &TrendPanel::recordingEnded);
+    connect(&m_liveData, &session::LiveData::recordingEnded, this, &TrendPanel::recordingEnded);
     connect(&m_selection, &Selection::changed, this, &TrendPanel::showCurves);
     connect(&m_desk, &session::Desk::servoAdded, this, &TrendPanel::showCurves);
     connect(&m_desk, &session::Desk::servoRemoved, this, &TrendPanel::showCurves);
-    connect(&m_desk, &session::Desk::linkChanged, this, &TrendPanel::updateWish);
+    connect(&m_desk, &session::Desk::linkChanged, this, &TrendPanel::updateSubscription);
     connect(&m_replay, &session::Replay::loaded, this, &TrendPanel::showReplay);
     connect(&m_replay, &session::Replay::failed, this, [this](const base::Error& error) {
         const text::Description words = text::describe(error);
-        complain(words.what, words.remedy);
+        showError(words.message, words.remedy);
     });
 }
 
-void TrendPanel::grown()
+void TrendPanel::samplesAdded()
 {
-    if (!replaying() && isVisible())
+    if (!isReplaying() && isVisible())
         m_chart->advance(m_desk.now());
 }
 
-QColor TrendPanel::ground() const
+QColor TrendPanel::backgroundColor() const
 {
     return palette().color(QPalette::Base);
 }
 
 TrendResolver TrendPanel::resolver() const
 {
-    return {m_desk, m_scope, m_selection.current()};
+    return {m_desk, m_liveData, m_selection.current()};
 }
 
 /// What is chosen, as far as there are servos for it.
 void TrendPanel::showCurves()
 {
-    updateWish();
-    if (replaying())
+    updateSubscription();
+    if (isReplaying())
         return;
     std::vector<TrendChannel> channels;
-    m_shownChoices.clear();
-    for (std::size_t i = 0; i < m_choices.size(); ++i) {
-        auto channel = resolver().channel(m_choices[i], i, ground());
+    m_shownCurves.clear();
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        auto channel = resolver().channel(m_curves[i], i, backgroundColor());
         if (!channel)
             continue;
         channels.push_back(std::move(*channel));
-        m_shownChoices.push_back(i);
+        m_shownCurves.push_back(i);
     }
-    m_showing = true;
+    m_updatingChart = true;
     m_chart->setChannels(std::move(channels));
-    m_showing = false;
+    m_updatingChart = false;
 }
 
-void TrendPanel::updateWish()
+void TrendPanel::updateSubscription()
 {
-    if (!m_deskLives)
+    if (!m_deskGuard)
         return;
-    session::FeedWish wish = resolver().wish(m_choices);
+    session::Subscription wish = resolver().subscription(m_curves);
     wish.period = m_period;
-    m_desk.wish(wishName, wish);
+    m_desk.subscribe(subscriptionName, wish);
 }
 
-void TrendPanel::keepChoices()
+void TrendPanel::saveCurves()
 {
     QStringList texts;
-    for (const TrendChoice& choice : m_choices)
+    for (const TrendCurve& choice : m_curves)
         texts << toText(choice);
-    m_settings.setChoice(choicesKey, m_choices == defaultChoices() ? QStringList() : texts);
+    m_settings.setPageValue(curvesKey, m_curves == defaultCurves() ? QStringList() : texts);
 }
 
-void TrendPanel::setChoices(const std::vector<TrendChoice>& choices)
+void TrendPanel::setCurves(const std::vector<TrendCurve>& curves)
 {
-    m_choices = choices;
-    keepChoices();
+    m_curves = curves;
+    saveCurves();
     showCurves();
     if (auto* dialog = findChild<ChannelsDialog*>())
-        dialog->setChoices(m_choices);
+        dialog->setCurves(m_curves);
 }
 
 /// Somebody has hidden or coloured a curve at the legend.
-void TrendPanel::takeLegend()
+void TrendPanel::applyLegend()
 {
-    if (m_showing || replaying())
+    if (m_updatingChart || isReplaying())
         return;
     const auto& channels = m_chart->channels();
-    for (std::size_t i = 0; i < channels.size() && i < m_shownChoices.size(); ++i)
-        m_choices[m_shownChoices[i]].visible = channels[i].visible;
-    keepChoices();
-    updateWish();
+    for (std::size_t i = 0; i < channels.size() && i < m_shownCurves.size(); ++i)
+        m_curves[m_shownCurves[i]].visible = channels[i].visible;
+    saveCurves();
+    updateSubscription();
     if (auto* dialog = findChild<ChannelsDialog*>())
-        dialog->setChoices(m_choices);
+        dialog->setCurves(m_curves);
 }
 
 void TrendPanel::chooseChannels()
 {
     auto* dialog = findChild<ChannelsDialog*>(); // one is enough
     if (dialog == nullptr) {
-        dialog = new ChannelsDialog(m_desk, m_choices, this);
-        connect(dialog, &ChannelsDialog::chosen, this,
-                [this](const std::vector<TrendChoice>& choices) {
-                    m_choices = choices;
-                    keepChoices();
+        dialog = new ChannelsDialog(m_desk, m_curves, this);
+        connect(dialog, &ChannelsDialog::curvesChanged, this,
+                [this](const std::vector<TrendCurve>& curves) {
+                    m_curves = curves;
+                    saveCurves();
                     showCurves();
                 });
     }
@@ -274,8 +275,8 @@ void TrendPanel::chooseChannels()
 
 void TrendPanel::chooseTrigger()
 {
-    if (m_scope.trigger().state() == record::Trigger::State::Armed) {
-        m_scope.disarm();
+    if (m_liveData.trigger().state() == record::Trigger::State::Armed) {
+        m_liveData.disarmTrigger();
         return;
     }
     std::vector<TrendChannel> curves;
@@ -287,32 +288,33 @@ void TrendPanel::chooseTrigger()
     const session::ServoEntry* entry = m_desk.servo(m_selection.current());
     if (entry != nullptr && entry->servo.profile) {
         const QString key = registerOf(*entry->servo.profile, QStringLiteral("@moving"));
-        const session::ScopeChannel* found = m_scope.find(m_selection.current(), key);
+        const session::LiveChannel* found = m_liveData.find(m_selection.current(), key);
         moving = found != nullptr ? found->id : -1;
     }
-    record::TriggerSpec before = m_scope.trigger().spec();
+    record::TriggerSpec before = m_liveData.trigger().spec();
     if (before.pre.count() == 0 && before.post.count() == 0)
         before.pre = before.post = 2s;
     auto* dialog = new TriggerDialog(std::move(curves), moving, before, this);
-    connect(dialog, &TriggerDialog::armed, this, &TrendPanel::arm);
+    connect(dialog, &TriggerDialog::triggerArmed, this, &TrendPanel::armTrigger);
     dialog->open();
 }
 
-void TrendPanel::arm(const record::TriggerSpec& spec)
+void TrendPanel::armTrigger(const record::TriggerSpec& spec)
 {
     m_chart->setFollowing(true);
-    m_scope.arm(spec);
+    m_liveData.armTrigger(spec);
 }
 
-Duration TrendPanel::usualWidth() const
+Duration TrendPanel::defaultWidth() const
 {
-    return std::chrono::seconds(std::max(m_settings.choice(widthKey, usualSeconds).toInt(), 1));
+    return std::chrono::seconds(
+        std::max(m_settings.pageValue(widthKey, defaultSeconds).toInt(), 1));
 }
 
-void TrendPanel::nameTrigger()
+void TrendPanel::updateTriggerText()
 {
     using State = record::Trigger::State;
-    const record::Trigger& trigger = m_scope.trigger();
+    const record::Trigger& trigger = m_liveData.trigger();
     QString words;
     if (trigger.state() == State::Armed)
         words = tr("Waiting — cancel");
@@ -325,9 +327,9 @@ void TrendPanel::nameTrigger()
 void TrendPanel::showTrigger()
 {
     using State = record::Trigger::State;
-    nameTrigger();
-    const record::Trigger& trigger = m_scope.trigger();
-    if (trigger.state() != State::Complete || replaying())
+    updateTriggerText();
+    const record::Trigger& trigger = m_liveData.trigger();
+    if (trigger.state() != State::Complete || isReplaying())
         return;
     if (const auto window = trigger.window()) {
         m_chart->setOrigin(*trigger.firedAt());
@@ -337,15 +339,15 @@ void TrendPanel::showTrigger()
 
 void TrendPanel::toggleFollowing()
 {
-    if (!replaying())
-        m_chart->setFollowing(!m_chart->following());
+    if (!isReplaying())
+        m_chart->setFollowing(!m_chart->isFollowing());
     else
-        m_replayBar->setPlaying(!m_replayBar->playing());
+        m_replayBar->setPlaying(!m_replayBar->isPlaying());
 }
 
-void TrendPanel::complain(const QString& words, const QString& remedy)
+void TrendPanel::showError(const QString& words, const QString& remedy)
 {
-    m_banner->present([words, remedy] { return BannerWords{Tone::Bad, words, {}, remedy}; });
+    m_banner->showMessage([words, remedy] { return BannerText{Tone::Bad, words, {}, remedy}; });
 }
 
 void TrendPanel::changeEvent(QEvent* event)
@@ -353,7 +355,7 @@ void TrendPanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         showCurves();
-        nameTrigger();
+        updateTriggerText();
         showRecording();
     } else if (event->type() == QEvent::PaletteChange) {
         showCurves();
@@ -364,6 +366,6 @@ void TrendPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     showCurves();
-    grown();
+    samplesAdded();
 }
 } // namespace ui

@@ -19,18 +19,18 @@ class RecordDialog;
 class ReplayBar;
 class TrendChart;
 class TrendToolbar;
-struct RecordWish;
+struct RecordRequest;
 
 class TrendPanel final : public QWidget {
     Q_OBJECT
 
 public:
-    TrendPanel(session::Desk& desk, session::Scope& scope, Selection& selection,
+    TrendPanel(session::Desk& desk, session::LiveData& scope, Selection& selection,
                session::Settings& settings, QWidget* parent = nullptr);
     ~TrendPanel() override;
 
     QWidget* chart() const;
-    bool replaying() const { return m_replayed != nullptr; }
+    bool isReplaying() const { return m_replayed != nullptr; }
     base::Duration period() const { return m_period; } ///< of the readings that were chosen
 
 public Q_SLOTS:
@@ -51,41 +51,41 @@ private:
     void build();
     void connectToolbar();
     void connectScope();
-    void grown();
+    void samplesAdded();
     void showCurves();
-    void updateWish();
-    void keepChoices();
-    void setChoices(const std::vector<TrendChoice>& choices);
-    void takeLegend();
+    void updateSubscription();
+    void saveCurves();
+    void setCurves(const std::vector<TrendCurve>& curves);
+    void applyLegend();
     void chooseChannels();
     void chooseTrigger();
-    void arm(const record::TriggerSpec& spec);
-    void nameTrigger();
+    void armTrigger(const record::TriggerSpec& spec);
+    void updateTriggerText();
     void showTrigger();
-    void startRecording(const RecordWish& wish);
+    void startRecording(const RecordRequest& request);
     void recordingFailed(const base::Error& error);
     void showRecording();
     void recordingEnded(const record::RecorderStatus& status, const QString& path);
-    void showReplay(const std::shared_ptr<session::Replayed>& recording);
-    void leaveReplay();
+    void showReplay(const std::shared_ptr<session::ReplayData>& recording);
+    void closeReplay();
     void followReplay(base::Duration place);
     void saveImage();
     void writeImage(const QString& path);
     void showPresets();
-    void keepPreset();
-    void usePreset(const QString& name);
-    void complain(const QString& words, const QString& remedy);
-    base::Duration usualWidth() const; ///< of live readings, as it was chosen
-    QColor ground() const;
+    void savePresetAs();
+    void applyPreset(const QString& name);
+    void showError(const QString& message, const QString& remedy);
+    base::Duration defaultWidth() const; ///< of live readings, as it was chosen
+    QColor backgroundColor() const;
     TrendResolver resolver() const;
 
     session::Desk& m_desk;
-    QPointer<session::Desk> m_deskLives; ///< a window may go after its desk
-    session::Scope& m_scope;
+    QPointer<session::Desk> m_deskGuard; ///< a window may go after its desk
+    session::LiveData& m_liveData;
     Selection& m_selection;
     session::Settings& m_settings;
     session::Replay m_replay;
-    std::shared_ptr<session::Replayed> m_replayed;
+    std::shared_ptr<session::ReplayData> m_replayed;
 
     Banner* m_banner = nullptr;
     TrendToolbar* m_toolbar = nullptr;
@@ -94,9 +94,9 @@ private:
     ReplayBar* m_replayBar = nullptr;
     QPointer<RecordDialog> m_recordDialog;
 
-    std::vector<TrendChoice> m_choices;
-    std::vector<std::size_t> m_shownChoices; ///< channel i of the chart is this choice
+    std::vector<TrendCurve> m_curves;
+    std::vector<std::size_t> m_shownCurves; ///< channel i of the chart is this choice
     base::Duration m_period{};
-    bool m_showing = false; ///< the chart is being told, its answers are no wishes
+    bool m_updatingChart = false; ///< the chart is being told, its answers are no wishes
 };
 } // namespace ui

@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr QSize pictureSize(1600, 900);
-const QString folderChoice = QStringLiteral("trend/record_folder");
+const QString folderKey = QStringLiteral("trend/record_folder");
 
 QString clock(Duration span)
 {
@@ -35,31 +35,31 @@ QString clock(Duration span)
 
 void TrendPanel::toggleRecording()
 {
-    if (m_scope.recording()) {
-        m_scope.stopRecording();
+    if (m_liveData.isRecording()) {
+        m_liveData.stopRecording();
         return;
     }
     auto* dialog = new RecordDialog(m_settings, this);
     m_recordDialog = dialog;
-    connect(dialog, &RecordDialog::wished, this, &TrendPanel::startRecording);
+    connect(dialog, &RecordDialog::recordingRequested, this, &TrendPanel::startRecording);
     dialog->open();
 }
 
-void TrendPanel::startRecording(const RecordWish& wish)
+void TrendPanel::startRecording(const RecordRequest& request)
 {
-    session::RecordingOrder order;
-    order.path = wish.path;
-    order.length = std::chrono::seconds(wish.seconds);
-    if (wish.onlyShown) {
+    session::RecordingRequest order;
+    order.path = request.path;
+    order.length = std::chrono::seconds(request.seconds);
+    if (request.onlyShown) {
         for (const TrendChannel& channel : m_chart->channels()) {
             if (channel.visible && channel.id >= 0)
                 order.channels.push_back(channel.id);
         }
     }
-    const auto started = wish.onlyShown && order.channels.empty()
+    const auto started = request.onlyShown && order.channels.empty()
                              ? base::fail(base::ErrorCode::BadArgument, QStringLiteral("record"),
                                           QStringLiteral("nothing-read"))
-                             : m_scope.record(order);
+                             : m_liveData.startRecording(order);
     if (!started)
         recordingFailed(started.error());
 }
@@ -68,18 +68,18 @@ void TrendPanel::recordingFailed(const base::Error& error)
 {
     const text::Description words = text::describe(error);
     if (m_recordDialog)
-        m_recordDialog->complain(words.what + QLatin1Char(' ') + words.remedy);
+        m_recordDialog->showError(words.message + QLatin1Char(' ') + words.remedy);
     else
-        complain(words.what, words.remedy);
+        showError(words.message, words.remedy);
 }
 
 void TrendPanel::showRecording()
 {
-    if (!m_scope.recording()) {
+    if (!m_liveData.isRecording()) {
         m_toolbar->setRecording({});
         return;
     }
-    const record::RecorderStatus status = m_scope.recordingStatus();
+    const record::RecorderStatus status = m_liveData.recordingStatus();
     m_toolbar->setRecording(tr("%1 · %2 rows", "time, number")
                                 .arg(clock(status.elapsed))
                                 .arg(locale().toString(qulonglong(status.rows))));
@@ -91,8 +91,8 @@ void TrendPanel::recordingEnded(const record::RecorderStatus& status, const QStr
     const QString file = QDir::toNativeSeparators(path);
     if (status.error) {
         const text::Description words = text::describe(*status.error);
-        complain(tr("The recording has ended: %1").arg(words.what),
-                 tr("%1 rows are safe in %2. %3").arg(rows, file, words.remedy));
+        showError(tr("The recording has ended: %1").arg(words.message),
+                  tr("%1 rows are safe in %2. %3").arg(rows, file, words.remedy));
         return;
     }
     QString more;
@@ -100,8 +100,8 @@ void TrendPanel::recordingEnded(const record::RecorderStatus& status, const QStr
         more = tr("%1 rows found no room and are missing: the disk was too slow.")
                    .arg(locale().toString(qulonglong(status.lost)));
     const Tone tone = status.lost > 0 ? Tone::Warn : Tone::Good;
-    m_banner->present([rows, file, more, tone] {
-        return BannerWords{tone, tr("%1 rows recorded in %2").arg(rows, file), more};
+    m_banner->showMessage([rows, file, more, tone] {
+        return BannerText{tone, tr("%1 rows recorded in %2").arg(rows, file), more};
     });
 }
 
@@ -112,7 +112,7 @@ void TrendPanel::openRecording()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilters({tr("Recordings (*.csv *.jsonl)"), tr("All files (*)")});
-    dialog->setDirectory(m_settings.choice(folderChoice, QString()).toString());
+    dialog->setDirectory(m_settings.pageValue(folderKey, QString()).toString());
     connect(dialog, &QFileDialog::fileSelected, this, &TrendPanel::load);
     dialog->open();
 }
@@ -122,7 +122,7 @@ void TrendPanel::load(const QString& path)
     m_replay.load(path);
 }
 
-void TrendPanel::showReplay(const std::shared_ptr<session::Replayed>& recording)
+void TrendPanel::showReplay(const std::shared_ptr<session::ReplayData>& recording)
 {
     // The chart borrows from the one before until it has all of the new one.
     const auto before = std::exchange(m_replayed, recording);
@@ -133,9 +133,9 @@ void TrendPanel::showReplay(const std::shared_ptr<session::Replayed>& recording)
         TrendChannel channel;
         channel.id = content.ids[i];
         channel.key = QStringLiteral("%1/%2").arg(from.servoId).arg(from.key);
-        channel.name = recordedName(m_desk, from);
+        channel.name = recordedChannelName(m_desk, from);
         channel.unit = catalog::unitSuffix(from.unit).trimmed();
-        channel.colour = trendColour(int(i), ground());
+        channel.color = trendColor(int(i), backgroundColor());
         channels.push_back(std::move(channel));
     }
     m_chart->setMarks(&content.marks);
@@ -147,13 +147,13 @@ void TrendPanel::showReplay(const std::shared_ptr<session::Replayed>& recording)
     m_replayBar->setVisible(true);
     const record::TimeSpan span = recording->store.span().value_or(record::TimeSpan{});
     m_replayBar->setRecording(QFileInfo(recording->path).fileName(), span);
-    m_chart->fit();
+    m_chart->zoomToFit();
     Q_EMIT replayShown();
     const QString name = QFileInfo(recording->path).fileName();
     const record::RecordingReport report = content.report;
-    m_banner->present([this, name, report] {
-        BannerWords words{Tone::Accent, tr("Recording %1: %2 rows").arg(name).arg(report.rows)};
-        if (report.cutOff)
+    m_banner->showMessage([this, name, report] {
+        BannerText words{Tone::Accent, tr("Recording %1: %2 rows").arg(name).arg(report.rows)};
+        if (report.isTruncated)
             words.cause = tr("Its last line is cut off: what was measured before is shown.");
         if (report.badLines > 0)
             words.remedy = tr("Lines that could not be understood: %1").arg(report.badLines);
@@ -161,34 +161,34 @@ void TrendPanel::showReplay(const std::shared_ptr<session::Replayed>& recording)
     });
 }
 
-void TrendPanel::leaveReplay()
+void TrendPanel::closeReplay()
 {
-    if (!replaying())
+    if (!isReplaying())
         return;
     m_replayBar->setPlaying(false);
     m_replayBar->setVisible(false);
     m_toolbar->setReplaying(false);
-    m_banner->clear();
-    m_chart->setMarks(&m_scope.marks());
-    m_chart->setStore(&m_scope.store());
+    m_banner->hideMessage();
+    m_chart->setMarks(&m_liveData.marks());
+    m_chart->setStore(&m_liveData.store());
     m_chart->setLive(true);
     const auto before = std::exchange(m_replayed, nullptr); // see showReplay
     showCurves();
-    m_chart->setWidth(usualWidth());
+    m_chart->setWidth(defaultWidth());
     m_chart->setFollowing(true);
-    grown();
+    samplesAdded();
 }
 
 /// The place is the right edge of what is shown, as "now" is while following.
 void TrendPanel::followReplay(Duration place)
 {
-    if (!replaying())
+    if (!isReplaying())
         return;
     // All of it at once leaves nothing to play: then as much as is shown of live readings.
     const auto all = m_replayed->store.span().value_or(record::TimeSpan{});
     const bool whole = m_chart->width() >= all.to - all.from;
-    const Duration width = whole ? usualWidth() : std::max<Duration>(m_chart->width(), 1ms);
-    m_chart->look(record::TimeSpan{place - width, place});
+    const Duration width = whole ? defaultWidth() : std::max<Duration>(m_chart->width(), 1ms);
+    m_chart->setShownSpan(record::TimeSpan{place - width, place});
 }
 
 void TrendPanel::saveImage()
@@ -215,11 +215,11 @@ void TrendPanel::writeImage(const QString& path)
     const bool saved = drawing ? m_chart->saveSvg(path, pictureSize, &trouble)
                                : m_chart->savePng(path, pictureSize, &trouble);
     if (!saved) {
-        complain(tr("The picture could not be saved: %1").arg(trouble),
-                 tr("Check the folder and the space on the disk."));
+        showError(tr("The picture could not be saved: %1").arg(trouble),
+                  tr("Check the folder and the space on the disk."));
         return;
     }
-    m_banner->present([path] { return BannerWords{Tone::Good, tr("Saved as %1").arg(path)}; });
+    m_banner->showMessage([path] { return BannerText{Tone::Good, tr("Saved as %1").arg(path)}; });
 }
 
 void TrendPanel::showPresets()
@@ -227,7 +227,7 @@ void TrendPanel::showPresets()
     m_toolbar->setPresets(presetNames(m_settings));
 }
 
-void TrendPanel::keepPreset()
+void TrendPanel::savePresetAs()
 {
     auto* dialog = new QInputDialog(this);
     dialog->setObjectName(QStringLiteral("presetDialog"));
@@ -240,30 +240,30 @@ void TrendPanel::keepPreset()
             return;
         TrendPreset preset;
         preset.width = m_chart->width();
-        for (const TrendChoice& choice : m_choices)
+        for (const TrendCurve& choice : m_curves)
             preset.channels.push_back(
-                {choice.id(), choice.visible, choice.colour, choice.scale, choice.offset});
+                {choice.id(), choice.visible, choice.color, choice.scale, choice.offset});
         savePreset(m_settings, name, preset);
         showPresets();
     });
     dialog->open();
 }
 
-void TrendPanel::usePreset(const QString& name)
+void TrendPanel::applyPreset(const QString& name)
 {
     const auto preset = loadPreset(m_settings, name);
     if (!preset)
         return;
-    std::vector<TrendChoice> choices;
+    std::vector<TrendCurve> curves;
     for (const auto& curve : preset->channels) {
-        TrendChoice choice = TrendChoice::fromId(curve.key);
+        TrendCurve choice = TrendCurve::fromId(curve.key);
         choice.visible = curve.visible;
-        choice.colour = curve.colour;
+        choice.color = curve.color;
         choice.scale = curve.scale;
         choice.offset = curve.offset;
-        choices.push_back(choice);
+        curves.push_back(choice);
     }
-    setChoices(choices);
+    setCurves(curves);
     m_chart->setWidth(preset->width);
 }
 } // namespace ui

@@ -57,18 +57,19 @@ TrendToolbar::TrendToolbar(QWidget* parent)
     // Little room: these speak by their icons, tooltips and names.
     for (QToolButton* button : {m_pause, m_fit, m_back, m_cursors, m_more})
         button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    connect(m_pause, &QToolButton::clicked, this, [this](bool on) { Q_EMIT followWished(!on); });
-    connect(m_width, &QComboBox::activated, this,
-            [this](int index) { Q_EMIT widthWished(widths.at(static_cast<std::size_t>(index))); });
+    connect(m_pause, &QToolButton::clicked, this, [this](bool on) { Q_EMIT followRequested(!on); });
+    connect(m_width, &QComboBox::activated, this, [this](int index) {
+        Q_EMIT widthRequested(widths.at(static_cast<std::size_t>(index)));
+    });
     connect(m_rate, &QComboBox::activated, this,
-            [this](int index) { Q_EMIT rateWished(rates.at(static_cast<std::size_t>(index))); });
-    connect(m_fit, &QToolButton::clicked, this, &TrendToolbar::fitWished);
-    connect(m_back, &QToolButton::clicked, this, &TrendToolbar::backWished);
-    connect(m_cursors, &QToolButton::clicked, this, &TrendToolbar::cursorsWished);
-    connect(m_channels, &QToolButton::clicked, this, &TrendToolbar::channelsWished);
-    connect(m_trigger, &QToolButton::clicked, this, &TrendToolbar::triggerWished);
-    connect(m_live, &QToolButton::clicked, this, &TrendToolbar::liveWished);
-    connect(m_record, &QToolButton::clicked, this, &TrendToolbar::recordWished);
+            [this](int index) { Q_EMIT rateRequested(rates.at(static_cast<std::size_t>(index))); });
+    connect(m_fit, &QToolButton::clicked, this, &TrendToolbar::fitRequested);
+    connect(m_back, &QToolButton::clicked, this, &TrendToolbar::backRequested);
+    connect(m_cursors, &QToolButton::clicked, this, &TrendToolbar::cursorsRequested);
+    connect(m_channels, &QToolButton::clicked, this, &TrendToolbar::channelsRequested);
+    connect(m_trigger, &QToolButton::clicked, this, &TrendToolbar::triggerRequested);
+    connect(m_live, &QToolButton::clicked, this, &TrendToolbar::liveRequested);
+    connect(m_record, &QToolButton::clicked, this, &TrendToolbar::recordRequested);
     retranslate();
     setReplaying(false);
     setRecording({});
@@ -91,10 +92,10 @@ void TrendToolbar::setFollowing(bool following)
     m_pause->setChecked(!following);
 }
 
-void TrendToolbar::setWidthShown(Duration width)
+void TrendToolbar::setShownWidth(Duration width)
 {
     const auto place = std::find(widths.begin(), widths.end(), width);
-    const QSignalBlocker quiet(m_width);
+    const QSignalBlocker blocker(m_width);
     m_width->setCurrentIndex(place != widths.end() ? int(place - widths.begin()) : -1);
 }
 
@@ -123,9 +124,9 @@ void TrendToolbar::setRecording(const QString& words)
     }
     m_recordState->setText(runs ? QStringLiteral("● ") + words : QString());
     m_recordState->setVisible(runs);
-    QPalette colours = palette();
-    colours.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
-    m_recordState->setPalette(colours);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
+    m_recordState->setPalette(colors);
 }
 
 void TrendToolbar::setRate(int hz)
@@ -159,20 +160,20 @@ void TrendToolbar::fillPresets()
         one->setEnabled(!m_replaying || QLatin1String(name) != QLatin1String("trendClear"));
         connect(one, &QAction::triggered, this, signal);
     };
-    action("trendSaveImage", tr("Save the &picture…"), &TrendToolbar::saveImageWished);
-    action("trendOpen", tr("&Open a recording…"), &TrendToolbar::openWished);
-    action("trendClear", tr("&Clear the history"), &TrendToolbar::clearWished);
+    action("trendSaveImage", tr("Save the &picture…"), &TrendToolbar::saveImageRequested);
+    action("trendOpen", tr("&Open a recording…"), &TrendToolbar::openRequested);
+    action("trendClear", tr("&Clear the history"), &TrendToolbar::clearRequested);
     m_menu->addSeparator();
-    action("trendPresetSave", tr("&Keep this view as…"), &TrendToolbar::presetSaveWished);
+    action("trendPresetSave", tr("&Keep this view as…"), &TrendToolbar::presetSaveRequested);
     for (const QString& name : m_presets)
         connect(m_menu->addAction(name), &QAction::triggered, this,
-                [this, name] { Q_EMIT presetWished(name); });
+                [this, name] { Q_EMIT presetRequested(name); });
     if (m_presets.isEmpty())
         return;
     QMenu* remove = m_menu->addMenu(tr("&Remove a view"));
     for (const QString& name : m_presets)
         connect(remove->addAction(name), &QAction::triggered, this,
-                [this, name] { Q_EMIT presetRemoveWished(name); });
+                [this, name] { Q_EMIT presetRemoveRequested(name); });
 }
 
 void TrendToolbar::retranslate()
@@ -197,8 +198,8 @@ void TrendToolbar::retranslate()
     m_width->setToolTip(tr("How much time the chart shows"));
     m_rate->setAccessibleName(tr("Readings per second"));
     m_rate->setToolTip(tr("How often the servos are read"));
-    const QSignalBlocker quietWidth(m_width);
-    const QSignalBlocker quietRate(m_rate);
+    const QSignalBlocker widthBlocker(m_width);
+    const QSignalBlocker rateBlocker(m_rate);
     const int width = m_width->count() > 0 ? m_width->currentIndex() : 2;
     const int rate = m_rate->currentIndex();
     m_width->clear();

@@ -22,32 +22,32 @@ public:
     explicit TrendToolbar(QWidget* parent = nullptr);
 
     void setFollowing(bool following);
-    void setWidthShown(base::Duration width);
+    void setShownWidth(base::Duration width);
     void setCursorsShown(bool shown);
-    void setTrigger(const QString& words, bool waiting); ///< empty: none
+    void setTrigger(const QString& text, bool waiting); ///< empty: none
     /// `words`: "00:12 · 5580 rows"; empty: nothing is recorded.
-    void setRecording(const QString& words);
+    void setRecording(const QString& text);
     void setRate(int hz); ///< 0: as fast as the wire allows
     void setReplaying(bool replaying);
     void setPresets(const QStringList& names);
 
 Q_SIGNALS:
-    void followWished(bool on);
-    void widthWished(base::Duration width);
-    void fitWished();
-    void backWished();
-    void cursorsWished(bool on);
-    void channelsWished();
-    void triggerWished();
-    void recordWished();
-    void openWished();
-    void liveWished();
-    void saveImageWished();
-    void clearWished();
-    void presetWished(const QString& name);
-    void presetSaveWished();
-    void presetRemoveWished(const QString& name);
-    void rateWished(int hz); ///< 0: as fast as the wire allows
+    void followRequested(bool on);
+    void widthRequested(base::Duration width);
+    void fitRequested();
+    void backRequested();
+    void cursorsRequested(bool on);
+    void channelsRequested();
+    void triggerRequested();
+    void recordRequested();
+    void openRequested();
+    void liveRequested();
+    void saveImageRequested();
+    void clearRequested();
+    void presetRequested(const QString& name);
+    void presetSaveRequested();
+    void presetRemoveRequested(const QString& name);
+    void rateRequested(int hz); ///< 0: as fast as the wire allows
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -11,20 +11,20 @@ using text::translate;
 
 namespace {
 /// What a role's register will hold when everything asked for so far has been written.
-std::optional<std::int64_t> soon(const session::ServoEntry& entry, Role role)
+std::optional<std::int64_t> pendingValue(const session::ServoEntry& entry, Role role)
 {
     const catalog::Register* reg = entry.servo.profile->byRole(role);
     if (reg == nullptr)
         return std::nullopt;
     const auto write = entry.writes.find(reg->key);
     if (write != entry.writes.end() && write->second.pending > 0)
-        return write->second.wanted;
+        return write->second.requested;
     return entry.servo.raw(*reg);
 }
 
 QString nameOf(const catalog::Register& reg)
 {
-    return QStringLiteral("%1 (%2)").arg(reg.name.in(text::inChinese())).arg(reg.address);
+    return QStringLiteral("%1 (%2)").arg(reg.name.in(text::isUiChinese())).arg(reg.address);
 }
 
 QString nameOf(const session::ServoEntry& entry, Role role)
@@ -33,13 +33,13 @@ QString nameOf(const session::ServoEntry& entry, Role role)
     return reg != nullptr ? nameOf(*reg) : QString();
 }
 
-QString sentences(QStringList lines)
+QString joinSentences(QStringList lines)
 {
     lines.removeAll(QString());
     return lines.join(translate("WriteQuestion", " ", "between sentences"));
 }
 
-QString howKept(bool temporary)
+QString persistenceSentence(bool temporary)
 {
     return temporary ? translate("WriteQuestion", "The value is lost at power-off.") : QString();
 }
@@ -56,9 +56,9 @@ QString modeRisk(const session::ServoEntry& entry, const catalog::Mode& to)
 }
 
 Question modeQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
-                      std::int64_t raw, const ModeStep& step, bool temporary)
+                      std::int64_t raw, const ModeTransition& step, bool temporary)
 {
-    const bool chinese = text::inChinese();
+    const bool chinese = text::isUiChinese();
     const QString target = step.to->name.in(chinese);
     Question question;
     question.title = translate("WriteQuestion", "Change the mode to “%1”?").arg(target);
@@ -74,13 +74,13 @@ Question modeQuestion(const session::ServoEntry& entry, const catalog::Register&
             ? QString()
             : translate("WriteQuestion", "The command of the new mode, %1, is set to 0.")
                   .arg(command);
-    question.text = sentences(
+    question.text = joinSentences(
         {change,
          translate("WriteQuestion", "ServoDesk switches torque off first, writes, and reads back."),
          zeroed, translate("WriteQuestion", "Torque stays off until you switch it on."),
-         howKept(temporary)});
+         persistenceSentence(temporary)});
     question.risk = modeRisk(entry, *step.to);
-    question.yes = translate("WriteQuestion", "Change the mode");
+    question.acceptText = translate("WriteQuestion", "Change the mode");
     return question;
 }
 
@@ -115,11 +115,11 @@ QString roleRisk(const catalog::Register& reg, std::int64_t raw)
     }
 }
 
-Question dangerQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
-                        std::int64_t raw, bool temporary)
+Question dangerousWriteQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
+                                std::int64_t raw, bool temporary)
 {
-    const catalog::Meaning meaning = entry.servo.meaning(reg);
-    const auto present = entry.shown(reg);
+    const catalog::ValueFormat meaning = entry.servo.meaning(reg);
+    const auto present = entry.displayedRaw(reg);
     Question question;
     question.title = translate("WriteQuestion", "Write %1?").arg(nameOf(reg));
     const QString change =
@@ -131,28 +131,31 @@ Question dangerQuestion(const session::ServoEntry& entry, const catalog::Registe
         reg.torqueOff == catalog::TorqueOff::Needed
             ? translate("WriteQuestion", "Torque is switched off first and stays off.")
             : QString();
-    question.text = change + QStringLiteral("\n\n") + reg.help.in(text::inChinese()) +
-                    (torque.isEmpty() && !temporary
-                         ? QString()
-                         : QStringLiteral("\n\n") + sentences({torque, howKept(temporary)}));
-    question.risk =
-        sentences({reg.motion ? translate("WriteQuestion", "The shaft turns as soon as this is "
-                                                           "written: keep clear of the mechanism.")
-                              : QString(),
-                   roleRisk(reg, raw)});
-    question.yes = translate("WriteQuestion", "Write");
+    question.text =
+        change + QStringLiteral("\n\n") + reg.help.in(text::isUiChinese()) +
+        (torque.isEmpty() && !temporary
+             ? QString()
+             : QStringLiteral("\n\n") + joinSentences({torque, persistenceSentence(temporary)}));
+    question.risk = joinSentences(
+        {reg.motion ? translate("WriteQuestion", "The shaft turns as soon as this is "
+                                                 "written: keep clear of the mechanism.")
+                    : QString(),
+         roleRisk(reg, raw)});
+    question.acceptText = translate("WriteQuestion", "Write");
     return question;
 }
 } // namespace
 
-ModeStep modeStep(const session::ServoEntry& entry, const catalog::Register& reg, std::int64_t raw)
+ModeTransition modeTransition(const session::ServoEntry& entry, const catalog::Register& reg,
+                              std::int64_t raw)
 {
     const auto after = [&](Role role) {
-        return reg.role == role ? std::optional(raw) : soon(entry, role);
+        return reg.role == role ? std::optional(raw) : pendingValue(entry, role);
     };
     const catalog::Profile& profile = *entry.servo.profile;
-    return {device::modeFor(profile, soon(entry, Role::OperatingMode), soon(entry, Role::MinAngle),
-                            soon(entry, Role::MaxAngle)),
+    return {device::modeFor(profile, pendingValue(entry, Role::OperatingMode),
+                            pendingValue(entry, Role::MinAngle),
+                            pendingValue(entry, Role::MaxAngle)),
             device::modeFor(profile, after(Role::OperatingMode), after(Role::MinAngle),
                             after(Role::MaxAngle))};
 }
@@ -164,7 +167,7 @@ std::optional<Question> writeQuestion(const session::ServoEntry& entry,
     const bool decides =
         reg.role == Role::OperatingMode || reg.role == Role::MinAngle || reg.role == Role::MaxAngle;
     if (decides) {
-        const ModeStep step = modeStep(entry, reg, raw);
+        const ModeTransition step = modeTransition(entry, reg, raw);
         if (step.to != nullptr && step.to != step.from)
             return modeQuestion(entry, reg, raw, step, temporary);
         if (step.to != nullptr)
@@ -172,6 +175,6 @@ std::optional<Question> writeQuestion(const session::ServoEntry& entry,
     }
     if (!reg.dangerous)
         return std::nullopt;
-    return dangerQuestion(entry, reg, raw, temporary);
+    return dangerousWriteQuestion(entry, reg, raw, temporary);
 }
 } // namespace ui

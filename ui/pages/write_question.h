@@ -14,9 +14,10 @@ std::optional<Question> writeQuestion(const session::ServoEntry& entry,
                                       bool temporary);
 
 /// The mode the servo is in, and the one it would be in after the write; null while not known.
-struct ModeStep {
+struct ModeTransition {
     const catalog::Mode* from = nullptr;
     const catalog::Mode* to = nullptr;
 };
-ModeStep modeStep(const session::ServoEntry& entry, const catalog::Register& reg, std::int64_t raw);
+ModeTransition modeTransition(const session::ServoEntry& entry, const catalog::Register& reg,
+                              std::int64_t raw);
 } // namespace ui

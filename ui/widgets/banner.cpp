@@ -15,7 +15,7 @@ namespace ui {
 namespace {
 constexpr int edge = 4;
 
-QString signOf(Tone tone)
+QString symbolFor(Tone tone)
 {
     switch (tone) {
     case Tone::Good:
@@ -44,7 +44,7 @@ QLabel* copyableLabel(QWidget* parent, const char* name)
 
 Banner::Banner(QWidget* parent)
     : QFrame(parent)
-    , m_sign(new QLabel(this))
+    , m_symbol(new QLabel(this))
     , m_what(copyableLabel(this, "bannerWhat"))
     , m_more(copyableLabel(this, "bannerMore"))
     , m_buttons(new QHBoxLayout)
@@ -54,32 +54,32 @@ Banner::Banner(QWidget* parent)
     QFont bold = font();
     bold.setBold(true);
     m_what->setFont(bold);
-    m_sign->setFont(bold);
+    m_symbol->setFont(bold);
     m_close->setObjectName(QStringLiteral("bannerClose"));
     m_close->setIcon(QIcon::fromTheme(QStringLiteral("window-close")));
     m_close->setText(QStringLiteral("×"));
     m_close->setAutoRaise(true);
-    auto* words = new QVBoxLayout;
-    words->setSpacing(2);
-    words->addWidget(m_what);
-    words->addWidget(m_more);
+    auto* bannerText = new QVBoxLayout;
+    bannerText->setSpacing(2);
+    bannerText->addWidget(m_what);
+    bannerText->addWidget(m_more);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12 + edge, 8, 8, 8);
-    row->addWidget(m_sign, 0, Qt::AlignTop);
-    row->addLayout(words, 1);
+    row->addWidget(m_symbol, 0, Qt::AlignTop);
+    row->addLayout(bannerText, 1);
     row->addLayout(m_buttons);
     row->addWidget(m_close, 0, Qt::AlignTop);
     connect(m_close, &QToolButton::clicked, this, [this] {
-        clear();
+        hideMessage();
         Q_EMIT dismissed();
     });
     fill();
     hide();
 }
 
-void Banner::present(Wording wording, const QList<QAction*>& actions)
+void Banner::showMessage(TextProvider textProvider, const QList<QAction*>& actions)
 {
-    m_wording = std::move(wording);
+    m_textProvider = std::move(textProvider);
     while (QLayoutItem* item = m_buttons->takeAt(0)) {
         item->widget()->hide();
         item->widget()->deleteLater(); // it may be the one that was pressed
@@ -96,19 +96,19 @@ void Banner::present(Wording wording, const QList<QAction*>& actions)
     show();
 }
 
-void Banner::present(const base::Error& error, const QList<QAction*>& actions)
+void Banner::showMessage(const base::Error& error, const QList<QAction*>& actions)
 {
-    present(
+    showMessage(
         [error] {
-            const text::Description words = text::describe(error);
-            return BannerWords{Tone::Bad, words.what, words.cause, words.remedy};
+            const text::Description bannerText = text::describe(error);
+            return BannerText{Tone::Bad, bannerText.message, bannerText.cause, bannerText.remedy};
         },
         actions);
 }
 
-void Banner::clear()
+void Banner::hideMessage()
 {
-    m_wording = {};
+    m_textProvider = {};
     hide();
 }
 
@@ -116,27 +116,27 @@ void Banner::fill()
 {
     m_close->setToolTip(tr("Close this message"));
     m_close->setAccessibleName(tr("Close this message"));
-    if (!m_wording)
+    if (!m_textProvider)
         return;
     for (int i = 0; i < m_buttons->count(); ++i) {
         auto* button = qobject_cast<QToolButton*>(m_buttons->itemAt(i)->widget());
         button->setAccessibleName(button->defaultAction()->text());
     }
-    const BannerWords words = m_wording();
-    m_tone = words.tone;
-    m_sign->setText(signOf(words.tone));
-    m_what->setText(words.what);
+    const BannerText bannerText = m_textProvider();
+    m_tone = bannerText.tone;
+    m_symbol->setText(symbolFor(bannerText.tone));
+    m_what->setText(bannerText.message);
     QStringList more;
-    for (const QString& sentence : {words.cause, words.remedy}) {
+    for (const QString& sentence : {bannerText.cause, bannerText.remedy}) {
         if (!sentence.isEmpty())
             more << sentence;
     }
     m_more->setText(more.join(QLatin1Char('\n')));
     m_more->setVisible(!more.isEmpty());
-    const QString all = (QStringList(words.what) + more).join(QLatin1Char('\n'));
+    const QString all = (QStringList(bannerText.message) + more).join(QLatin1Char('\n'));
     m_what->setToolTip(all);
     m_more->setToolTip(all);
-    setAccessibleName(words.what);
+    setAccessibleName(bannerText.message);
     setAccessibleDescription(more.join(QLatin1Char(' ')));
     update();
 }

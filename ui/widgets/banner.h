@@ -17,9 +17,9 @@ class QLabel;
 class QToolButton;
 
 namespace ui {
-struct BannerWords {
+struct BannerText {
     Tone tone = Tone::Bad;
-    QString what;
+    QString message;
     QString cause{};
     QString remedy{};
 };
@@ -28,15 +28,15 @@ class Banner final : public QFrame {
     Q_OBJECT
 
 public:
-    using Wording = std::function<BannerWords()>;
+    using TextProvider = std::function<BannerText()>;
 
     explicit Banner(QWidget* parent = nullptr);
 
     /// Replaces what it said before. The actions stay their owner's; each becomes a button.
-    void present(Wording wording, const QList<QAction*>& actions = {});
-    void present(const base::Error& error, const QList<QAction*>& actions = {});
+    void showMessage(TextProvider textProvider, const QList<QAction*>& actions = {});
+    void showMessage(const base::Error& error, const QList<QAction*>& actions = {});
     /// Hides it, without `dismissed`.
-    void clear();
+    void hideMessage();
 
 Q_SIGNALS:
     void dismissed(); ///< closed by the user
@@ -48,9 +48,9 @@ protected:
 private:
     void fill();
 
-    Wording m_wording;
+    TextProvider m_textProvider;
     Tone m_tone = Tone::Bad;
-    QLabel* m_sign;
+    QLabel* m_symbol;
     QLabel* m_what;
     QLabel* m_more;
     QHBoxLayout* m_buttons;

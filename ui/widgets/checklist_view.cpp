@@ -36,7 +36,7 @@ ChecklistView::ChecklistView(QWidget* parent)
     m_wider->setObjectName(QStringLiteral("searchWider"));
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->addWidget(m_wider);
-    connect(m_wider, &QPushButton::clicked, this, &ChecklistView::widerWanted);
+    connect(m_wider, &QPushButton::clicked, this, &ChecklistView::fullSearchRequested);
     retranslate();
 }
 
@@ -74,20 +74,20 @@ QWidget* ChecklistView::rowWidget(const AdviceRow& row)
     auto* column = new QVBoxLayout(widget);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
-    const QString symptom = row.symptom.in(text::inChinese());
+    const QString symptom = row.symptom.in(text::isUiChinese());
     auto* heading = new QToolButton(widget);
     heading->setObjectName(QStringLiteral("checklistRow%1").arg(row.number));
     heading->setToolButtonStyle(Qt::ToolButtonIconOnly);
     heading->setAutoRaise(true);
     heading->setFixedSize(arrowSize, arrowSize);
     heading->setCheckable(true);
-    heading->setChecked(row.fits);
-    heading->setArrowType(row.fits ? Qt::DownArrow : Qt::RightArrow);
+    heading->setChecked(row.matches);
+    heading->setArrowType(row.matches ? Qt::DownArrow : Qt::RightArrow);
     heading->setAccessibleName(symptom);
     heading->setToolTip(tr("Show or hide what may be the cause"));
-    QLabel* words = label(widget, symptom, !row.fits);
+    QLabel* words = label(widget, symptom, !row.matches);
     QFont bold = words->font();
-    bold.setBold(row.fits);
+    bold.setBold(row.matches);
     words->setFont(bold);
     auto* top = new QHBoxLayout;
     top->addWidget(heading, 0, Qt::AlignTop);
@@ -98,7 +98,7 @@ QWidget* ChecklistView::rowWidget(const AdviceRow& row)
     list->setContentsMargins(4, 0, 0, 0);
     for (const AdviceItem& item : row.items)
         list->addWidget(itemWidget(item, row.number));
-    items->setVisible(row.fits);
+    items->setVisible(row.matches);
     column->addWidget(items);
     connect(heading, &QToolButton::toggled, items, [items, heading](bool open) {
         items->setVisible(open);
@@ -110,7 +110,7 @@ QWidget* ChecklistView::rowWidget(const AdviceRow& row)
 /// Ruled out: a tick and the reason, grey. Else a box to tick off, the cause and what to look at.
 QWidget* ChecklistView::itemWidget(const AdviceItem& item, int row)
 {
-    const bool chinese = text::inChinese();
+    const bool chinese = text::isUiChinese();
     auto* widget = new QWidget(m_content);
     auto* line = new QHBoxLayout(widget);
     line->setContentsMargins(0, 0, 0, 0);

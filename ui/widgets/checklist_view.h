@@ -23,7 +23,7 @@ public:
     void show(const SearchFacts& facts);
 
 Q_SIGNALS:
-    void widerWanted(); ///< the button that searches everything
+    void fullSearchRequested(); ///< the button that searches everything
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -19,19 +19,19 @@ double chordAt(const QRectF& circle, double y)
 }
 } // namespace
 
-CircleText fitIntoCircle(const QString& words, const QFont& font, const QRectF& circle, double top)
+CircleText fitIntoCircle(const QString& text, const QFont& font, const QRectF& circle, double top)
 {
     CircleText fitted{font, {}};
     constexpr int flags = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
-    constexpr int mostLines = 3;
+    constexpr int maxLines = 3;
     for (double scale = 1; scale >= smallest; scale -= step) {
         fitted.font.setPointSizeF(font.pointSizeF() * scale);
         const QFontMetricsF metrics(fitted.font);
-        for (int lines = 1; lines <= mostLines; ++lines) {
+        for (int lines = 1; lines <= maxLines; ++lines) {
             const double height = lines * metrics.lineSpacing();
             const double width = chordAt(circle, top + height);
-            fitted.place = {circle.center().x() - width / 2, top, width, height};
-            const QRectF needed = metrics.boundingRect(fitted.place, flags, words);
+            fitted.rect = {circle.center().x() - width / 2, top, width, height};
+            const QRectF needed = metrics.boundingRect(fitted.rect, flags, text);
             if (needed.width() <= width && needed.height() <= height + 1)
                 return fitted;
         }

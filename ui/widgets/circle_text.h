@@ -10,7 +10,7 @@
 namespace ui {
 struct CircleText {
     QFont font;
-    QRectF place; ///< draw with Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap
+    QRectF rect; ///< draw with Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap
 };
 /// From `top` downwards.
 CircleText fitIntoCircle(const QString& words, const QFont& font, const QRectF& circle, double top);

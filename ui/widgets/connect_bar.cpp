@@ -18,7 +18,7 @@ using session::LinkState;
 using namespace std::chrono_literals;
 
 ConnectBar::ConnectBar(session::Desk& desk, Commands& commands, session::Settings& settings,
-                       session::PortWatch& ports, QWidget* parent)
+                       session::PortWatcher& ports, QWidget* parent)
     : QWidget(parent)
     , m_desk(desk)
     , m_commands(commands)
@@ -54,7 +54,7 @@ void ConnectBar::build()
     m_button->setFocusPolicy(Qt::StrongFocus);
     m_more->setFocusPolicy(Qt::StrongFocus);
     m_baud->addItem(QString());
-    for (const int rate : session::knownRates())
+    for (const int rate : session::standardBaudRates())
         m_baud->addItem(rateText(rate), rate);
     m_baud->setMaxVisibleItems(20);
     m_protocol->addItem(QString());
@@ -72,22 +72,22 @@ void ConnectBar::build()
 
 void ConnectBar::connectSignals()
 {
-    connect(m_port, &PortPicker::chosen, this, &ConnectBar::portChosen);
-    connect(m_port, &PortPicker::otherWanted, this, &ConnectBar::askForPort);
-    connect(&m_ports, &session::PortWatch::portsChanged, this, &ConnectBar::suggestPort);
+    connect(m_port, &PortPicker::portSelected, this, &ConnectBar::portChosen);
+    connect(m_port, &PortPicker::otherPortRequested, this, &ConnectBar::askForPort);
+    connect(&m_ports, &session::PortWatcher::portsChanged, this, &ConnectBar::suggestPort);
     connect(m_more, &QToolButton::clicked, this, [this] { m_options->popUpBelow(*m_more); });
     connect(m_options, &LinkOptions::changed, this, [this] { retranslate(); });
     connect(&m_desk, &session::Desk::linkChanged, this, &ConnectBar::linkChanged);
     // What came before a search counts as ever, what came during it does not.
     connect(&m_desk, &session::Desk::searchChanged, this, [this] {
         if (m_state == LinkState::Open)
-            m_meter.look(m_desk.statistics(), !m_desk.searching(), m_desk.now());
+            m_meter.addStatistics(m_desk.statistics(), !m_desk.isSearching(), m_desk.now());
     });
     // Nor do the answers to a stop, which nobody waits for.
-    connect(&m_desk, &session::Desk::happened, this, [this](const session::Event& event) {
+    connect(&m_desk, &session::Desk::eventOccurred, this, [this](const session::Event& event) {
         if (event.kind != session::Event::Kind::Stopped || m_state != LinkState::Open)
             return;
-        m_meter.look(m_desk.statistics(), m_desk.searching(), m_desk.now());
+        m_meter.addStatistics(m_desk.statistics(), m_desk.isSearching(), m_desk.now());
         m_stopped = true;
     });
     connect(m_commands.action(Command::Connect), &QAction::triggered, this,
@@ -99,17 +99,17 @@ void ConnectBar::connectSignals()
         connectNow();
     });
     m_timer.setInterval(1s);
-    connect(&m_timer, &QTimer::timeout, this, &ConnectBar::look);
+    connect(&m_timer, &QTimer::timeout, this, &ConnectBar::updateState);
 }
 
 /// Until the user has chosen: the adapter used last wherever it is now, else what was used last if
 /// it is no adapter, else the first adapter there is.
 void ConnectBar::suggestPort()
 {
-    if (m_port->chosenByUser() || m_desk.state() != LinkState::Off)
+    if (m_port->isSelectedByUser() || m_desk.state() != LinkState::Off)
         return;
     const QString last = m_settings.lastPort();
-    const QString present = m_ports.portOf(m_settings.lastAdapter());
+    const QString present = m_ports.findAdapter(m_settings.lastAdapter());
     QString port = present.isEmpty() ? last : present;
     const bool device =
         !last.startsWith(QLatin1String("sim:")) && !last.startsWith(QLatin1String("tcp:"));
@@ -127,7 +127,7 @@ void ConnectBar::portChosen(const QString& port)
 {
     if (m_desk.state() != LinkState::Off && m_desk.state() != LinkState::Lost)
         return;
-    session::PortRequest used = m_settings.usedWith(m_ports.adapterKey(port));
+    session::PortRequest used = m_settings.lastRequestFor(m_ports.adapterKey(port));
     const QSignalBlocker quiet(m_options);
     m_baud->setCurrentIndex(qMax(0, m_baud->findData(used.baud.value_or(0))));
     m_protocol->setCurrentIndex(
@@ -139,7 +139,7 @@ void ConnectBar::portChosen(const QString& port)
 void ConnectBar::askForPort()
 {
     auto* dialog = new PortDialog(this);
-    connect(dialog, &PortDialog::typed, this, [this](const QString& port) {
+    connect(dialog, &PortDialog::portEntered, this, [this](const QString& port) {
         m_port->setPort(port);
         portChosen(port);
     });
@@ -183,39 +183,39 @@ void ConnectBar::linkChanged()
     const LinkState state = m_desk.state();
     if (state == LinkState::Open && m_state != LinkState::Open) {
         m_meter.reset();
-        remember();
+        saveRequest();
     }
     m_state = state;
     const bool mayChange = state == LinkState::Off || state == LinkState::Lost;
     for (QWidget* field : std::initializer_list<QWidget*>{m_port, m_baud, m_protocol, m_more})
         field->setEnabled(mayChange);
-    m_simulated->setVisible(m_desk.simulated());
+    m_simulated->setVisible(m_desk.isSimulated());
     if (state == LinkState::Open)
         m_timer.start();
     else
         m_timer.stop();
     showButton();
-    look();
+    updateState();
 }
 
-void ConnectBar::remember()
+void ConnectBar::saveRequest()
 {
     const session::PortRequest& used = m_desk.lastRequest();
-    m_settings.remember(m_ports.adapterKey(used.name), used);
+    m_settings.saveRequest(m_ports.adapterKey(used.name), used);
 }
 
 /// One button for both: pressing it does what it says, and it never moves.
 void ConnectBar::showButton()
 {
     const bool connects = m_state == LinkState::Off || m_state == LinkState::Lost;
-    QAction* wanted = m_commands.action(connects ? Command::Connect : Command::Disconnect);
-    if (m_button->defaultAction() != wanted) {
+    QAction* buttonAction = m_commands.action(connects ? Command::Connect : Command::Disconnect);
+    if (m_button->defaultAction() != buttonAction) {
         if (QAction* old = m_button->defaultAction())
             m_button->removeAction(old);
-        m_button->setDefaultAction(wanted);
+        m_button->setDefaultAction(buttonAction);
         m_button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     }
-    m_button->setAccessibleName(wanted->iconText());
+    m_button->setAccessibleName(buttonAction->iconText());
     const QFontMetrics metrics = m_button->fontMetrics();
     const int frame = m_button->sizeHint().width() - metrics.horizontalAdvance(m_button->text());
     int width = 0;
@@ -224,10 +224,10 @@ void ConnectBar::showButton()
     m_button->setMinimumWidth(width + frame);
 }
 
-void ConnectBar::look()
+void ConnectBar::updateState()
 {
     if (m_state == LinkState::Open)
-        m_meter.look(m_desk.statistics(), m_desk.searching() || m_stopped, m_desk.now());
+        m_meter.addStatistics(m_desk.statistics(), m_desk.isSearching() || m_stopped, m_desk.now());
     m_stopped = false;
     showStatistics();
 }
@@ -247,27 +247,27 @@ void ConnectBar::showStatistics()
         break;
     }
     session::Connection* connection = m_desk.connection();
-    if (connection != nullptr && connection->bus().away()) {
+    if (connection != nullptr && connection->bus().isReconnecting()) {
         return m_status->setState(
             Tone::Warn, tr("adapter gone, waiting up to 5 s"), tr("waiting …"),
             tr("The adapter has been pulled out or has no power. A test that is running goes on "
                "when it is back; a servo that has restarted meanwhile is not switched on."));
     }
-    const LinkMeter::Figures& now = m_meter.figures();
+    const LinkMeter::Values& now = m_meter.values();
     const bus::Statistics sum = m_desk.statistics();
     const auto figure = [this](auto value) { return locale().toString(qulonglong(value)); };
     const QString words = (now.errors == 1 ? tr("%1 reads/s · %2 error · wire %3 %")
                                            : tr("%1 reads/s · %2 errors · wire %3 %"))
                               .arg(figure(now.readsPerSecond), figure(now.errors))
-                              .arg(qRound(now.wireUse * 100));
+                              .arg(qRound(now.busLoad * 100));
     const QString brief = tr("%1/s · %2 err").arg(figure(now.readsPerSecond), figure(now.errors));
     const QString more =
         tr("Port: %1 at %2 baud\nSent: %3, answered: %4\nLost: %5, damaged: %6, foreign: %7, "
            "late: %8\nAsked more than once: %9")
             .arg(m_desk.lastRequest().name,
-                 m_desk.hasBaud() ? rateText(m_desk.baud()) : QStringLiteral("–"),
-                 figure(sum.total.sent), figure(sum.total.ok), figure(sum.total.timeOuts),
-                 figure(sum.total.badChecks), figure(sum.total.foreign), figure(sum.total.late),
+                 m_desk.canSetBaud() ? rateText(m_desk.baud()) : QStringLiteral("–"),
+                 figure(sum.total.sent), figure(sum.total.ok), figure(sum.total.timeouts),
+                 figure(sum.total.badChecksums), figure(sum.total.foreign), figure(sum.total.late),
                  figure(sum.total.retried)) +
         QLatin1Char('\n') +
         tr("Round trip: %1 ms, the slowest of 100: %2 ms")
@@ -289,10 +289,10 @@ void ConnectBar::retranslate()
     m_protocol->setAccessibleName(tr("Protocol"));
     m_protocol->setToolTip(
         tr("Language of the servos. Auto: all that can be met at the rate are tried"));
-    const QString set = m_options->isUsual() ? QString() : tr(" (something is set)");
-    m_more->setText(m_options->isUsual() ? QStringLiteral("…") : QStringLiteral("…*"));
-    m_more->setToolButtonStyle(m_options->isUsual() ? Qt::ToolButtonIconOnly
-                                                    : Qt::ToolButtonTextBesideIcon);
+    const QString set = m_options->isDefault() ? QString() : tr(" (something is set)");
+    m_more->setText(m_options->isDefault() ? QStringLiteral("…") : QStringLiteral("…*"));
+    m_more->setToolButtonStyle(m_options->isDefault() ? Qt::ToolButtonIconOnly
+                                                      : Qt::ToolButtonTextBesideIcon);
     m_more->setAccessibleName(tr("More about the port"));
     m_more->setToolTip(tr("Parity, time-out, Modbus silence, retries") + set);
     m_simulated->setState(Tone::Warn, tr("SIMULATED"), {},

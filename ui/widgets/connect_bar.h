@@ -26,7 +26,7 @@ class ConnectBar final : public QWidget {
 
 public:
     ConnectBar(session::Desk& desk, Commands& commands, session::Settings& settings,
-               session::PortWatch& ports, QWidget* parent = nullptr);
+               session::PortWatcher& ports, QWidget* parent = nullptr);
 
     /// As the fields stand.
     session::PortRequest request() const;
@@ -45,16 +45,16 @@ private:
     void portChosen(const QString& port);
     void askForPort();
     void linkChanged();
-    void remember();
+    void saveRequest();
     void showButton();
-    void look();
+    void updateState();
     void showStatistics();
     void retranslate();
 
     session::Desk& m_desk;
     Commands& m_commands;
     session::Settings& m_settings;
-    session::PortWatch& m_ports;
+    session::PortWatcher& m_ports;
 
     PortPicker* m_port;
     QComboBox* m_baud;

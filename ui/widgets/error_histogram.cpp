@@ -14,10 +14,10 @@
 namespace ui {
 namespace {
 constexpr double parts = 64; ///< of a step
-constexpr double mostSteps = 1e9;
-constexpr double leastBar = 6;   ///< pixels
-constexpr double usualBars = 12; ///< over the errors' own range
-constexpr double finest = 0.125; ///< steps a bar
+constexpr double maxSteps = 1e9;
+constexpr double minBarWidth = 6;     ///< pixels
+constexpr double defaultBars = 12;    ///< over the errors' own range
+constexpr double minBinWidth = 0.125; ///< steps a bar
 constexpr int margin = 6;
 
 /// 1, 2 or 5 times a power of ten, not below `rough`.
@@ -40,10 +40,13 @@ QString signedNumber(double value)
 /// Where things stand in the picture.
 struct ErrorHistogram::Frame {
     QRectF plot;
-    double reach = 1; ///< steps to both sides of 0
-    double width = 1; ///< steps a bar
+    double maxAbsError = 1; ///< steps to both sides of 0
+    double width = 1;       ///< steps a bar
     std::uint64_t most = 1;
-    double x(double steps) const { return plot.center().x() + steps / reach * plot.width() / 2; }
+    double x(double steps) const
+    {
+        return plot.center().x() + steps / maxAbsError * plot.width() / 2;
+    }
     double y(double count) const { return plot.bottom() - count / double(most) * plot.height(); }
 };
 
@@ -54,13 +57,13 @@ ErrorHistogram::ErrorHistogram(QWidget* parent)
     describe();
 }
 
-void ErrorHistogram::add(std::span<const double> errors)
+void ErrorHistogram::addErrors(std::span<const double> errors)
 {
     const std::uint64_t before = m_count;
     for (const double error : errors) {
         if (!std::isfinite(error))
             continue;
-        ++m_errors[std::llround(std::clamp(error, -mostSteps, mostSteps) * parts)];
+        ++m_errors[std::llround(std::clamp(error, -maxSteps, maxSteps) * parts)];
         m_sum += error;
         ++m_count;
     }
@@ -91,16 +94,16 @@ void ErrorHistogram::setLimits(std::optional<double> warn, std::optional<double>
 
 /// 0 stands in the middle. The nearer limit is always seen, unless the errors look like one line
 /// beside it; the farther one if it is not far.
-double ErrorHistogram::reach() const
+double ErrorHistogram::maxAbsError() const
 {
     double far = 1;
     if (!m_errors.empty())
         far = std::max({far, std::abs(double(m_errors.begin()->first)) / parts,
                         std::abs(double(m_errors.rbegin()->first)) / parts});
-    constexpr double mostEmpty = 4;
+    constexpr double maxEmpty = 4;
     const double errors = far;
     for (const auto& limit : {m_warn, m_fail}) {
-        if (limit && *limit <= mostEmpty * errors)
+        if (limit && *limit <= maxEmpty * errors)
             far = std::max(far, *limit);
     }
     return far;
@@ -111,10 +114,10 @@ double ErrorHistogram::barWidth(double room) const
     double range = 1;
     if (!m_errors.empty())
         range = std::max(range, double(m_errors.rbegin()->first - m_errors.begin()->first) / parts);
-    const double ofPixels = 2 * reach() * leastBar / std::max(room, 1.0);
-    const double width = niceStep(std::max(range / usualBars, ofPixels));
+    const double ofPixels = 2 * maxAbsError() * minBarWidth / std::max(room, 1.0);
+    const double width = niceStep(std::max(range / defaultBars, ofPixels));
     // Servos count in whole steps; only means of them lie between.
-    return std::max(width, finest);
+    return std::max(width, minBinWidth);
 }
 
 ErrorHistogram::Frame ErrorHistogram::frame() const
@@ -123,7 +126,7 @@ ErrorHistogram::Frame ErrorHistogram::frame() const
     Frame frame;
     frame.plot = QRectF(rect()).adjusted(margin, line + margin, -margin, -(line + margin));
     frame.width = barWidth(frame.plot.width());
-    frame.reach = reach() + frame.width;
+    frame.maxAbsError = maxAbsError() + frame.width;
     return frame;
 }
 
@@ -131,9 +134,9 @@ std::vector<ErrorHistogram::Bar> ErrorHistogram::bars() const
 {
     const double width = frame().width;
     std::vector<Bar> bars;
-    for (const auto& [place, count] : m_errors) {
+    for (const auto& [bin, count] : m_errors) {
         // A bar stands around its value, so that 0 is the middle of one.
-        const double middle = std::floor(double(place) / parts / width + 0.5) * width;
+        const double middle = std::floor(double(bin) / parts / width + 0.5) * width;
         if (bars.empty() || bars.back().from + width / 2 < middle - width / 4)
             bars.push_back({middle - width / 2, middle + width / 2, 0});
         bars.back().count += count;
@@ -141,11 +144,11 @@ std::vector<ErrorHistogram::Bar> ErrorHistogram::bars() const
     return bars;
 }
 
-std::uint64_t ErrorHistogram::beyond(double limit) const
+std::uint64_t ErrorHistogram::countBeyond(double limit) const
 {
     std::uint64_t count = 0;
-    for (const auto& [place, times] : m_errors)
-        count += std::abs(double(place)) / parts > limit ? times : 0;
+    for (const auto& [bin, times] : m_errors)
+        count += std::abs(double(bin)) / parts > limit ? times : 0;
     return count;
 }
 
@@ -162,11 +165,11 @@ QString ErrorHistogram::summary() const
     if (m_warn)
         lines << tr("Beyond the warning limit of %1 %2: %3.")
                      .arg(sweepNumber(m_warn), step,
-                          locale().toString(qulonglong(beyond(*m_warn))));
+                          locale().toString(qulonglong(countBeyond(*m_warn))));
     if (m_fail)
         lines << tr("Beyond the limit of %1 %2: %3.")
                      .arg(sweepNumber(m_fail), step,
-                          locale().toString(qulonglong(beyond(*m_fail))));
+                          locale().toString(qulonglong(countBeyond(*m_fail))));
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -176,11 +179,11 @@ void ErrorHistogram::describe()
     setAccessibleDescription(summary());
 }
 
-QString ErrorHistogram::barText(const QPoint& place) const
+QString ErrorHistogram::barText(const QPoint& bin) const
 {
     const Frame frame = this->frame();
     for (const Bar& bar : bars()) {
-        if (place.x() < frame.x(bar.from) || place.x() >= frame.x(bar.to))
+        if (bin.x() < frame.x(bar.from) || bin.x() >= frame.x(bar.to))
             continue;
         const double share = 100.0 * double(bar.count) / double(m_count);
         return tr("%1 to %2 %3: %4 of %5 legs (%6 %)")
@@ -221,18 +224,18 @@ QSize ErrorHistogram::minimumSizeHint() const
 }
 
 /// The line the bars stand on, with steps below it: as many as find room.
-void ErrorHistogram::paintGround(QPainter& painter, const Frame& frame) const
+void ErrorHistogram::paintBackground(QPainter& painter, const Frame& frame) const
 {
     painter.setPen(palette().color(QPalette::Mid));
     painter.drawLine(frame.plot.bottomLeft(), frame.plot.bottomRight());
     const QString unit = QLatin1Char(' ') + unitName(QStringLiteral("step"));
-    const double widest = fontMetrics().horizontalAdvance(signedNumber(-frame.reach) + unit);
+    const double widest = fontMetrics().horizontalAdvance(signedNumber(-frame.maxAbsError) + unit);
     const double labels = std::max(2.0, frame.plot.width() / (widest + 2 * margin));
-    double every = niceStep(std::max(2 * frame.reach / labels, frame.width));
+    double every = niceStep(std::max(2 * frame.maxAbsError / labels, frame.width));
     // A small one still says how far it goes.
-    if (every > frame.reach && 3 * widest < frame.plot.width())
-        every = niceStep(frame.reach / 2.5);
-    const double last = std::floor(frame.reach / every) * every;
+    if (every > frame.maxAbsError && 3 * widest < frame.plot.width())
+        every = niceStep(frame.maxAbsError / 2.5);
+    const double last = std::floor(frame.maxAbsError / every) * every;
     painter.setPen(tone(Tone::Quiet, palette()));
     const double top = frame.plot.bottom() + 2;
     const double height = fontMetrics().height();
@@ -268,7 +271,7 @@ void ErrorHistogram::paintLimits(QPainter& painter, const Frame& frame) const
     const bool apart = !m_warn || !m_fail || frame.x(*m_fail) - frame.x(*m_warn) > line;
     const auto paint = [&](const std::optional<double>& limit, Tone meaning, Qt::PenStyle style,
                            const QString& sign) {
-        if (!limit || *limit > frame.reach)
+        if (!limit || *limit > frame.maxAbsError)
             return;
         for (const double side : {-1.0, 1.0}) {
             const double x = frame.x(side * *limit);
@@ -288,7 +291,7 @@ void ErrorHistogram::paintCount(QPainter& painter, const Frame& frame) const
     const QString text = QStringLiteral("n = %1").arg(locale().toString(qulonglong(m_count)));
     const double half = fontMetrics().horizontalAdvance(text) / 2.0 + fontMetrics().height();
     for (const auto& limit : {m_warn, m_fail}) {
-        if (limit && *limit <= frame.reach && frame.x(*limit) - frame.x(0) < half)
+        if (limit && *limit <= frame.maxAbsError && frame.x(*limit) - frame.x(0) < half)
             return;
     }
     painter.setPen(tone(Tone::Quiet, palette()));
@@ -308,7 +311,7 @@ void ErrorHistogram::paintEvent(QPaintEvent*)
     for (const Bar& bar : bars())
         frame.most = std::max(frame.most, bar.count);
     painter.setRenderHint(QPainter::Antialiasing);
-    paintGround(painter, frame);
+    paintBackground(painter, frame);
     paintBars(painter, frame);
     paintLimits(painter, frame);
     paintCount(painter, frame);

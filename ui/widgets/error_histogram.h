@@ -26,8 +26,8 @@ public:
     explicit ErrorHistogram(QWidget* parent = nullptr);
 
     /// In steps, reached − target. What is not a number is left out.
-    void add(double error) { add(std::span(&error, 1)); }
-    void add(std::span<const double> errors);
+    void addErrors(double error) { addErrors(std::span(&error, 1)); }
+    void addErrors(std::span<const double> errors);
     void clear();
     /// Of the size of an error, without its sign.
     void setLimits(std::optional<double> warn, std::optional<double> fail);
@@ -48,12 +48,12 @@ private:
     struct Frame;
     Frame frame() const;
     double barWidth(double room) const;
-    double reach() const;
-    std::uint64_t beyond(double limit) const;
+    double maxAbsError() const;
+    std::uint64_t countBeyond(double limit) const;
     QString summary() const;
-    QString barText(const QPoint& place) const;
+    QString barText(const QPoint& bin) const;
     void describe();
-    void paintGround(QPainter& painter, const Frame& frame) const;
+    void paintBackground(QPainter& painter, const Frame& frame) const;
     void paintBars(QPainter& painter, const Frame& frame) const;
     void paintLimits(QPainter& painter, const Frame& frame) const;
     void paintCount(QPainter& painter, const Frame& frame) const;

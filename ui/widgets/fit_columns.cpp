@@ -10,7 +10,7 @@
 
 namespace ui {
 namespace {
-constexpr int fewestLetters = 6;
+constexpr int minChars = 6;
 }
 
 FitColumns::FitColumns(QTableView* table)
@@ -32,10 +32,10 @@ bool FitColumns::eventFilter(QObject* watched, QEvent* event)
 }
 
 /// The heading stays readable.
-int FitColumns::leastOf(int column) const
+int FitColumns::minWidthOf(int column) const
 {
     return std::max(m_table->horizontalHeader()->sectionSizeHint(column),
-                    fewestLetters * m_table->fontMetrics().averageCharWidth());
+                    minChars * m_table->fontMetrics().averageCharWidth());
 }
 
 void FitColumns::fit()
@@ -58,7 +58,7 @@ void FitColumns::fit()
         int next = 0; // as wide as the one after it is enough for the first
         for (int column = 0; column < count; ++column) {
             const int width = widths[std::size_t(column)];
-            if (width <= leastOf(column))
+            if (width <= minWidthOf(column))
                 continue;
             if (widest < 0 || width > widths[std::size_t(widest)]) {
                 next = widest < 0 ? 0 : widths[std::size_t(widest)];
@@ -70,10 +70,10 @@ void FitColumns::fit()
         if (widest < 0)
             break;
         int& width = widths[std::size_t(widest)];
-        const int wanted =
-            std::max({leastOf(widest), std::min(next, width - 1), width - (sum - m_width)});
-        sum -= width - wanted;
-        width = wanted;
+        const int preferred =
+            std::max({minWidthOf(widest), std::min(next, width - 1), width - (sum - m_width)});
+        sum -= width - preferred;
+        width = preferred;
     }
     for (int column = 0; column < count; ++column) {
         if (!header->isSectionHidden(column))

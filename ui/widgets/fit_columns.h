@@ -22,7 +22,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    int leastOf(int column) const;
+    int minWidthOf(int column) const;
 
     QTableView* m_table;
     int m_width = 0; ///< of the viewport when the columns were fitted last

@@ -14,7 +14,7 @@ constexpr int maxPercent = 50; ///< of the area: what moves servos stands in its
 constexpr int minWidth = 340;  ///< where there is so much: narrower text is too many lines
 } // namespace
 
-FloatOver::FloatOver(QWidget* floating, QWidget* area, Corner corner)
+FloatingOverlay::FloatingOverlay(QWidget* floating, QWidget* area, Corner corner)
     : QObject(floating)
     , m_floating(*floating)
     , m_area(*area)
@@ -25,20 +25,20 @@ FloatOver::FloatOver(QWidget* floating, QWidget* area, Corner corner)
     floating->setVisible(shown);
     floating->installEventFilter(this);
     area->installEventFilter(this);
-    place();
+    reposition();
 }
 
-bool FloatOver::eventFilter(QObject* watched, QEvent* event)
+bool FloatingOverlay::eventFilter(QObject* watched, QEvent* event)
 {
     const bool resized = watched == &m_area && event->type() == QEvent::Resize;
     const bool changed = watched == &m_floating &&
                          (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show);
     if (resized || changed)
-        place();
+        reposition();
     return false;
 }
 
-void FloatOver::place()
+void FloatingOverlay::reposition()
 {
     const int room = m_area.width() - 2 * margin;
     const int share =

@@ -9,19 +9,19 @@
 class QWidget;
 
 namespace ui {
-class FloatOver final : public QObject {
+class FloatingOverlay final : public QObject {
     Q_OBJECT
 
 public:
     enum class Corner : std::uint8_t { TopLeft, BottomRight };
 
-    FloatOver(QWidget* floating, QWidget* area, Corner corner);
+    FloatingOverlay(QWidget* floating, QWidget* area, Corner corner);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void place();
+    void reposition();
 
     QWidget& m_floating;
     QWidget& m_area;

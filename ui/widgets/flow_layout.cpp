@@ -82,8 +82,8 @@ void FlowLayout::placeLine(const QRect& rect, std::size_t first, std::size_t las
         if (item->isEmpty())
             continue;
         const QSize size = item->sizeHint().expandedTo(item->minimumSize());
-        const QRect place(QPoint(x, y + (height - size.height()) / 2), size);
-        item->setGeometry(QStyle::visualRect(direction, rect, place));
+        const QRect itemRect(QPoint(x, y + (height - size.height()) / 2), size);
+        item->setGeometry(QStyle::visualRect(direction, rect, itemRect));
         x += size.width() + spacing();
     }
 }

@@ -11,20 +11,20 @@
 namespace ui {
 namespace {
 /// So near a limit, as a share of the scale, is worth a sign.
-constexpr double nearShare = 0.06;
+constexpr double nearFraction = 0.06;
 constexpr int sixteenths = 16; ///< QPainter counts angles in these
 constexpr double half = 180;
 
-Tone toneOf(Gauge::Standing standing)
+Tone toneOf(Gauge::LimitState standing)
 {
     switch (standing) {
-    case Gauge::Standing::Beyond:
+    case Gauge::LimitState::Exceeded:
         return Tone::Bad;
-    case Gauge::Standing::Near:
+    case Gauge::LimitState::Near:
         return Tone::Warn;
-    case Gauge::Standing::Unknown:
+    case Gauge::LimitState::Unknown:
         return Tone::Quiet;
-    case Gauge::Standing::Fine:
+    case Gauge::LimitState::Ok:
         break;
     }
     return Tone::Accent;
@@ -59,27 +59,27 @@ void Gauge::setScale(const GaugeScale& scale)
     update();
 }
 
-void Gauge::setValue(std::optional<double> value, const QString& foot, bool old)
+void Gauge::setValue(std::optional<double> value, const QString& footer, bool stale)
 {
     if (value && !std::isfinite(*value))
         value.reset();
-    if (value == m_value && foot == m_foot && old == m_old && m_unmeasured.isEmpty())
+    if (value == m_value && footer == m_footer && stale == m_stale && m_notMeasured.isEmpty())
         return;
     m_value = value;
-    m_foot = foot;
-    m_old = old;
-    m_unmeasured.clear();
+    m_footer = footer;
+    m_stale = stale;
+    m_notMeasured.clear();
     describe();
     update();
 }
 
-void Gauge::setUnmeasured(const QString& why)
+void Gauge::setNotMeasured(const QString& why)
 {
-    if (m_unmeasured == why)
+    if (m_notMeasured == why)
         return;
     m_value.reset();
-    m_foot.clear();
-    m_unmeasured = why;
+    m_footer.clear();
+    m_notMeasured = why;
     describe();
     update();
 }
@@ -88,25 +88,25 @@ void Gauge::describe()
 {
     setAccessibleName(m_title);
     const QString words =
-        m_unmeasured.isEmpty()
-            ? QStringList{valueText(), m_scale.unit, m_foot}.join(QLatin1Char(' '))
-            : m_unmeasured;
+        m_notMeasured.isEmpty()
+            ? QStringList{valueText(), m_scale.unit, m_footer}.join(QLatin1Char(' '))
+            : m_notMeasured;
     setAccessibleDescription(words);
     setToolTip(m_title + QLatin1Char('\n') + words);
 }
 
-Gauge::Standing Gauge::standing() const
+Gauge::LimitState Gauge::limitState() const
 {
     if (!m_value)
-        return Standing::Unknown;
+        return LimitState::Unknown;
     const double span = std::max(m_scale.max - m_scale.min, 1e-9);
     const double value = m_scale.min < 0 ? std::abs(*m_value) : *m_value;
     const double above = m_scale.high ? value - *m_scale.high : -span;
     const double below = m_scale.low ? *m_scale.low - value : -span;
     const double worst = std::max(above, below);
     if (worst > 0)
-        return Standing::Beyond;
-    return worst > -nearShare * span ? Standing::Near : Standing::Fine;
+        return LimitState::Exceeded;
+    return worst > -nearFraction * span ? LimitState::Near : LimitState::Ok;
 }
 
 QString Gauge::valueText() const
@@ -135,8 +135,8 @@ void Gauge::paintArcs(QPainter& painter, const QRectF& box) const
     const double thick = std::clamp(box.width() / 11, 5.0, 14.0);
     const QColor track = palette().color(QPalette::Mid);
     painter.setBrush(Qt::NoBrush);
-    const auto pen = [&](const QColor& colour, double width) {
-        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
+    const auto pen = [&](const QColor& color, double width) {
+        painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap));
     };
     const QRectF inner = box.adjusted(thick, thick, -thick, -thick);
     pen(track, thick);
@@ -156,8 +156,8 @@ void Gauge::paintArcs(QPainter& painter, const QRectF& box) const
     if (!m_value)
         return;
     const double zero = angleOf(m_scale.min < 0 ? 0 : m_scale.min);
-    const QColor colour = tone(m_old ? Tone::Quiet : toneOf(standing()), palette());
-    pen(colour, thick);
+    const QColor color = tone(m_stale ? Tone::Quiet : toneOf(limitState()), palette());
+    pen(color, thick);
     drawArc(painter, inner, angleOf(*m_value), zero);
 }
 
@@ -168,29 +168,30 @@ void Gauge::paintTexts(QPainter& painter) const
     const QRect top(2, 4, width() - 4, line);
     painter.drawText(top, Qt::AlignCenter,
                      fontMetrics().elidedText(m_title, Qt::ElideRight, top.width()));
-    if (!m_unmeasured.isEmpty()) {
+    if (!m_notMeasured.isEmpty()) {
         const QRect room(6, height() - 3 * line - 2, width() - 12, 3 * line);
-        painter.drawText(room, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, m_unmeasured);
+        painter.drawText(room, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap,
+                         m_notMeasured);
         return;
     }
-    const Standing now = standing();
+    const LimitState now = limitState();
     QString sign;
-    if (now == Standing::Near)
+    if (now == LimitState::Near)
         sign = QStringLiteral("! ");
-    else if (now == Standing::Beyond)
+    else if (now == LimitState::Exceeded)
         sign = QStringLiteral("✗ ");
     const QRect bottom(2, height() - line - 5, width() - 4, line);
-    const QString foot = m_scale.unit.isEmpty() || m_foot.isEmpty()
-                             ? m_scale.unit + m_foot
-                             : m_scale.unit + QStringLiteral(" · ") + m_foot;
+    const QString footer = m_scale.unit.isEmpty() || m_footer.isEmpty()
+                               ? m_scale.unit + m_footer
+                               : m_scale.unit + QStringLiteral(" · ") + m_footer;
     painter.drawText(bottom, Qt::AlignCenter,
-                     fontMetrics().elidedText(foot, Qt::ElideRight, bottom.width()));
+                     fontMetrics().elidedText(footer, Qt::ElideRight, bottom.width()));
     QFont big = font();
     big.setPointSizeF(font().pointSizeF() * 1.55);
     big.setBold(true);
     painter.setFont(big);
-    const bool remarkable = now == Standing::Near || now == Standing::Beyond;
-    painter.setPen(m_old        ? tone(Tone::Quiet, palette())
+    const bool remarkable = now == LimitState::Near || now == LimitState::Exceeded;
+    painter.setPen(m_stale      ? tone(Tone::Quiet, palette())
                    : remarkable ? tone(toneOf(now), palette())
                                 : palette().color(QPalette::WindowText));
     const QRect middle(2, bottom.top() - QFontMetrics(big).height() - 2, width() - 4,
@@ -209,7 +210,7 @@ void Gauge::paintEvent(QPaintEvent*)
     const double top = line + 8;
     const double room = height() - top - line - 6;
     const double radius = std::min(room, width() / 2.0 - 10);
-    if (radius > 10 && m_unmeasured.isEmpty())
+    if (radius > 10 && m_notMeasured.isEmpty())
         paintArcs(painter, {width() / 2.0 - radius, top, 2 * radius, 2 * radius});
     paintTexts(painter);
 }

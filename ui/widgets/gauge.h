@@ -29,12 +29,12 @@ public:
     void setTitle(const QString& title);
     void setScale(const GaugeScale& scale);
     /// `foot`: the line below, the limits in words. `old`: greyed, nothing new has come.
-    void setValue(std::optional<double> value, const QString& foot, bool old);
+    void setValue(std::optional<double> value, const QString& footer, bool stale);
     /// This family or model measures no such thing; `why` is shown instead of a value.
-    void setUnmeasured(const QString& why);
+    void setNotMeasured(const QString& why);
 
-    enum class Standing : std::uint8_t { Unknown, Fine, Near, Beyond };
-    Standing standing() const;
+    enum class LimitState : std::uint8_t { Unknown, Ok, Near, Exceeded };
+    LimitState limitState() const;
     QString valueText() const; ///< "7.4", "—"
 
     QSize sizeHint() const override;
@@ -52,8 +52,8 @@ private:
     QString m_title;
     GaugeScale m_scale;
     std::optional<double> m_value;
-    QString m_foot;
-    QString m_unmeasured;
-    bool m_old = false;
+    QString m_footer;
+    QString m_notMeasured;
+    bool m_stale = false;
 };
 } // namespace ui

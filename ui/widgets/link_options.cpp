@@ -11,9 +11,9 @@
 
 namespace ui {
 namespace {
-constexpr int longestPatienceMs = 2000;
-constexpr int longestSilenceUs = 100'000;
-constexpr int mostRetries = 10;
+constexpr int maxTimeoutMs = 2000;
+constexpr int maxSilenceUs = 100'000;
+constexpr int maxRetries = 10;
 
 QSpinBox* spinBox(QWidget* parent, const char* name, int min, int max, int step)
 {
@@ -28,9 +28,9 @@ QSpinBox* spinBox(QWidget* parent, const char* name, int min, int max, int step)
 LinkOptions::LinkOptions(QWidget* parent)
     : QFrame(parent, Qt::Popup)
     , m_parity(new QComboBox(this))
-    , m_patience(spinBox(this, "patienceBox", 0, longestPatienceMs, 5))
-    , m_silence(spinBox(this, "silenceBox", 0, longestSilenceUs, 250))
-    , m_retries(spinBox(this, "retriesBox", -1, mostRetries, 1))
+    , m_replyTimeout(spinBox(this, "patienceBox", 0, maxTimeoutMs, 5))
+    , m_silence(spinBox(this, "silenceBox", 0, maxSilenceUs, 250))
+    , m_retries(spinBox(this, "retriesBox", -1, maxRetries, 1))
     , m_form(new QFormLayout(this))
 {
     setObjectName(QStringLiteral("linkOptions"));
@@ -40,10 +40,10 @@ LinkOptions::LinkOptions(QWidget* parent)
         m_parity->addItem(QString());
     m_retries->setValue(-1);
     for (QWidget* field :
-         std::initializer_list<QWidget*>{m_parity, m_patience, m_silence, m_retries})
+         std::initializer_list<QWidget*>{m_parity, m_replyTimeout, m_silence, m_retries})
         m_form->addRow(new QLabel(this), field); // an empty string would make no label
     connect(m_parity, &QComboBox::currentIndexChanged, this, &LinkOptions::changed);
-    for (QSpinBox* box : {m_patience, m_silence, m_retries})
+    for (QSpinBox* box : {m_replyTimeout, m_silence, m_retries})
         connect(box, &QSpinBox::valueChanged, this, &LinkOptions::changed);
     retranslate();
 }
@@ -51,13 +51,13 @@ LinkOptions::LinkOptions(QWidget* parent)
 void LinkOptions::apply(session::PortRequest& request) const
 {
     request.parity = session::Parity(m_parity->currentIndex());
-    request.patience.reset();
-    request.silence.reset();
+    request.maxReplyLateness.reset();
+    request.frameSilence.reset();
     request.retries.reset();
-    if (m_patience->value() > 0)
-        request.patience = std::chrono::milliseconds(m_patience->value());
+    if (m_replyTimeout->value() > 0)
+        request.maxReplyLateness = std::chrono::milliseconds(m_replyTimeout->value());
     if (m_silence->value() > 0)
-        request.silence = base::Duration(m_silence->value());
+        request.frameSilence = base::Duration(m_silence->value());
     if (m_retries->value() >= 0)
         request.retries = m_retries->value();
 }
@@ -66,25 +66,28 @@ void LinkOptions::show(const session::PortRequest& request)
 {
     const QSignalBlocker quiet(this);
     m_parity->setCurrentIndex(int(request.parity));
-    m_patience->setValue(int(request.patience.value_or(base::Duration{}).count() / 1000));
-    m_silence->setValue(int(request.silence.value_or(base::Duration{}).count()));
+    m_replyTimeout->setValue(
+        int(request.maxReplyLateness.value_or(base::Duration{}).count() / 1000));
+    m_silence->setValue(int(request.frameSilence.value_or(base::Duration{}).count()));
     m_retries->setValue(request.retries.value_or(-1));
 }
 
-bool LinkOptions::isUsual() const
+bool LinkOptions::isDefault() const
 {
-    return m_parity->currentIndex() == 0 && m_patience->value() == 0 && m_silence->value() == 0 &&
-           m_retries->value() < 0;
+    return m_parity->currentIndex() == 0 && m_replyTimeout->value() == 0 &&
+           m_silence->value() == 0 && m_retries->value() < 0;
 }
 
 void LinkOptions::popUpBelow(const QWidget& button)
 {
     adjustSize();
-    QPoint place = button.mapToGlobal(QPoint(0, button.height()));
+    QPoint position = button.mapToGlobal(QPoint(0, button.height()));
     const QRect screen = button.screen()->availableGeometry();
-    place.setX(qBound(screen.left(), place.x(), qMax(screen.left(), screen.right() - width())));
-    place.setY(qBound(screen.top(), place.y(), qMax(screen.top(), screen.bottom() - height())));
-    move(place);
+    position.setX(
+        qBound(screen.left(), position.x(), qMax(screen.left(), screen.right() - width())));
+    position.setY(
+        qBound(screen.top(), position.y(), qMax(screen.top(), screen.bottom() - height())));
+    move(position);
     QFrame::show();
     m_parity->setFocus();
 }
@@ -102,12 +105,12 @@ void LinkOptions::retranslate()
     m_parity->setItemText(0, tr("none"));
     m_parity->setItemText(1, tr("even"));
     m_parity->setItemText(2, tr("odd"));
-    for (QSpinBox* box : {m_patience, m_silence, m_retries})
+    for (QSpinBox* box : {m_replyTimeout, m_silence, m_retries})
         box->setSpecialValueText(tr("auto"));
-    m_patience->setSuffix(tr(" ms"));
+    m_replyTimeout->setSuffix(tr(" ms"));
     m_silence->setSuffix(tr(" µs"));
     name(m_parity, tr("Parity"), tr("Servos leave the factory without parity"));
-    name(m_patience, tr("Time-out"),
+    name(m_replyTimeout, tr("Time-out"),
          tr("How long to wait for an answer beyond its time on the wire. Auto: as long as this "
             "adapter has shown to need"));
     name(m_silence, tr("Modbus silence"),

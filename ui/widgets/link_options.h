@@ -23,7 +23,7 @@ public:
     /// Fills in parity, patience, silence, retries.
     void apply(session::PortRequest& request) const;
     void show(const session::PortRequest& request);
-    bool isUsual() const; ///< nothing set
+    bool isDefault() const; ///< nothing set
     /// Opens below `button`, inside the screen.
     void popUpBelow(const QWidget& button);
 
@@ -37,9 +37,9 @@ private:
     void retranslate();
 
     QComboBox* m_parity;
-    QSpinBox* m_patience; ///< ms; 0: by itself
-    QSpinBox* m_silence;  ///< µs; 0: the standard's
-    QSpinBox* m_retries;  ///< -1: as the program thinks best
+    QSpinBox* m_replyTimeout; ///< ms; 0: by itself
+    QSpinBox* m_silence;      ///< µs; 0: the standard's
+    QSpinBox* m_retries;      ///< -1: as the program thinks best
     QFormLayout* m_form;
 };
 } // namespace ui

@@ -15,54 +15,54 @@ using namespace std::chrono_literals;
 
 namespace {
 /// By then the list of ports has been renewed: what it shows is there.
-constexpr auto settleTime = 1500ms;
+constexpr auto settleDelay = 1500ms;
 } // namespace
 
-LinkTrouble::LinkTrouble(session::Desk& desk, session::PortWatch& ports, ConnectBar& bar,
-                         Banner& banner, QObject* parent)
+LinkErrorBanner::LinkErrorBanner(session::Desk& desk, session::PortWatcher& ports, ConnectBar& bar,
+                                 Banner& banner, QObject* parent)
     : QObject(parent)
     , m_desk(desk)
     , m_ports(ports)
     , m_bar(bar)
     , m_banner(banner)
     , m_retry(new QAction(this))
-    , m_again(new QAction(this))
+    , m_reconnect(new QAction(this))
 {
     m_retry->setIcon(QIcon::fromTheme(QStringLiteral("view-refresh")));
-    m_again->setIcon(QIcon::fromTheme(QStringLiteral("network-connect")));
+    m_reconnect->setIcon(QIcon::fromTheme(QStringLiteral("network-connect")));
     connect(m_retry, &QAction::triggered, &m_bar, &ConnectBar::connectNow);
-    connect(m_again, &QAction::triggered, this, &LinkTrouble::goOn);
-    connect(&m_desk, &session::Desk::connectFailed, this, &LinkTrouble::failed);
-    connect(&m_desk, &session::Desk::linkChanged, this, &LinkTrouble::linkChanged);
-    connect(&m_ports, &session::PortWatch::portsChanged, this, [this] {
-        lookForAdapter();
-        lookForBraille();
+    connect(m_reconnect, &QAction::triggered, this, &LinkErrorBanner::reconnect);
+    connect(&m_desk, &session::Desk::connectFailed, this, &LinkErrorBanner::connectFailed);
+    connect(&m_desk, &session::Desk::linkChanged, this, &LinkErrorBanner::linkChanged);
+    connect(&m_ports, &session::PortWatcher::portsChanged, this, [this] {
+        detectAdapter();
+        detectBraille();
     });
     connect(&m_banner, &Banner::dismissed, this, [this] {
         m_replug.stop();
-        m_ours = false;
+        m_bannerIsOurs = false;
     });
     m_banner.installEventFilter(this);
     retranslate();
 }
 
-void LinkTrouble::failed(const base::Error& error)
+void LinkErrorBanner::connectFailed(const base::Error& error)
 {
-    m_ours = true;
-    m_banner.present(error, {m_retry});
+    m_bannerIsOurs = true;
+    m_banner.showMessage(error, {m_retry});
 }
 
-void LinkTrouble::linkChanged()
+void LinkErrorBanner::linkChanged()
 {
     switch (m_desk.state()) {
     case LinkState::Opening:
     case LinkState::Open:
         m_replug.stop();
         m_openKey = m_ports.adapterKey(m_desk.lastRequest().name);
-        settled();
+        adapterSettled();
         return;
     case LinkState::Lost:
-        lost();
+        linkLost();
         return;
     case LinkState::Off:
     case LinkState::Closing:
@@ -71,20 +71,20 @@ void LinkTrouble::linkChanged()
 }
 
 /// What was said of the port is of the past.
-void LinkTrouble::settled()
+void LinkErrorBanner::adapterSettled()
 {
-    if (m_ours)
-        m_banner.clear();
-    m_ours = false;
+    if (m_bannerIsOurs)
+        m_banner.hideMessage();
+    m_bannerIsOurs = false;
 }
 
-void LinkTrouble::lost()
+void LinkErrorBanner::linkLost()
 {
     const QString port = m_desk.lastRequest().name;
-    m_ours = true;
-    m_backAt.clear();
+    m_bannerIsOurs = true;
+    m_newPath.clear();
     m_replug.start(m_ports, m_openKey, port);
-    m_banner.present(
+    m_banner.showMessage(
         [port] {
             const text::Description words =
                 text::describe({base::ErrorCode::LinkLost, QStringLiteral("read"), port});
@@ -94,72 +94,72 @@ void LinkTrouble::lost()
                                                  : tr("%1 was unplugged.").arg(port);
             const QString remedy = tr("Plug it in again: then you can go on here. What was being "
                                       "written is in the journal, and is looked at first.");
-            return BannerWords{Tone::Bad, what, words.cause, bridge ? words.remedy : remedy};
+            return BannerText{Tone::Bad, what, words.cause, bridge ? words.remedy : remedy};
         },
         port.startsWith(QLatin1String("tcp:")) ? QList<QAction*>{m_retry} : QList<QAction*>{});
-    QTimer::singleShot(settleTime, this, [this] {
-        m_replug.settle();
-        lookForAdapter();
+    QTimer::singleShot(settleDelay, this, [this] {
+        m_replug.forgetOldPath();
+        detectAdapter();
     });
 }
 
-void LinkTrouble::lookForAdapter()
+void LinkErrorBanner::detectAdapter()
 {
-    const QString back = m_replug.look(m_ports);
-    if (m_desk.state() != LinkState::Lost || back == m_backAt)
+    const QString back = m_replug.detect(m_ports);
+    if (m_desk.state() != LinkState::Lost || back == m_newPath)
         return;
-    m_backAt = back;
+    m_newPath = back;
     if (back.isEmpty()) { // and gone again
-        lost();
+        linkLost();
         return;
     }
-    m_banner.present(
+    m_banner.showMessage(
         [back] {
-            return BannerWords{Tone::Good,
-                               tr("The adapter is back at %1.").arg(back),
-                               {},
-                               tr("Connect again to go on with its servos; nothing is written.")};
+            return BannerText{Tone::Good,
+                              tr("The adapter is back at %1.").arg(back),
+                              {},
+                              tr("Connect again to go on with its servos; nothing is written.")};
         },
-        {m_again});
+        {m_reconnect});
 }
 
-void LinkTrouble::goOn()
+void LinkErrorBanner::reconnect()
 {
     session::PortRequest request = m_desk.lastRequest();
-    if (!m_backAt.isEmpty())
-        request.name = m_backAt;
+    if (!m_newPath.isEmpty())
+        request.name = m_newPath;
     m_bar.setRequest(request);
     m_bar.connectNow();
 }
 
-void LinkTrouble::lookForBraille()
+void LinkErrorBanner::detectBraille()
 {
-    const QStringList taken = m_ports.taken();
-    if (taken == m_brailleTold)
+    const QStringList taken = m_ports.claimedAdapters();
+    if (taken == m_reportedBraille)
         return;
-    m_brailleTold = taken;
+    m_reportedBraille = taken;
     const bool idle = m_desk.state() == LinkState::Off || m_desk.state() == LinkState::Lost;
     if (taken.isEmpty() || !idle)
         return;
-    m_ours = true;
-    m_banner.present([chip = taken.constFirst()] {
+    m_bannerIsOurs = true;
+    m_banner.showMessage([chip = taken.constFirst()] {
         const text::Description words =
             text::describe({base::ErrorCode::PortMissing, QStringLiteral("open"),
                             chip + QStringLiteral(", brltty")});
-        return BannerWords{Tone::Warn, words.what, words.cause, words.remedy};
+        return BannerText{Tone::Warn, words.message, words.cause, words.remedy};
     });
 }
 
-void LinkTrouble::retranslate()
+void LinkErrorBanner::retranslate()
 {
     m_retry->setText(tr("Try again"));
     m_retry->setToolTip(tr("Open the port once more, as the fields above say"));
-    m_again->setText(tr("Connect again"));
-    m_again->setToolTip(tr("Open the port again with the same settings and search it"));
+    m_reconnect->setText(tr("Connect again"));
+    m_reconnect->setToolTip(tr("Open the port again with the same settings and search it"));
 }
 
 /// A plain object hears of a change of language through a widget only.
-bool LinkTrouble::eventFilter(QObject* watched, QEvent* event)
+bool LinkErrorBanner::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         retranslate();

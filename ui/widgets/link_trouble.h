@@ -13,36 +13,36 @@ class QAction;
 namespace ui {
 class ConnectBar;
 
-class LinkTrouble final : public QObject {
+class LinkErrorBanner final : public QObject {
     Q_OBJECT
 
 public:
-    LinkTrouble(session::Desk& desk, session::PortWatch& ports, ConnectBar& bar, Banner& banner,
-                QObject* parent = nullptr);
+    LinkErrorBanner(session::Desk& desk, session::PortWatcher& ports, ConnectBar& bar,
+                    Banner& banner, QObject* parent = nullptr);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void failed(const base::Error& error);
+    void connectFailed(const base::Error& error);
     void linkChanged();
-    void lost();
-    void lookForAdapter();
-    void lookForBraille();
-    void goOn();
-    void settled();
+    void linkLost();
+    void detectAdapter();
+    void detectBraille();
+    void reconnect();
+    void adapterSettled();
     void retranslate();
 
     session::Desk& m_desk;
-    session::PortWatch& m_ports;
+    session::PortWatcher& m_ports;
     ConnectBar& m_bar;
     Banner& m_banner;
     QAction* m_retry;
-    QAction* m_again;
-    session::ReplugWatch m_replug;
-    QString m_openKey;   ///< of the adapter in use, as known while it is there
-    QString m_backAt;    ///< where it is again
-    bool m_ours = false; ///< the banner shows something of ours
-    QStringList m_brailleTold;
+    QAction* m_reconnect;
+    session::ReplugWatcher m_replug;
+    QString m_openKey;           ///< of the adapter in use, as known while it is there
+    QString m_newPath;           ///< where it is again
+    bool m_bannerIsOurs = false; ///< the banner shows something of ours
+    QStringList m_reportedBraille;
 };
 } // namespace ui

@@ -16,9 +16,9 @@ public:
     explicit Pill(QWidget* parent = nullptr, bool filled = false);
 
     /// `brief` where `words` find no room; the tooltip begins with `words` and goes on with `more`.
-    void setState(Tone light, const QString& words, const QString& brief = {},
+    void setState(Tone light, const QString& words, const QString& shortText = {},
                   const QString& more = {});
-    const QString& words() const { return m_words; }
+    const QString& text() const { return m_text; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -30,8 +30,8 @@ private:
     int widthFor(const QString& text) const;
 
     bool m_filled;
-    Tone m_light = Tone::Quiet;
-    QString m_words;
-    QString m_brief;
+    Tone m_tone = Tone::Quiet;
+    QString m_text;
+    QString m_shortText;
 };
 } // namespace ui

@@ -15,7 +15,7 @@ namespace ui {
 namespace {
 const QString otherKey = QStringLiteral("*");
 constexpr int keyRole = Qt::UserRole;
-constexpr int shortestText = 22; ///< characters
+constexpr int minChars = 22; ///< characters
 
 bool isDevice(const QString& port)
 {
@@ -28,17 +28,17 @@ QString shortName(const QString& path)
 }
 } // namespace
 
-PortPicker::PortPicker(session::PortWatch& ports, QWidget* parent)
+PortPicker::PortPicker(session::PortWatcher& ports, QWidget* parent)
     : QComboBox(parent)
     , m_ports(ports)
 {
     setObjectName(QStringLiteral("portPicker"));
     setModel(new QStandardItemModel(this));
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    setMinimumContentsLength(shortestText);
+    setMinimumContentsLength(minChars);
     setMaxVisibleItems(20);
-    connect(&m_ports, &session::PortWatch::portsChanged, this, [this] {
-        follow();
+    connect(&m_ports, &session::PortWatcher::portsChanged, this, [this] {
+        updatePath();
         refresh();
     });
     connect(this, &QComboBox::activated, this, &PortPicker::activatedAt);
@@ -47,20 +47,20 @@ PortPicker::PortPicker(session::PortWatch& ports, QWidget* parent)
 
 void PortPicker::setPort(const QString& port)
 {
-    take(port);
-    m_byUser = true;
+    setCurrent(port);
+    m_selectedByUser = true;
     refresh();
 }
 
 void PortPicker::suggest(const QString& port)
 {
-    if (m_byUser)
+    if (m_selectedByUser)
         return;
-    take(port);
+    setCurrent(port);
     refresh();
 }
 
-void PortPicker::take(const QString& port)
+void PortPicker::setCurrent(const QString& port)
 {
     m_port = port;
     m_key = m_ports.adapterKey(port);
@@ -73,13 +73,13 @@ void PortPicker::take(const QString& port)
 
 bool PortPicker::isMissing() const
 {
-    return m_ports.hasLooked() && isDevice(m_port) && !m_port.isEmpty() &&
+    return m_ports.isReady() && isDevice(m_port) && !m_port.isEmpty() &&
            m_key != m_port && // it was seen as an adapter
            m_ports.find(m_port) == nullptr;
 }
 
 /// The adapter is what was chosen; which path it has is the system's business.
-void PortPicker::follow()
+void PortPicker::updatePath()
 {
     if (m_port.isEmpty() || !isDevice(m_port))
         return;
@@ -89,13 +89,13 @@ void PortPicker::follow()
         m_shownAs = entryFor(*m_ports.find(m_port)).text;
         return;
     }
-    const QString now = m_ports.portOf(m_key);
+    const QString now = m_ports.findAdapter(m_key);
     // One without serial number may be another of its kind, so the user is asked by the list.
     if (now.isEmpty() || now == m_port || !m_key.contains(QLatin1Char('#')))
         return;
     m_port = now;
     m_shownAs = entryFor(*m_ports.find(now)).text;
-    Q_EMIT chosen(m_port);
+    Q_EMIT portSelected(m_port);
 }
 
 PortPicker::Entry PortPicker::entryFor(const session::PortInfo& info) const
@@ -121,7 +121,7 @@ PortPicker::Entry PortPicker::entryFor(const session::PortInfo& info) const
     return {info.path, text, tip.join(QLatin1Char('\n'))};
 }
 
-std::vector<PortPicker::Entry> PortPicker::wanted() const
+std::vector<PortPicker::Entry> PortPicker::entries() const
 {
     std::vector<Entry> entries;
     int lines = 0;
@@ -156,7 +156,7 @@ void PortPicker::refresh()
 {
     const QSignalBlocker quiet(this);
     setPlaceholderText(tr("Choose a port"));
-    sync(wanted());
+    sync(entries());
     setCurrentIndex(m_port.isEmpty() ? -1 : findData(m_port, keyRole));
     setAccessibleName(tr("Port"));
     showTip();
@@ -197,11 +197,11 @@ void PortPicker::activatedAt(int index)
     const QString key = itemData(index, keyRole).toString();
     if (key == otherKey) {
         refresh(); // back to what was chosen, until a name has been typed
-        Q_EMIT otherWanted();
+        Q_EMIT otherPortRequested();
         return;
     }
     setPort(key);
-    Q_EMIT chosen(key);
+    Q_EMIT portSelected(key);
 }
 
 void PortPicker::showTip()

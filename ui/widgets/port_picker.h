@@ -16,14 +16,14 @@ class PortPicker final : public QComboBox {
     Q_OBJECT
 
 public:
-    explicit PortPicker(session::PortWatch& ports, QWidget* parent = nullptr);
+    explicit PortPicker(session::PortWatcher& ports, QWidget* parent = nullptr);
 
     QString port() const { return m_port; } ///< empty: none chosen
     /// A name that is in no list becomes an entry of its own. Emits nothing.
     void setPort(const QString& port);
     /// Chosen by the program because the user has chosen nothing yet; a better one may replace it.
     void suggest(const QString& port);
-    bool chosenByUser() const { return m_byUser; }
+    bool isSelectedByUser() const { return m_selectedByUser; }
     /// Chosen, an adapter, and not plugged in.
     bool isMissing() const;
 
@@ -31,8 +31,8 @@ public:
     void wheelEvent(QWheelEvent* event) override;
 
 Q_SIGNALS:
-    void chosen(const QString& port); ///< by the user, or the adapter is elsewhere now
-    void otherWanted();               ///< the entry for typing a name
+    void portSelected(const QString& port); ///< by the user, or the adapter is elsewhere now
+    void otherPortRequested();              ///< the entry for typing a name
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -44,20 +44,20 @@ private:
         QString tip;
         bool separator = false;
     };
-    std::vector<Entry> wanted() const;
+    std::vector<Entry> entries() const;
     Entry entryFor(const session::PortInfo& info) const;
     void refresh();
     void sync(const std::vector<Entry>& entries);
-    void follow();
-    void take(const QString& port);
+    void updatePath();
+    void setCurrent(const QString& port);
     void activatedAt(int index);
     void showTip();
 
-    session::PortWatch& m_ports;
+    session::PortWatcher& m_ports;
     QString m_port;
     QString m_key;     ///< of the adapter, as known while it was there
     QString m_shownAs; ///< its text while it was there
     QStringList m_typed;
-    bool m_byUser = false;
+    bool m_selectedByUser = false;
 };
 } // namespace ui

@@ -17,8 +17,8 @@ namespace ui {
 namespace {
 constexpr double fullCircle = 360;
 constexpr double pi = 3.14159265358979323846;
-constexpr int tickEvery = 10; ///< degrees
-constexpr int longTickEvery = 30;
+constexpr int tickStep = 10; ///< degrees
+constexpr int longTickInterval = 30;
 constexpr double knob = 7;
 constexpr int wheelStep = 10; ///< raw steps a notch
 constexpr int pageStep = 100;
@@ -36,16 +36,16 @@ PositionDial::PositionDial(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
 }
 
-void PositionDial::show(const DialView& view)
+void PositionDial::show(const DialState& view)
 {
     if (view == m_view)
         return;
     m_view = view;
-    if (!view.goalMovable)
+    if (!view.isGoalMovable)
         m_drag.reset();
-    setCursor(view.goalMovable ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    setCursor(view.isGoalMovable ? Qt::PointingHandCursor : Qt::ArrowCursor);
     setAccessibleDescription(
-        QStringList{view.value, view.below, view.turns}.join(QLatin1Char(' ')));
+        QStringList{view.value, view.subtitle, view.turnsText}.join(QLatin1Char(' ')));
     update();
 }
 
@@ -72,15 +72,15 @@ QRectF PositionDial::face() const
     return {(width() - room) / 2, (height() - room) / 2, room, room};
 }
 
-QPointF PositionDial::placeOf(double raw, double radius) const
+QPointF PositionDial::pointAt(double raw, double radius) const
 {
     const double angle = angleOf(raw) / 180 * pi;
     return face().center() + QPointF(std::sin(angle), -std::cos(angle)) * radius;
 }
 
-void PositionDial::wish(double raw)
+void PositionDial::requestGoal(double raw)
 {
-    if (!m_view.goalMovable)
+    if (!m_view.isGoalMovable)
         return;
     if (m_view.minGoal)
         raw = std::max(raw, double(*m_view.minGoal));
@@ -88,34 +88,34 @@ void PositionDial::wish(double raw)
         raw = std::min(raw, double(*m_view.maxGoal));
     m_drag = raw;
     update();
-    Q_EMIT goalWished(std::llround(raw));
+    Q_EMIT goalRequested(std::llround(raw));
 }
 
 /// A step by wheel or key: the next one counts from here, also before the servo has been read
 /// again.
 void PositionDial::nudgeTo(double raw)
 {
-    wish(raw);
+    requestGoal(raw);
     if (m_drag)
         m_view.goal = m_drag;
     m_drag.reset();
 }
 
 /// The knob follows the pointer by the shorter way, so that it also goes round over several turns.
-void PositionDial::dragTo(const QPointF& place)
+void PositionDial::dragTo(const QPointF& rect)
 {
-    const QPointF from = place - face().center();
+    const QPointF from = rect - face().center();
     if (std::hypot(from.x(), from.y()) < knob)
         return;
     const double pointed = std::atan2(from.x(), -from.y()) / pi * 180;
     const double now = m_drag.value_or(m_view.goal.value_or(m_view.position.value_or(0)));
     const double by = turnedBy(angleOf(now), pointed);
-    wish(now + by / m_view.rangeDegrees * m_view.stepsPerTurn);
+    requestGoal(now + by / m_view.rangeDegrees * m_view.stepsPerTurn);
 }
 
 void PositionDial::mousePressEvent(QMouseEvent* event)
 {
-    if (event->button() != Qt::LeftButton || !m_view.goalMovable)
+    if (event->button() != Qt::LeftButton || !m_view.isGoalMovable)
         return;
     m_drag.reset();
     dragTo(event->position());
@@ -136,7 +136,7 @@ void PositionDial::mouseReleaseEvent(QMouseEvent*)
 /// Only with the focus: a wheel that passes over the page moves nothing.
 void PositionDial::wheelEvent(QWheelEvent* event)
 {
-    if (!hasFocus() || !m_view.goalMovable || !m_view.goal) {
+    if (!hasFocus() || !m_view.isGoalMovable || !m_view.goal) {
         event->ignore();
         return;
     }
@@ -195,7 +195,7 @@ void PositionDial::paintFace(QPainter& painter) const
     painter.setPen(QPen(tone(Tone::Accent, palette()), 1.5));
     for (const auto limit : {*m_view.minGoal, *m_view.maxGoal}) {
         const double radius = round.width() / 2;
-        painter.drawLine(placeOf(double(limit), radius * 0.8), placeOf(double(limit), radius + 5));
+        painter.drawLine(pointAt(double(limit), radius * 0.8), pointAt(double(limit), radius + 5));
     }
 }
 
@@ -203,34 +203,34 @@ void PositionDial::paintTicks(QPainter& painter) const
 {
     const double radius = face().width() / 2;
     painter.setPen(QPen(tone(Tone::Quiet, palette()), 1));
-    for (int degrees = 0; degrees < int(fullCircle); degrees += tickEvery) {
+    for (int degrees = 0; degrees < int(fullCircle); degrees += tickStep) {
         const double angle = degrees / 180.0 * pi;
         const QPointF way(std::sin(angle), -std::cos(angle));
-        const double length = degrees % longTickEvery == 0 ? 11 : 6;
+        const double length = degrees % longTickInterval == 0 ? 11 : 6;
         painter.drawLine(face().center() + way * (radius + 3),
                          face().center() + way * (radius + 3 + length));
     }
 }
 
-void PositionDial::paintHands(QPainter& painter) const
+void PositionDial::paintNeedle(QPainter& painter) const
 {
     const double radius = face().width() / 2;
     if (m_view.position) {
-        const QColor needle = tone(m_view.old ? Tone::Quiet : Tone::Accent, palette());
+        const QColor needle = tone(m_view.isStale ? Tone::Quiet : Tone::Accent, palette());
         painter.setPen(QPen(needle, 4, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(placeOf(*m_view.position, radius * 0.28),
-                         placeOf(*m_view.position, radius * 0.92));
+        painter.drawLine(pointAt(*m_view.position, radius * 0.28),
+                         pointAt(*m_view.position, radius * 0.92));
     }
     const auto goal = m_drag ? m_drag : m_view.goal;
     if (!goal)
         return;
     painter.setPen(QPen(palette().color(QPalette::Base), 2));
     painter.setBrush(tone(Tone::Warn, palette()));
-    painter.drawEllipse(placeOf(*goal, radius), knob, knob);
+    painter.drawEllipse(pointAt(*goal, radius), knob, knob);
     if (hasFocus()) {
         painter.setPen(QPen(palette().color(QPalette::WindowText), 1, Qt::DotLine));
         painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(placeOf(*goal, radius), knob + 4, knob + 4);
+        painter.drawEllipse(pointAt(*goal, radius), knob + 4, knob + 4);
     }
 }
 
@@ -242,20 +242,20 @@ void PositionDial::paintTexts(QPainter& painter) const
     big.setBold(true);
     const int bigLine = QFontMetrics(big).height();
     const double middle = round.center().y() + round.height() * 0.12;
-    painter.setPen(m_view.old ? tone(Tone::Quiet, palette())
-                              : palette().color(QPalette::WindowText));
+    painter.setPen(m_view.isStale ? tone(Tone::Quiet, palette())
+                                  : palette().color(QPalette::WindowText));
     painter.setFont(big);
     painter.drawText(QRectF(round.left(), middle - bigLine / 2.0, round.width(), bigLine),
                      Qt::AlignCenter, m_view.value);
     painter.setPen(tone(Tone::Quiet, palette()));
     double top = middle + bigLine / 2.0;
-    for (const QString& words : {m_view.below, m_view.turns}) {
+    for (const QString& words : {m_view.subtitle, m_view.turnsText}) {
         if (words.isEmpty())
             continue;
         const CircleText fitted = fitIntoCircle(words, font(), round, top);
         painter.setFont(fitted.font);
-        painter.drawText(fitted.place, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, words);
-        top = fitted.place.bottom();
+        painter.drawText(fitted.rect, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, words);
+        top = fitted.rect.bottom();
     }
 }
 
@@ -266,6 +266,6 @@ void PositionDial::paintEvent(QPaintEvent*)
     paintFace(painter);
     paintTicks(painter);
     paintTexts(painter);
-    paintHands(painter);
+    paintNeedle(painter);
 }
 } // namespace ui

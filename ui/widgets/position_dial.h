@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the servo is and where it is to go: needle, goal knob, the allowed sector, turns. Dragging,
-// the wheel (while it has the focus) and the keys ask for a goal by goalWished; the dial itself
+// the wheel (while it has the focus) and the keys ask for a goal by goalRequested; the dial itself
 // sets nothing. Raw values in steps of the position register; clockwise is positive. Owned by its
 // parent; main thread.
 #pragma once
@@ -11,19 +11,19 @@
 #include <optional>
 
 namespace ui {
-struct DialView {
+struct DialState {
     double stepsPerTurn = 4096; ///< of the mechanical turn (resolution factor included)
     double rangeDegrees = 360;  ///< what stepsPerTurn covers: SCS 220, LX 240
     std::optional<double> position{};
     std::optional<double> goal{};
     std::optional<std::int64_t> minGoal{}; ///< none: no limits, the goal turns on
     std::optional<std::int64_t> maxGoal{};
-    bool goalMovable = false;
-    bool old = false; ///< the servo does not answer
-    QString value{};  ///< "187.4°", or why there is none
-    QString below{};  ///< "2132 → 2400"
-    QString turns{};  ///< "+3 turns since connecting"; empty: nothing to say
-    bool operator==(const DialView&) const = default;
+    bool isGoalMovable = false;
+    bool isStale = false; ///< the servo does not answer
+    QString value{};      ///< "187.4°", or why there is none
+    QString subtitle{};   ///< "2132 → 2400"
+    QString turnsText{};  ///< "+3 turns since connecting"; empty: nothing to say
+    bool operator==(const DialState&) const = default;
 };
 
 class PositionDial final : public QWidget {
@@ -32,14 +32,14 @@ class PositionDial final : public QWidget {
 public:
     explicit PositionDial(QWidget* parent = nullptr);
 
-    void show(const DialView& view);
-    const DialView& view() const { return m_view; }
+    void show(const DialState& view);
+    const DialState& view() const { return m_view; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
-    void goalWished(std::int64_t raw);
+    void goalRequested(std::int64_t raw);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -51,17 +51,17 @@ protected:
 
 private:
     double angleOf(double raw) const; ///< degrees clockwise from the top
-    QPointF placeOf(double raw, double radius) const;
+    QPointF pointAt(double raw, double radius) const;
     QRectF face() const;
-    void wish(double raw);
+    void requestGoal(double raw);
     void nudgeTo(double raw);
     void dragTo(const QPointF& place);
     void paintFace(QPainter& painter) const;
     void paintTicks(QPainter& painter) const;
-    void paintHands(QPainter& painter) const;
+    void paintNeedle(QPainter& painter) const;
     void paintTexts(QPainter& painter) const;
 
-    DialView m_view;
+    DialState m_view;
     std::optional<double> m_drag; ///< the goal while it is being dragged
     double m_wheel = 0;           ///< steps of a fine wheel that make no whole one yet
 };

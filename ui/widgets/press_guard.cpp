@@ -26,7 +26,7 @@ PressGuard::PressGuard(QWidget* control)
     , m_movedAt(now())
 {
     watchParents();
-    checkPlace();
+    checkGeometry();
 }
 
 void PressGuard::setClock(const base::Clock* clock)
@@ -50,20 +50,20 @@ void PressGuard::watchParents()
     }
 }
 
-void PressGuard::checkPlace()
+void PressGuard::checkGeometry()
 {
-    const QRect place =
+    const QRect geometry =
         m_control.isVisible() ? QRect(m_control.mapToGlobal(QPoint()), m_control.size()) : QRect();
-    if (place == m_place)
+    if (geometry == m_geometry)
         return;
-    m_place = place;
+    m_geometry = geometry;
     m_movedAt = now();
-    m_dragSpoiled = m_pressed;
+    m_dragCanceled = m_pressed;
 }
 
 bool PressGuard::hasJustMoved() const
 {
-    return now() - m_movedAt < rest;
+    return now() - m_movedAt < guardTime;
 }
 
 bool PressGuard::eventFilter(QObject* watched, QEvent* event)
@@ -71,13 +71,13 @@ bool PressGuard::eventFilter(QObject* watched, QEvent* event)
     switch (event->type()) {
     case QEvent::ParentChange:
         watchParents();
-        checkPlace();
+        checkGeometry();
         return false;
     case QEvent::Move:
     case QEvent::Resize:
     case QEvent::Show:
     case QEvent::Hide:
-        checkPlace();
+        checkGeometry();
         return false;
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
@@ -94,10 +94,10 @@ bool PressGuard::filterMouse(QEvent& event)
 {
     switch (event.type()) {
     case QEvent::MouseMove:
-        return m_dragSpoiled;
+        return m_dragCanceled;
     case QEvent::MouseButtonRelease:
         m_pressed = false;
-        m_dragSpoiled = false;
+        m_dragCanceled = false;
         return false;
     case QEvent::Wheel:
         event.ignore(); // what it stands in may still be scrolled
@@ -115,9 +115,9 @@ bool PressGuard::filterMouse(QEvent& event)
     return true;
 }
 
-void PressGuard::explain(const QPoint& place)
+void PressGuard::explain(const QPoint& geometry)
 {
-    QToolTip::showText(place, tr("Ignored: this control moved just now. Press it again."),
+    QToolTip::showText(geometry, tr("Ignored: this control moved just now. Press it again."),
                        &m_control);
 }
 } // namespace ui

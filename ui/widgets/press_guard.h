@@ -19,7 +19,7 @@ class PressGuard final : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr base::Duration rest = std::chrono::milliseconds(500);
+    static constexpr base::Duration guardTime = std::chrono::milliseconds(500);
 
     explicit PressGuard(QWidget* control);
 
@@ -31,16 +31,16 @@ protected:
 
 private:
     void watchParents();
-    void checkPlace();
+    void checkGeometry();
     bool hasJustMoved() const;
     bool filterMouse(QEvent& event);
-    void explain(const QPoint& place);
+    void explain(const QPoint& geometry);
 
     QWidget& m_control;
     QList<QPointer<QWidget>> m_watched; ///< the control and all it stands in
-    QRect m_place;                      ///< on the screen; null while it is hidden
+    QRect m_geometry;                   ///< on the screen; null while it is hidden
     base::Duration m_movedAt{};
     bool m_pressed = false;
-    bool m_dragSpoiled = false; ///< it moved while it was pressed
+    bool m_dragCanceled = false; ///< it moved while it was pressed
 };
 } // namespace ui

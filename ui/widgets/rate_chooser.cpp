@@ -20,7 +20,7 @@ RateChooser::RateChooser(QWidget* parent)
     setObjectName(QStringLiteral("rateChooser"));
     setFrameShape(QFrame::StyledPanel);
     m_list->setObjectName(QStringLiteral("rateList"));
-    for (const int rate : session::knownRates()) {
+    for (const int rate : session::standardBaudRates()) {
         auto* item = new QListWidgetItem(rateText(rate), m_list);
         item->setData(Qt::UserRole, rate);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
@@ -59,11 +59,13 @@ void RateChooser::setRates(const std::vector<int>& rates)
 void RateChooser::popUpBelow(const QWidget& button)
 {
     adjustSize();
-    QPoint place = button.mapToGlobal(QPoint(0, button.height()));
+    QPoint position = button.mapToGlobal(QPoint(0, button.height()));
     const QRect screen = button.screen()->availableGeometry();
-    place.setX(qBound(screen.left(), place.x(), qMax(screen.left(), screen.right() - width())));
-    place.setY(qBound(screen.top(), place.y(), qMax(screen.top(), screen.bottom() - height())));
-    move(place);
+    position.setX(
+        qBound(screen.left(), position.x(), qMax(screen.left(), screen.right() - width())));
+    position.setY(
+        qBound(screen.top(), position.y(), qMax(screen.top(), screen.bottom() - height())));
+    move(position);
     show();
     m_list->setFocus();
 }

@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 
 namespace {
 constexpr std::array speeds{0.1, 0.5, 1.0, 2.0, 5.0, 20.0, 100.0};
-constexpr int usualSpeed = 2;
+constexpr int defaultSpeed = 2;
 constexpr int sliderSteps = 10000;
 constexpr auto interval = 33ms;
 
@@ -46,7 +46,7 @@ ReplayBar::ReplayBar(QWidget* parent)
     m_speed->setObjectName(QStringLiteral("replaySpeed"));
     for (const double speed : speeds)
         m_speed->addItem(QStringLiteral("× %1").arg(speed));
-    m_speed->setCurrentIndex(usualSpeed);
+    m_speed->setCurrentIndex(defaultSpeed);
     m_label = new QLabel(this);
     m_label->setObjectName(QStringLiteral("replayLabel"));
     row->addWidget(m_play);
@@ -55,10 +55,10 @@ ReplayBar::ReplayBar(QWidget* parent)
     row->addWidget(m_speed);
     m_tick.setInterval(interval);
     connect(&m_tick, &QTimer::timeout, this, &ReplayBar::advance);
-    connect(m_play, &QToolButton::clicked, this, [this] { setPlaying(!playing()); });
+    connect(m_play, &QToolButton::clicked, this, [this] { setPlaying(!isPlaying()); });
     connect(m_slider, &QSlider::valueChanged, this, [this](int value) {
         const auto length = m_span.to - m_span.from;
-        go(m_span.from + Duration(length.count() * value / sliderSteps));
+        seek(m_span.from + Duration(length.count() * value / sliderSteps));
     });
     retranslate();
 }
@@ -68,14 +68,14 @@ void ReplayBar::setRecording(const QString& name, const record::TimeSpan& span)
     setPlaying(false);
     m_name = name;
     m_span = span;
-    go(span.from);
+    seek(span.from);
     retranslate();
 }
 
 void ReplayBar::setPlaying(bool on)
 {
-    if (on && m_place >= m_span.to)
-        go(m_span.from);
+    if (on && m_position >= m_span.to)
+        seek(m_span.from);
     if (on) {
         m_since.start();
         m_tick.start();
@@ -91,34 +91,34 @@ void ReplayBar::advance()
     const auto gone =
         Duration(static_cast<Duration::rep>(double(m_since.nsecsElapsed()) / 1e3 * speed));
     m_since.restart();
-    go(m_place + gone);
-    if (m_place >= m_span.to)
+    seek(m_position + gone);
+    if (m_position >= m_span.to)
         setPlaying(false);
 }
 
-void ReplayBar::go(Duration place)
+void ReplayBar::seek(Duration place)
 {
-    m_place = std::clamp(place, m_span.from, std::max(m_span.from, m_span.to));
-    showPlace();
-    Q_EMIT moved(m_place);
+    m_position = std::clamp(place, m_span.from, std::max(m_span.from, m_span.to));
+    updatePositionLabel();
+    Q_EMIT positionChanged(m_position);
 }
 
-void ReplayBar::showPlace()
+void ReplayBar::updatePositionLabel()
 {
     const auto length = std::max<Duration::rep>((m_span.to - m_span.from).count(), 1);
     const QSignalBlocker quiet(m_slider);
-    m_slider->setValue(int((m_place - m_span.from).count() * sliderSteps / length));
-    m_label->setText(clock(m_place - m_span.from) + QStringLiteral(" / ") +
+    m_slider->setValue(int((m_position - m_span.from).count() * sliderSteps / length));
+    m_label->setText(clock(m_position - m_span.from) + QStringLiteral(" / ") +
                      clock(m_span.to - m_span.from));
 }
 
 void ReplayBar::retranslate()
 {
-    const QString icon =
-        playing() ? QStringLiteral("media-playback-pause") : QStringLiteral("media-playback-start");
+    const QString icon = isPlaying() ? QStringLiteral("media-playback-pause")
+                                     : QStringLiteral("media-playback-start");
     m_play->setIcon(QIcon::fromTheme(icon));
-    m_play->setAccessibleName(playing() ? tr("Pause") : tr("Play"));
-    m_play->setToolTip(playing() ? tr("Stand still") : tr("Play the recording"));
+    m_play->setAccessibleName(isPlaying() ? tr("Pause") : tr("Play"));
+    m_play->setToolTip(isPlaying() ? tr("Stand still") : tr("Play the recording"));
     m_slider->setAccessibleName(tr("Place in the recording"));
     m_slider->setToolTip(m_name.isEmpty() ? tr("Place in the recording") : m_name);
     m_speed->setAccessibleName(tr("Speed"));

@@ -23,24 +23,24 @@ public:
 
     /// A new recording, shown from its beginning, standing still.
     void setRecording(const QString& name, const record::TimeSpan& span);
-    base::Duration place() const { return m_place; }
-    bool playing() const { return m_tick.isActive(); }
+    base::Duration position() const { return m_position; }
+    bool isPlaying() const { return m_tick.isActive(); }
     void setPlaying(bool on);
 
 Q_SIGNALS:
-    void moved(base::Duration place);
+    void positionChanged(base::Duration place);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
     void advance();
-    void go(base::Duration place);
+    void seek(base::Duration place);
     void retranslate();
-    void showPlace();
+    void updatePositionLabel();
 
     record::TimeSpan m_span;
-    base::Duration m_place{};
+    base::Duration m_position{};
     QString m_name;
     QToolButton* m_play = nullptr;
     QSlider* m_slider = nullptr;

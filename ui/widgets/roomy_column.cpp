@@ -6,7 +6,7 @@
 #include <QTableView>
 
 namespace ui {
-RoomyColumn::RoomyColumn(QTableView* table)
+StretchFirstColumn::StretchFirstColumn(QTableView* table)
     : QObject(table)
     , m_table(table)
 {
@@ -16,32 +16,32 @@ RoomyColumn::RoomyColumn(QTableView* table)
     connect(table->horizontalHeader(), &QHeaderView::sectionResized, this,
             [this](int section) { // others have grown or shrunk with their contents
                 if (section != 0)
-                    share();
+                    distribute();
             });
 }
 
-bool RoomyColumn::eventFilter(QObject* watched, QEvent* event)
+bool StretchFirstColumn::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize)
-        share();
+        distribute();
     return QObject::eventFilter(watched, event);
 }
 
-void RoomyColumn::share()
+void StretchFirstColumn::distribute()
 {
     QHeaderView* header = m_table->horizontalHeader();
-    if (m_sharing || header->count() == 0)
+    if (m_distributing || header->count() == 0)
         return;
-    m_sharing = true;
+    m_distributing = true;
     int others = 0;
     for (int column = 1; column < header->count(); ++column)
         others += header->isSectionHidden(column) ? 0 : header->sectionSize(column);
     const QAbstractItemView* view = m_table; // a table's own is not for everybody
-    const int wanted = std::max(view->sizeHintForColumn(0), header->sectionSizeHint(0));
-    const bool room = m_table->viewport()->width() - others >= wanted;
+    const int preferred = std::max(view->sizeHintForColumn(0), header->sectionSizeHint(0));
+    const bool room = m_table->viewport()->width() - others >= preferred;
     const auto mode = room ? QHeaderView::Stretch : QHeaderView::ResizeToContents;
     if (header->sectionResizeMode(0) != mode)
         header->setSectionResizeMode(0, mode);
-    m_sharing = false;
+    m_distributing = false;
 }
 } // namespace ui

@@ -9,20 +9,20 @@
 class QTableView;
 
 namespace ui {
-class RoomyColumn final : public QObject {
+class StretchFirstColumn final : public QObject {
     Q_OBJECT
 
 public:
     /// The other columns fit their contents.
-    explicit RoomyColumn(QTableView* table);
+    explicit StretchFirstColumn(QTableView* table);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void share();
+    void distribute();
 
     QTableView* m_table;
-    bool m_sharing = false;
+    bool m_distributing = false;
 };
 } // namespace ui

@@ -25,32 +25,33 @@ std::optional<double> share(std::optional<double> at, double low, double high)
 }
 } // namespace
 
-CardView cardView(const session::ServoEntry& entry, bool fresh, base::Duration now)
+CardState cardState(const session::ServoEntry& entry, bool fresh, base::Duration now)
 {
     const device::Servo& servo = entry.servo;
     const ServoRow row = servoRow(entry, std::nullopt, now);
-    CardView view;
+    CardState view;
     view.title = QStringLiteral("%1 · %2").arg(servo.id).arg(row.model);
     const bool old = now - entry.lastSeen > session::maxReadingAge;
     view.state = old ? row.alarm + QStringLiteral(" · ") + row.lastSeen : row.alarm;
     view.tone = !fresh && row.alarmTone == Tone::Good ? Tone::Quiet : row.alarmTone;
-    view.old = !fresh;
+    view.isStale = !fresh;
     if (!servo.profile)
         return view;
-    const DialView dial = dialView(entry, fresh);
+    const DialState dial = dialState(entry, fresh);
     const double low = double(dial.minGoal.value_or(0));
     const double high = double(dial.maxGoal.value_or(std::int64_t(dial.stepsPerTurn)));
-    view.place = share(dial.position, low, high);
+    view.position = share(dial.position, low, high);
     view.goal = share(dial.goal, low, high);
     QStringList numbers{dial.value};
-    for (const Measure measure : {Measure::Voltage, Measure::Temperature, Measure::Load}) {
-        const GaugeView gauge = gaugeView(entry, measure);
+    for (const Quantity measure : {Quantity::Voltage, Quantity::Temperature, Quantity::Load}) {
+        const GaugeState gauge = gaugeState(entry, measure);
         if (gauge.value)
             numbers << withUnit(*gauge.value, {}, gauge.scale.decimals) + QLatin1Char(' ') +
                            gauge.scale.unit;
     }
     view.numbers = numbers.join(QStringLiteral(" · "));
-    view.tip = view.title + QStringLiteral(" · ") + view.state + QLatin1Char('\n') + view.numbers;
+    view.toolTip =
+        view.title + QStringLiteral(" · ") + view.state + QLatin1Char('\n') + view.numbers;
     return view;
 }
 
@@ -64,7 +65,7 @@ ServoCard::ServoCard(QWidget* parent)
     setCursor(Qt::PointingHandCursor);
 }
 
-void ServoCard::show(const CardView& view, bool selected)
+void ServoCard::show(const CardState& view, bool selected)
 {
     if (view == m_view && selected == m_selected)
         return;
@@ -72,7 +73,7 @@ void ServoCard::show(const CardView& view, bool selected)
     m_selected = selected;
     setAccessibleName(view.title);
     setAccessibleDescription(view.state + QStringLiteral(", ") + view.numbers);
-    setToolTip(view.tip);
+    setToolTip(view.toolTip);
     update();
 }
 
@@ -119,9 +120,9 @@ void ServoCard::paintEvent(QPaintEvent*)
         painter.drawRect(
             QRectF(bar.left() + *m_view.goal * bar.width() - 1, bar.top() - 3, 2, barHeight + 6));
     }
-    if (m_view.place) {
-        painter.setBrush(tone(m_view.old ? Tone::Quiet : Tone::Accent, palette()));
-        painter.drawEllipse(QPointF(bar.left() + *m_view.place * bar.width(), bar.center().y()),
+    if (m_view.position) {
+        painter.setBrush(tone(m_view.isStale ? Tone::Quiet : Tone::Accent, palette()));
+        painter.drawEllipse(QPointF(bar.left() + *m_view.position * bar.width(), bar.center().y()),
                             4.5, 4.5);
     }
     painter.setPen(tone(Tone::Quiet, palette()));

@@ -9,34 +9,34 @@
 #include <QAbstractButton>
 
 namespace ui {
-struct CardView {
+struct CardState {
     QString title; ///< "1 · STS3215"
     QString state; ///< "fine", "overload", "no answer", "fine · 8 s ago"
     Tone tone = Tone::Quiet;
-    std::optional<double> place{}; ///< 0 … 1 between the limits
+    std::optional<double> position{}; ///< 0 … 1 between the limits
     std::optional<double> goal{};
     QString numbers; ///< "187.4° · 7.4 V · 31 °C"
-    QString tip;
-    bool old = false; ///< what stands here may not be so any more
-    bool operator==(const CardView&) const = default;
+    QString toolTip;
+    bool isStale = false; ///< what stands here may not be so any more
+    bool operator==(const CardState&) const = default;
 };
 /// `fresh`: isFresh() of the same moment.
-CardView cardView(const session::ServoEntry& entry, bool fresh, base::Duration now);
+CardState cardState(const session::ServoEntry& entry, bool fresh, base::Duration now);
 
 class ServoCard final : public QAbstractButton {
     Q_OBJECT
 
 public:
     explicit ServoCard(QWidget* parent = nullptr);
-    void show(const CardView& view, bool selected);
-    const CardView& view() const { return m_view; }
+    void show(const CardState& view, bool selected);
+    const CardState& view() const { return m_view; }
     QSize sizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    CardView m_view;
+    CardState m_view;
     bool m_selected = false;
 };
 } // namespace ui

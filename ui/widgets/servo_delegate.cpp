@@ -34,40 +34,40 @@ public:
         : m_painter(painter)
         , m_palette(palette)
         , m_room(room)
-        , m_grey(grey)
+        , m_gray(grey)
     {}
 
-    QColor colour(Tone shade) const { return tone(m_grey ? Tone::Quiet : shade, m_palette); }
+    QColor color(Tone shade) const { return tone(m_gray ? Tone::Quiet : shade, m_palette); }
     QColor plain() const
     {
-        return m_grey ? tone(Tone::Quiet, m_palette) : m_palette.color(QPalette::Text);
+        return m_gray ? tone(Tone::Quiet, m_palette) : m_palette.color(QPalette::Text);
     }
 
     void font(const QFont& font) { m_painter.setFont(font); }
 
     /// What is left of `room` at the left of it.
-    int right(int y, int height, const QString& text, const QColor& colour, bool light)
+    int right(int y, int height, const QString& text, const QColor& color, bool light)
     {
         const QFontMetrics metrics = m_painter.fontMetrics();
         const int most = m_room.width() / 2;
         const QString shown = metrics.elidedText(text, Qt::ElideRight, most);
         const int width = metrics.horizontalAdvance(shown);
         const int x = m_room.right() - width;
-        m_painter.setPen(colour);
+        m_painter.setPen(color);
         m_painter.drawText(QRect(x, y, width + 1, height), Qt::AlignVCenter | Qt::AlignLeft, shown);
         if (!light)
             return x - gap;
         m_painter.setPen(Qt::NoPen);
-        m_painter.setBrush(colour);
+        m_painter.setBrush(color);
         m_painter.drawEllipse(
             QRectF(x - gap - lightSize, y + (height - lightSize) / 2.0, lightSize, lightSize));
         return x - 2 * gap - lightSize;
     }
 
-    void left(int x, int end, int y, int height, const QString& text, const QColor& colour)
+    void left(int x, int end, int y, int height, const QString& text, const QColor& color)
     {
         const QFontMetrics metrics = m_painter.fontMetrics();
-        m_painter.setPen(colour);
+        m_painter.setPen(color);
         m_painter.drawText(QRect(x, y, end - x, height), Qt::AlignVCenter | Qt::AlignLeft,
                            metrics.elidedText(text, Qt::ElideRight, end - x));
     }
@@ -76,7 +76,7 @@ private:
     QPainter& m_painter;
     const QPalette& m_palette;
     QRect m_room;
-    bool m_grey;
+    bool m_gray;
 };
 } // namespace
 
@@ -87,7 +87,7 @@ void ServoDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     const bool selected = option.state.testFlag(QStyle::State_Selected);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    if (selected) { // a tint, so that the colours of the states keep their meaning
+    if (selected) { // a tint, so that the colors of the states keep their meaning
         QColor tint = option.palette.color(QPalette::Highlight);
         tint.setAlphaF(0.18F);
         painter->fillRect(option.rect, tint);
@@ -98,25 +98,25 @@ void ServoDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
 
     const QRect room = option.rect.adjusted(side, above, -side, -above);
-    Pen pen(*painter, option.palette, room, m_asleep || row.silent);
+    Pen pen(*painter, option.palette, room, m_dimmed || row.isSilent);
     const QFont small = smallFont(option.font);
     const int high = QFontMetrics(option.font).height();
     const int low = QFontMetrics(small).height();
     const int text = room.left() + idWidth(option.font);
     int y = room.top();
     pen.font(option.font);
-    int end = pen.right(y, high, row.alarm, pen.colour(row.alarmTone), true);
+    int end = pen.right(y, high, row.alarm, pen.color(row.alarmTone), true);
     pen.left(room.left(), text, y, high, QString::number(row.id), pen.plain());
     pen.left(text, end, y, high, row.model, pen.plain());
     y += high;
     pen.font(small);
-    end = pen.right(y, low, row.lastSeen, pen.colour(Tone::Quiet), false);
-    pen.left(text, end, y, low, row.details(), pen.colour(Tone::Quiet));
+    end = pen.right(y, low, row.lastSeen, pen.color(Tone::Quiet), false);
+    pen.left(text, end, y, low, row.details(), pen.color(Tone::Quiet));
     for (const ServoRemark& remark : row.remarks) {
         y += low;
         const QString sign =
             remark.tone == Tone::Accent ? QStringLiteral("↑ ") : QStringLiteral("⚠ ");
-        pen.left(text, room.right(), y, low, sign + remark.text, pen.colour(remark.tone));
+        pen.left(text, room.right(), y, low, sign + remark.text, pen.color(remark.tone));
     }
     if (option.state.testFlag(QStyle::State_HasFocus)) {
         QStyleOptionFocusRect focus;

@@ -14,13 +14,13 @@ public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
     /// Everything grey: the port is not open.
-    void setAsleep(bool asleep) { m_asleep = asleep; }
+    void setDimmed(bool asleep) { m_dimmed = asleep; }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
 private:
-    bool m_asleep = false;
+    bool m_dimmed = false;
 };
 } // namespace ui

@@ -7,10 +7,10 @@ namespace ui {
 void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const
 {
     QStyledItemDelegate::initStyleOption(option, index);
-    const QVariant wanted = index.data(toneRole);
-    if (wanted.isValid())
+    const QVariant toneValue = index.data(toneRole);
+    if (toneValue.isValid())
         option->palette.setColor(QPalette::Text,
-                                 tone(static_cast<Tone>(wanted.toInt()), option->palette));
+                                 tone(static_cast<Tone>(toneValue.toInt()), option->palette));
     // Words do not stick to the number at their left.
     if (index.column() > 0 && (option->displayAlignment & Qt::AlignLeft) && !option->text.isEmpty())
         option->text.prepend(QChar(0x2002));

@@ -25,8 +25,8 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
     : QWidget(parent)
     , m_commands(commands)
     , m_title(words(this, "welcomeTitle"))
-    , m_adapterWords(words(this, "welcomeAdapterWords"))
-    , m_simulationWords(words(this, "welcomeSimulationWords"))
+    , m_adapterText(words(this, "welcomeAdapterWords"))
+    , m_simulationText(words(this, "welcomeSimulationWords"))
     , m_adapter(new QPushButton(this))
     , m_simulation(new QPushButton(this))
 {
@@ -41,10 +41,10 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
     column->setSpacing(8);
     column->addWidget(m_title);
     column->addSpacing(12);
-    column->addWidget(m_adapterWords);
+    column->addWidget(m_adapterText);
     column->addWidget(m_adapter, 0, Qt::AlignLeft);
     column->addSpacing(20);
-    column->addWidget(m_simulationWords);
+    column->addWidget(m_simulationText);
     column->addWidget(m_simulation, 0, Qt::AlignLeft);
     auto* room = new QGridLayout(this);
     room->setRowStretch(0, 1);
@@ -58,12 +58,12 @@ Welcome::Welcome(Commands& commands, QWidget* parent)
     connect(m_simulation, &QPushButton::clicked, m_commands.action(Command::UseSimulation),
             &QAction::trigger);
     for (const Command command : {Command::Connect, Command::UseSimulation})
-        connect(m_commands.action(command), &QAction::changed, this, &Welcome::follow);
+        connect(m_commands.action(command), &QAction::changed, this, &Welcome::updateEnabled);
     retranslate();
-    follow();
+    updateEnabled();
 }
 
-void Welcome::follow()
+void Welcome::updateEnabled()
 {
     m_adapter->setEnabled(m_commands.action(Command::Connect)->isEnabled());
     m_simulation->setEnabled(m_commands.action(Command::UseSimulation)->isEnabled());
@@ -72,12 +72,12 @@ void Welcome::follow()
 void Welcome::retranslate()
 {
     m_title->setText(tr("No servos connected yet"));
-    m_adapterWords->setText(
+    m_adapterText->setText(
         tr("Plug the adapter in, switch the servos' supply on, choose the port above. Connecting "
            "and searching write nothing, and nothing moves."));
     m_adapter->setText(tr("Connect the chosen port"));
     m_adapter->setToolTip(tr("Open the port chosen above and search it"));
-    m_simulationWords->setText(
+    m_simulationText->setText(
         tr("No hardware at hand? The simulated bus has servos of several families, with a fault "
            "or two to find."));
     m_simulation->setText(tr("Try it on a simulated bus"));

@@ -22,12 +22,12 @@ protected:
 
 private:
     void retranslate();
-    void follow();
+    void updateEnabled();
 
     Commands& m_commands;
     QLabel* m_title;
-    QLabel* m_adapterWords;
-    QLabel* m_simulationWords;
+    QLabel* m_adapterText;
+    QLabel* m_simulationText;
     QPushButton* m_adapter;
     QPushButton* m_simulation;
 };

@@ -208,7 +208,7 @@ private Q_SLOTS:
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
     }
 
-    void theBuildLinksWhatTheTableSays()
+    void buildLinksMatchTheTable()
     {
         const QString text = contentOf(m_root + QStringLiteral("/src/CMakeLists.txt"));
         const QMap<QString, Linked> linked = parseCMake(text);
@@ -233,7 +233,7 @@ private Q_SLOTS:
     }
 
     // The test of the test: each kind of trespass is noticed.
-    void trespassIsNoticed_data()
+    void violationsAreDetected_data()
     {
         QTest::addColumn<QString>("source");
         QTest::addColumn<int>("complaints");
@@ -248,7 +248,7 @@ private Q_SLOTS:
         QTest::newRow("a room of the window") << QStringLiteral("#include \"ui/app/theme.h\"") << 1;
         QTest::newRow("missing") << QStringLiteral("#include \"base/nothing.h\"") << 1;
     }
-    void trespassIsNoticed()
+    void violationsAreDetected()
     {
         QFETCH(const QString, source);
         QFETCH(const int, complaints);
@@ -257,7 +257,7 @@ private Q_SLOTS:
         QCOMPARE(wrongIncludes(source, protocol, m_layers, exists).size(), complaints);
     }
 
-    void qtModulesAreTold()
+    void qtModulesAreChecked()
     {
         QCOMPARE(modulesOf(QStringLiteral("QString")), QStringList(QStringLiteral("Core")));
         QCOMPARE(modulesOf(QStringLiteral("QWidget")), QStringList(QStringLiteral("Widgets")));

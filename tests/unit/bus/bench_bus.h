@@ -8,7 +8,7 @@
 
 #include "scripted_link.h"
 
-struct Bench {
+struct BusFixture {
     Script script;
     std::unique_ptr<bus::BusCore> core;
 
@@ -16,7 +16,7 @@ struct Bench {
               const protocol::Codec& codec = protocol::feetechCodec())
     {
         for (int id = 1; id <= 3; ++id)
-            script.tables.try_emplace(id, countingTable(id));
+            script.tables.try_emplace(id, sequentialTable(id));
         core = std::make_unique<bus::BusCore>(std::make_unique<ScriptedLink>(script), codec,
                                               script.clock, options);
         script.sent.clear();
@@ -24,21 +24,21 @@ struct Bench {
     }
 
     base::Result<bus::Outcome> transact(protocol::Request request, int retries = -1,
-                                        Duration patience = {}, std::uint64_t hold = 0)
+                                        Duration timeout = {}, std::uint64_t hold = 0)
     {
         bus::Transaction transaction;
         transaction.request = std::move(request);
         transaction.retries = retries;
-        transaction.patience = patience;
+        transaction.timeout = timeout;
         transaction.hold = hold;
         return core->transact(transaction);
     }
 
     /// Time a transaction takes.
-    Duration timed(protocol::Request request, int retries = 0, Duration patience = {})
+    Duration timed(protocol::Request request, int retries = 0, Duration timeout = {})
     {
         const Duration start = script.clock.now();
-        static_cast<void>(transact(std::move(request), retries, patience));
+        static_cast<void>(transact(std::move(request), retries, timeout));
         return script.clock.now() - start;
     }
 
@@ -52,6 +52,6 @@ struct Bench {
 
 inline Bytes tableBytes(int id, int address, int count)
 {
-    const Bytes table = countingTable(id);
+    const Bytes table = sequentialTable(id);
     return Bytes(table.begin() + address, table.begin() + address + count);
 }

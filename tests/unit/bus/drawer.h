@@ -52,54 +52,54 @@ inline protocol::Request lxRead(int command, int count)
     return inLx(protocol::Request::read(1, 8 * command, count));
 }
 
-struct Drawer : Bench {
+struct MultiProtocolFixture : BusFixture {
     Duration modbusSilence{1750};
-    std::vector<Bytes> carriedOut; ///< by the Modbus station
-    int exception = 0;             ///< what it answers instead of carrying out
+    std::vector<Bytes> executedFrames; ///< by the Modbus station
+    int exception = 0;                 ///< what it answers instead of carrying out
     std::map<int, Bytes> lx{{26, {45}}, {27, {0xE8, 0x1C}}, {28, {0xFD, 0xFF}}};
 
-    Drawer() { script.baud = 115'200; }
+    MultiProtocolFixture() { script.baud = 115'200; }
 
-    void openDrawer(const protocol::Codec& codec = protocol::feetechCodec())
+    void openMultiProtocol(const protocol::Codec& codec = protocol::feetechCodec())
     {
         open({}, codec);
-        script.intercept = [this](const Bytes& frame) { return hear(frame); };
+        script.intercept = [this](const Bytes& frame) { return receive(frame); };
     }
 
     /// A broadcast counts once the silence after it was kept.
-    void settle() { endOfModbus(script.clock.now() - m_lineUsedUntil); }
+    void finishBroadcast() { finishModbusBroadcast(script.clock.now() - m_lineBusyUntil); }
 
 private:
-    bool hear(const Bytes& frame)
+    bool receive(const Bytes& frame)
     {
-        const Duration silent = script.clock.now() - m_lineUsedUntil;
-        endOfModbus(silent);
+        const Duration silent = script.clock.now() - m_lineBusyUntil;
+        finishModbusBroadcast(silent);
         const bool feetech = frame[0] == 0xFF;
         if (frame[0] == 0x55)
-            hearLx(frame);
+            receiveLx(frame);
         else if (feetech)
             script.answer(frame);
         else if (silent >= modbusSilence)
-            hearModbus(frame);
-        m_lineUsedUntil = script.wireFree;
+            receiveModbus(frame);
+        m_lineBusyUntil = script.wireFreeAt;
         return true;
     }
 
-    void endOfModbus(Duration silent)
+    void finishModbusBroadcast(Duration silent)
     {
         if (!m_unanswered.empty() && silent >= modbusSilence)
-            carriedOut.push_back(m_unanswered);
+            executedFrames.push_back(m_unanswered);
         m_unanswered.clear();
     }
 
-    void hearLx(const Bytes& frame)
+    void receiveLx(const Bytes& frame)
     {
         const auto parameter = lx.find(frame[4]);
         if (frame[2] == 1 && frame[3] == 3 && parameter != lx.end())
             script.reply(lxFrame(1, frame[4], parameter->second));
     }
 
-    void hearModbus(const Bytes& frame)
+    void receiveModbus(const Bytes& frame)
     {
         if (frame[0] == 0) {
             m_unanswered = frame;
@@ -107,7 +107,7 @@ private:
         }
         if (frame[0] != 1)
             return;
-        carriedOut.push_back(frame);
+        executedFrames.push_back(frame);
         if (exception != 0) {
             script.reply(modbusFrame({1, std::uint8_t(frame[1] | 0x80), std::uint8_t(exception)}));
             return;
@@ -125,5 +125,5 @@ private:
     }
 
     Bytes m_unanswered;
-    Duration m_lineUsedUntil{-10'000};
+    Duration m_lineBusyUntil{-10'000};
 };

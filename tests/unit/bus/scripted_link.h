@@ -53,7 +53,7 @@ public:
         std::deque<std::pair<Duration, Bytes>> arriving; ///< sorted by time
         bool cut = false;
         int refusedBaud = 0;
-        Duration wireFree{};
+        Duration wireFreeAt{};
 
         Duration wire(std::size_t bytes) const
         {
@@ -69,8 +69,9 @@ public:
         /// A servo speaks after whatever is on the wire.
         void reply(const Bytes& frame, Duration extra = {})
         {
-            wireFree = std::max(wireFree, clock.now()) + replyDelay + wire(frame.size()) + extra;
-            deliver(wireFree + latency, frame);
+            wireFreeAt =
+                std::max(wireFreeAt, clock.now()) + replyDelay + wire(frame.size()) + extra;
+            deliver(wireFreeAt + latency, frame);
         }
         void answer(const Bytes& frame);
         std::vector<SentFrame> takeSent() { return std::exchange(sent, {}); }
@@ -86,9 +87,9 @@ public:
             return gone();
         const Bytes frame(bytes.begin(), bytes.end());
         m_script.sent.push_back({m_script.clock.now(), frame});
-        m_script.wireFree = m_script.clock.now() + m_script.wire(frame.size());
+        m_script.wireFreeAt = m_script.clock.now() + m_script.wire(frame.size());
         if (m_script.echo)
-            m_script.deliver(m_script.wireFree + m_script.latency, frame);
+            m_script.deliver(m_script.wireFreeAt + m_script.latency, frame);
         if (!m_script.intercept || !m_script.intercept(frame))
             m_script.answer(frame);
         return {};
@@ -109,7 +110,7 @@ public:
         return count;
     }
 
-    base::Result<bool> waitReadable(Duration span) override
+    base::Result<bool> waitForReadyRead(Duration span) override
     {
         if (m_script.onWait)
             m_script.onWait();
@@ -180,7 +181,7 @@ inline void Script::answer(const Bytes& frame)
 }
 
 /// A table in which each byte is its address plus `seed`.
-inline Bytes countingTable(int seed)
+inline Bytes sequentialTable(int seed)
 {
     Bytes table(256);
     for (std::size_t i = 0; i < table.size(); ++i)

@@ -49,7 +49,7 @@ public:
         return m_source.chunk.size();
     }
 
-    base::Result<bool> waitReadable(Duration span) override
+    base::Result<bool> waitForReadyRead(Duration span) override
     {
         if (m_source.onWait)
             m_source.onWait();
@@ -75,8 +75,8 @@ private:
 
 enum class Kind { Frames, Noise };
 
-struct Flooded {
-    explicit Flooded(Kind kind, int baud = 1'000'000, Duration every = 1ms)
+struct FloodFixture {
+    explicit FloodFixture(Kind kind, int baud = 1'000'000, Duration every = 1ms)
     {
         source.baud = baud;
         source.every = every;
@@ -90,7 +90,7 @@ struct Flooded {
         source.sent.clear();
     }
 
-    base::Result<Outcome> transact(Request request, const base::Stop* stop = nullptr)
+    base::Result<Outcome> transact(Request request, const base::StopToken* stop = nullptr)
     {
         Transaction transaction;
         transaction.request = std::move(request);
@@ -111,7 +111,7 @@ class TestBusFlood : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void amongFramesNothingIsAsked_data()
+    void noRequestsAmongForeignFrames_data()
     {
         QTest::addColumn<int>("baud");
         QTest::addColumn<Duration>("every");
@@ -121,78 +121,78 @@ private Q_SLOTS:
         }
     }
 
-    void amongFramesNothingIsAsked()
+    void noRequestsAmongForeignFrames()
     {
         QFETCH(const int, baud);
         QFETCH(const Duration, every);
-        Flooded bench(Kind::Frames, baud, every);
+        FloodFixture fixture(Kind::Frames, baud, every);
         for (const Request& request : {Request::ping(1), Request::read(1, 56, 2), Request::action(),
                                        Request::write(1, 5, {9}, Repeat::Never)}) {
-            const Duration start = bench.source.clock.now();
-            const auto outcome = bench.transact(request);
+            const Duration start = fixture.source.clock.now();
+            const auto outcome = fixture.transact(request);
             QVERIFY(!outcome);
             QCOMPARE(outcome.error().code, ErrorCode::LineBusy);
-            QVERIFY(bench.source.clock.now() - start < 200ms);
+            QVERIFY(fixture.source.clock.now() - start < 200ms);
         }
-        QVERIFY(bench.source.sent.empty());
+        QVERIFY(fixture.source.sent.empty());
     }
 
-    void whatMakesAServoSafeIsSentAndNotBelieved()
+    void safetyWritesAreSentButNotTrusted()
     {
-        Flooded bench(Kind::Frames);
-        const auto outcome = bench.transact(Request::write(1, 55, {1}, Repeat::Safe));
+        FloodFixture fixture(Kind::Frames);
+        const auto outcome = fixture.transact(Request::write(1, 55, {1}, Repeat::Safe));
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::LineBusy);
-        QCOMPARE(bench.source.sent.size(), std::size_t(3));
-        QCOMPARE(bench.source.sent.front().bytes, frameOf(1, 3, {55, 1}));
+        QCOMPARE(fixture.source.sent.size(), std::size_t(3));
+        QCOMPARE(fixture.source.sent.front().bytes, frameOf(1, 3, {55, 1}));
     }
 
-    void aLineFullOfNoiseIsNotAskedEither()
+    void noRequestsOnANoisyLine()
     {
-        Flooded bench(Kind::Noise);
-        const auto outcome = bench.transact(Request::ping(1));
+        FloodFixture fixture(Kind::Noise);
+        const auto outcome = fixture.transact(Request::ping(1));
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::LineBusy);
         QCOMPARE(outcome.error().attempts, 0);
     }
 
-    void throughNoiseWithRoomItIsAskedAndTheCauseNamed()
+    void requestsAreSentThroughLightNoiseAndTheCauseReported()
     {
-        Flooded bench(Kind::Noise);
-        bench.source.flows = false;
-        QVERIFY(bench.core->listen(3s));
-        bench.source.flows = true;
-        bench.source.chunk = Bytes(8, 0x55);
-        bench.source.every = 400us;
-        bench.source.sent.clear();
-        const auto outcome = bench.transact(Request::ping(1));
+        FloodFixture fixture(Kind::Noise);
+        fixture.source.flows = false;
+        QVERIFY(fixture.core->listen(3s));
+        fixture.source.flows = true;
+        fixture.source.chunk = Bytes(8, 0x55);
+        fixture.source.every = 400us;
+        fixture.source.sent.clear();
+        const auto outcome = fixture.transact(Request::ping(1));
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::LineBusy);
-        QCOMPARE(bench.source.sent.size(), std::size_t(3));
+        QCOMPARE(fixture.source.sent.size(), std::size_t(3));
     }
 
     void aByteEachMillisecondIsNoise()
     {
-        Flooded bench(Kind::Noise);
-        bench.source.chunk = {0x55};
-        QVERIFY(bench.core->listen(400ms));
-        const Duration start = bench.source.clock.now();
-        const auto outcome = bench.transact(Request::ping(1));
+        FloodFixture fixture(Kind::Noise);
+        fixture.source.chunk = {0x55};
+        QVERIFY(fixture.core->listen(400ms));
+        const Duration start = fixture.source.clock.now();
+        const auto outcome = fixture.transact(Request::ping(1));
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::Garbled);
-        QVERIFY(bench.source.clock.now() - start < 400ms);
+        QVERIFY(fixture.source.clock.now() - start < 400ms);
     }
 
-    void whenItEndsAllIsWell()
+    void recoversWhenItEnds()
     {
-        Flooded bench(Kind::Frames);
-        QVERIFY(!bench.transact(Request::ping(1)));
-        bench.source.flows = false;
-        QVERIFY(bench.core->listen(50ms));
-        const auto outcome = bench.transact(Request::ping(1));
+        FloodFixture fixture(Kind::Frames);
+        QVERIFY(!fixture.transact(Request::ping(1)));
+        fixture.source.flows = false;
+        QVERIFY(fixture.core->listen(50ms));
+        const auto outcome = fixture.transact(Request::ping(1));
         QVERIFY(!outcome);
-        QCOMPARE(outcome.error().code, ErrorCode::NoAnswer);
-        QCOMPARE(bench.source.sent.size(), std::size_t(3));
+        QCOMPARE(outcome.error().code, ErrorCode::NoReply);
+        QCOMPARE(fixture.source.sent.size(), std::size_t(3));
     }
 
     void stopEndsEveryWait_data()
@@ -209,20 +209,20 @@ private Q_SLOTS:
     {
         QFETCH(const Kind, kind);
         QFETCH(const int, baud);
-        Flooded bench(kind, baud);
-        base::Stop stop;
+        FloodFixture fixture(kind, baud);
+        base::StopToken stop;
         std::optional<Duration> asked;
-        const Duration from = bench.source.clock.now() + 3ms;
-        bench.source.onWait = [&] {
-            if (!asked && bench.source.clock.now() >= from) {
-                asked = bench.source.clock.now();
+        const Duration from = fixture.source.clock.now() + 3ms;
+        fixture.source.onWait = [&] {
+            if (!asked && fixture.source.clock.now() >= from) {
+                asked = fixture.source.clock.now();
                 stop.request();
             }
         };
-        const auto outcome = bench.transact(Request::read(1, 0, 100), &stop);
+        const auto outcome = fixture.transact(Request::read(1, 0, 100), &stop);
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::Stopped);
-        QVERIFY(asked && bench.source.clock.now() - *asked < 50ms);
+        QVERIFY(asked && fixture.source.clock.now() - *asked < 50ms);
     }
 
     void stopFramesGetThrough_data() { stopEndsEveryWait_data(); }
@@ -230,49 +230,49 @@ private Q_SLOTS:
     {
         QFETCH(const Kind, kind);
         QFETCH(const int, baud);
-        Flooded bench(kind, baud);
+        FloodFixture fixture(kind, baud);
         const Bytes off = frameOf(254, 3, {40, 0});
-        bench.core->setStopFrames({{base::Protocol::Feetech, off}});
-        const Duration start = bench.source.clock.now();
-        bench.core->emergency();
-        QVERIFY(!bench.source.sent.empty());
-        QCOMPARE(bench.source.sent.front().bytes, off);
+        fixture.core->setStopFrames({{base::Protocol::Feetech, off}});
+        const Duration start = fixture.source.clock.now();
+        fixture.core->emergency();
+        QVERIFY(!fixture.source.sent.empty());
+        QCOMPARE(fixture.source.sent.front().bytes, off);
         // The longest frames that may be running at this rate, and a moment.
         const Duration longest = Duration(std::int64_t(512) * 10'000'000 / baud);
-        QVERIFY(bench.source.sent.front().at - start < 60ms + longest);
+        QVERIFY(fixture.source.sent.front().at - start < 60ms + longest);
     }
 
     void theRateCanBeChanged()
     {
-        Flooded bench(Kind::Frames);
-        QVERIFY(bench.core->setBaud(500'000));
-        QCOMPARE(bench.core->baud(), 500'000);
+        FloodFixture fixture(Kind::Frames);
+        QVERIFY(fixture.core->setBaud(500'000));
+        QCOMPARE(fixture.core->baud(), 500'000);
     }
 
-    void whatIsKeptIsBounded()
+    void buffersAreBounded()
     {
-        Flooded bench(Kind::Frames, 1'000'000, 100us);
-        bench.source.chunk.resize(0);
+        FloodFixture fixture(Kind::Frames, 1'000'000, 100us);
+        fixture.source.chunk.resize(0);
         for (int i = 0; i < 2000; ++i) {
             const Bytes frame = frameOf(7, 0, {1, 2, 3});
-            bench.source.chunk.insert(bench.source.chunk.end(), frame.begin(), frame.end());
+            fixture.source.chunk.insert(fixture.source.chunk.end(), frame.begin(), frame.end());
         }
-        QVERIFY(bench.core->listen(500ms));
-        QVERIFY(bench.core->takeStrays().size() <= 1024);
-        QVERIFY(bench.core->takeTrace().size() <= 4096);
+        QVERIFY(fixture.core->listen(500ms));
+        QVERIFY(fixture.core->takeUnexpectedFrames().size() <= 1024);
+        QVERIFY(fixture.core->takeTrace().size() <= 4096);
         // What answers a raw request ends at a size, and at its deadline.
-        const Duration start = bench.source.clock.now();
-        const auto raw = bench.transact(Request::raw(frameOf(1, 1, {})));
+        const Duration start = fixture.source.clock.now();
+        const auto raw = fixture.transact(Request::raw(frameOf(1, 1, {})));
         QVERIFY(raw);
-        QVERIFY(raw->data().size() <= 65'536 + bench.source.chunk.size());
-        QVERIFY(bench.source.clock.now() - start < 200ms);
+        QVERIFY(raw->data().size() <= 65'536 + fixture.source.chunk.size());
+        QVERIFY(fixture.source.clock.now() - start < 200ms);
     }
 
-    void anEchoThatNeverComesKeepsNothing()
+    void aMissingEchoBuffersNothing()
     {
-        Flooded bench(Kind::Noise);
-        bench.source.flows = false;
-        QVERIFY(bench.core->listen(3s));
+        FloodFixture fixture(Kind::Noise);
+        fixture.source.flows = false;
+        QVERIFY(fixture.core->listen(3s));
         // Looks like an echoing adapter while the probe is sent, and never again.
         FloodLink::Source source;
         source.flows = false;
@@ -287,7 +287,7 @@ private Q_SLOTS:
         };
         BusCore core(std::make_unique<FloodLink>(source), protocol::feetechCodec(), source.clock,
                      CoreOptions{});
-        QVERIFY(core.echoes());
+        QVERIFY(core.hasEcho());
         source.onWait = {};
         source.chunk = Bytes(1000, 0x55);
         source.every = 100us;

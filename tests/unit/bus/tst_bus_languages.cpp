@@ -24,9 +24,9 @@ const Bytes modbusOff1 = modbusFrame({1, 6, 0, 129, 0, 0});
 const Bytes feetechOffAll = frameOf(254, 3, {40, 0});
 const Bytes lxOffAll = lxFrame(254, 31, {0});
 
-void pause(Bench& bench, Duration span)
+void pause(BusFixture& fixture, Duration span)
 {
-    bench.core->pauseUntil(bench.script.clock.now() + span, nullptr);
+    fixture.core->pauseUntil(fixture.script.clock.now() + span, nullptr);
 }
 
 int samplesAt(const std::vector<Sample>& samples, int address)
@@ -37,16 +37,16 @@ int samplesAt(const std::vector<Sample>& samples, int address)
 }
 } // namespace
 
-class TestBusLanguages : public QObject {
+class TestBusProtocols : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void eachRequestInItsOwn()
+    void eachRequestInItsProtocol()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         for (int round = 0; round < 3; ++round) {
             const auto feetech = drawer.transact(Request::read(1, 56, 4));
             QVERIFY(feetech);
@@ -67,10 +67,10 @@ private Q_SLOTS:
         QCOMPARE(counters.noiseBytes, std::uint64_t(0));
     }
 
-    void theTraceKnowsTheLanguage()
+    void theTraceHasTheProtocol()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         QVERIFY(drawer.transact(modbusRead(256, 1)));
         QVERIFY(drawer.transact(lxRead(26, 1)));
         QVERIFY(drawer.transact(Request::ping(2)));
@@ -85,10 +85,10 @@ private Q_SLOTS:
                          QStringLiteral("PING 2"), QStringLiteral("STATUS 2")}));
     }
 
-    void whatALanguageLacksIsNotSent()
+    void unsupportedRequestsAreNotSent()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         for (const Request& request :
              {inModbus(Request::action()), inLx(Request::reboot(1)), Request::halt(1)}) {
             const auto outcome = drawer.transact(request);
@@ -105,18 +105,20 @@ private Q_SLOTS:
         QTest::addColumn<int>("baud");
         QTest::addColumn<Duration>("chosen");
         QTest::addColumn<Duration>("silence");
-        const Duration unchosen = -1us;
+        const Duration defaultSilence = -1us;
         const Request feetech = Request::read(1, 56, 4);
         const Request modbus = modbusRead(256, 2);
         const auto row = [](const char* name, const Request& before, int baud, Duration chosen,
                             Duration silence) {
             QTest::newRow(name) << before << baud << chosen << silence;
         };
-        row("after Modbus", modbus, 115'200, unchosen, 1750us);
-        row("after Feetech", feetech, 115'200, unchosen, 1750us);
-        row("after a request nobody answers", inLx(Request::halt(1)), 115'200, unchosen, 1750us);
-        row("after a Modbus broadcast", modbusWrite(129, {0, 0}, 254), 115'200, unchosen, 1750us);
-        row("9600", modbus, 9'600, unchosen, 3646us);
+        row("after Modbus", modbus, 115'200, defaultSilence, 1750us);
+        row("after Feetech", feetech, 115'200, defaultSilence, 1750us);
+        row("after a request nobody answers", inLx(Request::halt(1)), 115'200, defaultSilence,
+            1750us);
+        row("after a Modbus broadcast", modbusWrite(129, {0, 0}, 254), 115'200, defaultSilence,
+            1750us);
+        row("9600", modbus, 9'600, defaultSilence, 3646us);
         row("chosen", modbus, 115'200, 300us, 300us);
         row("none chosen", modbus, 115'200, 0us, 0us);
     }
@@ -127,14 +129,14 @@ private Q_SLOTS:
         QFETCH(const int, baud);
         QFETCH(const Duration, chosen);
         QFETCH(const Duration, silence);
-        Drawer drawer;
+        MultiProtocolFixture drawer;
         drawer.script.baud = baud;
         drawer.modbusSilence = 0us;
-        drawer.openDrawer();
+        drawer.openMultiProtocol();
         if (chosen >= 0us)
             drawer.core->setSilence(chosen);
         QVERIFY(drawer.transact(before));
-        const Duration lineFree = drawer.script.wireFree;
+        const Duration lineFree = drawer.script.wireFreeAt;
         QVERIFY(drawer.transact(modbusRead(256, 2)));
         const Duration silent = drawer.script.sent.at(1).at - lineFree;
         // The wire of the script rounds down, the line up.
@@ -142,7 +144,7 @@ private Q_SLOTS:
                  QByteArray::number(qint64(silent.count())).constData());
     }
 
-    void whatComesIntoTheSilenceIsNoAnswer_data()
+    void bytesDuringSilenceAreNoReply_data()
     {
         QTest::addColumn<int>("baud");
         QTest::addColumn<Duration>("after");
@@ -161,15 +163,15 @@ private Q_SLOTS:
         row("9600", 9'600, 3000us, 0, 4667us);
     }
 
-    void whatComesIntoTheSilenceIsNoAnswer()
+    void bytesDuringSilenceAreNoReply()
     {
         QFETCH(const int, baud);
         QFETCH(const Duration, after);
         QFETCH(const int, broken);
         QFETCH(const Duration, silence);
-        Drawer drawer;
+        MultiProtocolFixture drawer;
         drawer.script.baud = baud;
-        drawer.openDrawer();
+        drawer.openMultiProtocol();
         QVERIFY(drawer.transact(modbusRead(256, 2)));
         const Bytes stale = modbusFrame({1, 3, 4, 0xAA, 0xAA, 0xAA, 0xAA});
         const auto cut = stale.begin() + broken;
@@ -187,10 +189,10 @@ private Q_SLOTS:
         QCOMPARE(drawer.counters(1).noiseBytes, std::uint64_t(0));
     }
 
-    void theSilenceAfterAnotherLanguageIsListenedToAsWell()
+    void listensDuringSilenceAfterAnotherProtocol()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         QVERIFY(drawer.transact(modbusWrite(129, {0, 0}, 254)));
         // Its second part comes 0.1 ms after the silence would have ended.
         const Bytes running = frameOf(2, 0, {1, 2});
@@ -201,10 +203,10 @@ private Q_SLOTS:
         QVERIFY2(drawer.script.sent.back().at >= end, "it spoke into a running reply");
     }
 
-    void aLineThatIsNeverSilentIsSpokenOnAllTheSame()
+    void aNeverSilentLineIsStillUsed()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         QVERIFY(drawer.transact(modbusRead(256, 2)));
         const Duration start = drawer.script.clock.now();
         for (Duration at = 1ms; at < 1s; at += 1ms)
@@ -226,12 +228,12 @@ private Q_SLOTS:
     {
         QFETCH(const bool, emergency);
         QFETCH(const ErrorCode, code);
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.core->setSilence(1s);
         QVERIFY(drawer.transact(Request::ping(1)));
         const Duration start = drawer.script.clock.now();
-        base::Stop stop;
+        base::StopToken stop;
         drawer.script.onWait = [&, done = false]() mutable {
             if (drawer.script.clock.now() < start + 100ms || std::exchange(done, true))
                 return;
@@ -251,32 +253,32 @@ private Q_SLOTS:
         QVERIFY2(drawer.script.sent.size() == 1, "it was not sent");
     }
 
-    void otherLanguagesNeedNone_data()
+    void otherProtocolsNeedNoSilence_data()
     {
         QTest::addColumn<Request>("request");
         QTest::newRow("Feetech") << Request::read(1, 56, 4);
         QTest::newRow("LX") << lxRead(28, 2);
     }
 
-    void otherLanguagesNeedNone()
+    void otherProtocolsNeedNoSilence()
     {
         QFETCH(const Request, request);
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.core->setSilence(5ms);
         QVERIFY(drawer.transact(Request::ping(2)));
-        const Duration lineFree = drawer.script.wireFree;
+        const Duration lineFree = drawer.script.wireFreeAt;
         QVERIFY(drawer.transact(request));
         QCOMPARE(drawer.script.sent.back().at, lineFree);
     }
 
     void aModbusBroadcastIsFollowedBySilence()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         QVERIFY(drawer.transact(modbusWrite(129, {0, 0}, 254)));
         QVERIFY(drawer.transact(Request::ping(1)));
-        QCOMPARE(drawer.carriedOut, (std::vector<Bytes>{modbusOffAll}));
+        QCOMPARE(drawer.executedFrames, (std::vector<Bytes>{modbusOffAll}));
     }
 
     void exceptionsAreRefusals_data()
@@ -293,8 +295,8 @@ private Q_SLOTS:
     {
         QFETCH(const int, exception);
         QFETCH(const QString, detail);
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.exception = exception;
         Request never = modbusWrite(10, {0, 5});
         never.repeat = Repeat::Never;
@@ -314,8 +316,8 @@ private Q_SLOTS:
 
     void aRefusedPollIsASample()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.exception = 2;
         PollPlan plan;
         plan.period = 10ms;
@@ -331,8 +333,8 @@ private Q_SLOTS:
 
     void brokenModbusRepliesAreGarbled()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.script.intercept = [&](const Bytes&) {
             Bytes broken = modbusFrame({1, 3, 2, 0, 1});
             broken.back() ^= 1;
@@ -342,10 +344,10 @@ private Q_SLOTS:
         const auto outcome = drawer.transact(modbusRead(256, 1));
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::Garbled);
-        QCOMPARE(drawer.counters(1).badChecks, std::uint64_t(3));
+        QCOMPARE(drawer.counters(1).badChecksums, std::uint64_t(3));
     }
 
-    void theWrongLanguageIsNoAnswer_data()
+    void anotherProtocolIsNoReply_data()
     {
         QTest::addColumn<Request>("request");
         QTest::addColumn<Bytes>("answer");
@@ -354,12 +356,12 @@ private Q_SLOTS:
         QTest::newRow("LX to Feetech") << Request::read(1, 56, 2) << lxFrame(1, 28, {1, 2});
     }
 
-    void theWrongLanguageIsNoAnswer()
+    void anotherProtocolIsNoReply()
     {
         QFETCH(const Request, request);
         QFETCH(const Bytes, answer);
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.script.intercept = [&](const Bytes&) {
             drawer.script.reply(answer);
             return true;
@@ -371,8 +373,8 @@ private Q_SLOTS:
 
     void slowRowsAreReadEveryNthRound()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         PollPlan plan;
         plan.period = 10ms;
         plan.servos.push_back(
@@ -398,8 +400,8 @@ private Q_SLOTS:
     void slowRowsNeedNoFastOnes()
     {
         QFETCH(const Duration, period);
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         PollPlan plan;
         plan.period = period;
         plan.servos.push_back({1, {{216, 2, 5}, {208, 1, 10}}, false, 0, Protocol::Lx, -1, 128});
@@ -412,8 +414,8 @@ private Q_SLOTS:
 
     void slowRowsAloneAreReadAsFastAsTheWireAllows()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         PollPlan plan;
         plan.servos.push_back({1, {{216, 2, 5}}, false, 0, Protocol::Lx, -1, 128});
         const PollId id = drawer.core->startPoll(plan);
@@ -423,10 +425,10 @@ private Q_SLOTS:
     }
 
     /// LX blocks stand eight places apart whether they are read together or not.
-    void blocksOfLxAreReadAsTheyAre()
+    void lxBlocksAreReadUnchanged()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         PollPlan plan;
         plan.period = 10ms;
         plan.servos.push_back(
@@ -440,10 +442,10 @@ private Q_SLOTS:
         QCOMPARE(drawer.core->takeSamples(id).size(), std::size_t(3));
     }
 
-    void oneIdInTwoLanguages()
+    void oneIdInTwoProtocols()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         PollPlan plan;
         plan.period = 20ms;
         plan.servos.push_back({1, {{56, 4}}, true, 0});
@@ -460,18 +462,18 @@ private Q_SLOTS:
         QCOMPARE(samplesAt(samples, 56), 2);
     }
 
-    void aLateReplyToAnotherCommandIsNotTheAnswer_data()
+    void aLateReplyToAnotherCommandIsNotTheReply_data()
     {
         QTest::addColumn<Duration>("latency");
         QTest::newRow("within the pause") << Duration(16ms);
         QTest::newRow("after the pause") << Duration(45ms);
     }
 
-    void aLateReplyToAnotherCommandIsNotTheAnswer()
+    void aLateReplyToAnotherCommandIsNotTheReply()
     {
         QFETCH(const Duration, latency);
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.script.latency = latency;
         QVERIFY(!drawer.transact(lxRead(27, 2), 0, 5ms));
         const auto position = drawer.transact(lxRead(28, 2), 0, 80ms);
@@ -480,19 +482,19 @@ private Q_SLOTS:
         QCOMPARE(drawer.counters(1).late, std::uint64_t(1));
     }
 
-    void anAcknowledgementOfAnotherWriteIsNotTheAnswer()
+    void anAcknowledgmentOfAnotherWriteIsNotTheReply()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.script.latency = 45ms;
         QVERIFY(!drawer.transact(modbusWrite(133, {0, 0}), 0, 5ms));
         drawer.script.intercept = [](const Bytes&) { return true; };
         const auto lost = drawer.transact(modbusWrite(129, {0, 1}), 0, 80ms);
         QVERIFY(!lost);
-        QCOMPARE(lost.error().code, ErrorCode::NoAnswer);
+        QCOMPARE(lost.error().code, ErrorCode::NoReply);
     }
 
-    void echoesAreFoundOut_data()
+    void echoesAreDetected_data()
     {
         QTest::addColumn<Protocol>("protocol");
         QTest::addColumn<bool>("echo");
@@ -504,14 +506,14 @@ private Q_SLOTS:
         }
     }
 
-    void echoesAreFoundOut()
+    void echoesAreDetected()
     {
         QFETCH(const Protocol, protocol);
         QFETCH(const bool, echo);
-        Drawer drawer;
+        MultiProtocolFixture drawer;
         drawer.script.echo = echo;
-        drawer.openDrawer(protocol::codecFor(protocol));
-        QCOMPARE(drawer.core->echoes(), echo);
+        drawer.openMultiProtocol(protocol::codecFor(protocol));
+        QCOMPARE(drawer.core->hasEcho(), echo);
         QVERIFY(drawer.transact(Request::read(1, 56, 4)));
         QVERIFY(drawer.transact(lxRead(28, 2)));
         QVERIFY(drawer.transact(modbusRead(256, 2)));
@@ -519,15 +521,15 @@ private Q_SLOTS:
         QCOMPARE(drawer.counters(1).foreign, std::uint64_t(0));
     }
 
-    void anEchoIsNoAcknowledgement()
+    void anEchoIsNoAcknowledgment()
     {
-        Drawer drawer;
+        MultiProtocolFixture drawer;
         drawer.script.echo = true;
-        drawer.openDrawer(protocol::modbusCodec());
+        drawer.openMultiProtocol(protocol::modbusCodec());
         drawer.script.intercept = [](const Bytes&) { return true; };
         const auto outcome = drawer.transact(modbusWrite(129, {0, 1}));
         QVERIFY(!outcome);
-        QCOMPARE(outcome.error().code, ErrorCode::NoAnswer);
+        QCOMPARE(outcome.error().code, ErrorCode::NoReply);
     }
 
     void stopFramesLeaveModbusItsSilence_data()
@@ -542,8 +544,8 @@ private Q_SLOTS:
     void stopFramesLeaveModbusItsSilence()
     {
         QFETCH(const Request, before);
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.core->setStopFrames({{Protocol::Modbus, modbusOffAll},
                                     {Protocol::Feetech, feetechOffAll},
                                     {Protocol::Lx, lxOffAll},
@@ -551,25 +553,25 @@ private Q_SLOTS:
                                     {Protocol::Modbus, modbusOff1},
                                     {Protocol::Lx, lxOffAll}});
         QVERIFY(drawer.transact(before));
-        drawer.settle();
-        drawer.carriedOut.clear();
+        drawer.finishBroadcast();
+        drawer.executedFrames.clear();
         const Duration start = drawer.script.clock.now();
         drawer.core->emergency();
-        QCOMPARE(drawer.carriedOut, (std::vector<Bytes>{modbusOffAll, modbusOff1, modbusOff1}));
+        QCOMPARE(drawer.executedFrames, (std::vector<Bytes>{modbusOffAll, modbusOff1, modbusOff1}));
         QVERIFY2(drawer.script.clock.now() - start < 30ms, "stopping does not wait for long");
     }
 
     void aLongSilenceDoesNotDelayStopping()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.core->setSilence(100ms);
         drawer.core->setStopFrames(std::vector<StopFrame>(20, {Protocol::Modbus, modbusOff1}));
         QVERIFY(drawer.transact(modbusRead(256, 2)));
-        drawer.carriedOut.clear();
+        drawer.executedFrames.clear();
         const Duration start = drawer.script.clock.now();
         drawer.core->emergency();
-        QCOMPARE(drawer.carriedOut, std::vector<Bytes>(20, modbusOff1));
+        QCOMPARE(drawer.executedFrames, std::vector<Bytes>(20, modbusOff1));
         // 16 bytes at 115200, the silence and the margin: less than 5 ms each.
         QVERIFY(drawer.script.clock.now() - start <= 100ms);
     }
@@ -577,9 +579,9 @@ private Q_SLOTS:
     void aShorterSilenceMakesStoppingFaster()
     {
         const auto span = [](Duration chosen) {
-            Drawer drawer;
+            MultiProtocolFixture drawer;
             drawer.modbusSilence = 0us;
-            drawer.openDrawer();
+            drawer.openMultiProtocol();
             if (chosen >= 0us)
                 drawer.core->setSilence(chosen);
             drawer.core->setStopFrames(std::vector<StopFrame>(4, {Protocol::Modbus, modbusOff1}));
@@ -591,10 +593,10 @@ private Q_SLOTS:
         QCOMPARE(span(1s), span(-1us));
     }
 
-    void stopFramesAreTracedInTheirOwn()
+    void stopFramesAreTracedInTheirProtocol()
     {
-        Drawer drawer;
-        drawer.openDrawer();
+        MultiProtocolFixture drawer;
+        drawer.openMultiProtocol();
         drawer.core->setStopFrames({{Protocol::Feetech, frameOf(1, 3, {40, 0})},
                                     {Protocol::Modbus, modbusOff1},
                                     {Protocol::Lx, lxOffAll}});
@@ -617,5 +619,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusLanguages)
+QTEST_GUILESS_MAIN(TestBusProtocols)
 #include "tst_bus_languages.moc"

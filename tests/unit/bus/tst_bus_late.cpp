@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 Q_DECLARE_METATYPE(protocol::Request)
 Q_DECLARE_METATYPE(Duration)
 
-class TestBusLate : public QObject {
+class TestLateReplies : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -25,7 +25,7 @@ private Q_SLOTS:
     void slowAdapterNeverGivesTheWrongRegister_data()
     {
         QTest::addColumn<Duration>("latency");
-        QTest::addColumn<Duration>("patience");
+        QTest::addColumn<Duration>("timeout");
         QTest::addColumn<int>("lostEvery");
         QTest::newRow("16 ms, 5 ms patience") << Duration(16ms) << Duration(5ms) << 0;
         QTest::newRow("16 ms, 4 ms patience, losses") << Duration(16ms) << Duration(4ms) << 5;
@@ -39,23 +39,23 @@ private Q_SLOTS:
     void slowAdapterNeverGivesTheWrongRegister()
     {
         QFETCH(const Duration, latency);
-        QFETCH(const Duration, patience);
+        QFETCH(const Duration, timeout);
         QFETCH(const int, lostEvery);
         for (const bool adaptive : {true, false}) {
-            Bench bench;
-            bench.open();
-            bench.script.latency = latency;
-            bench.core->setPatience(patience);
+            BusFixture fixture;
+            fixture.open();
+            fixture.script.latency = latency;
+            fixture.core->setTimeout(timeout);
             int count = 0;
-            bench.script.intercept = [&](const Bytes&) {
+            fixture.script.intercept = [&](const Bytes&) {
                 return lostEvery > 0 && ++count % lostEvery == 0;
             };
             int wrong = 0;
             int right = 0;
             for (int i = 0; i < 400; ++i) {
                 const int address = i % 2 == 0 ? 56 : 62;
-                const auto outcome = bench.transact(Request::read(1, address, 2), 2,
-                                                    adaptive ? Duration{} : patience);
+                const auto outcome = fixture.transact(Request::read(1, address, 2), 2,
+                                                      adaptive ? Duration{} : timeout);
                 if (!outcome)
                     continue;
                 (outcome->data() == tableBytes(1, address, 2) ? right : wrong) += 1;
@@ -66,7 +66,7 @@ private Q_SLOTS:
         }
     }
 
-    void sameServoIsLeftInPeaceAfterATimeOut_data()
+    void noRequestToTheSameServoAfterATimeout_data()
     {
         QTest::addColumn<Request>("next");
         QTest::addColumn<bool>("waits");
@@ -80,72 +80,72 @@ private Q_SLOTS:
         QTest::newRow("sync write without") << Request::syncWrite(42, {{1, {0, 8}}}) << false;
     }
 
-    void sameServoIsLeftInPeaceAfterATimeOut()
+    void noRequestToTheSameServoAfterATimeout()
     {
         QFETCH(const Request, next);
         QFETCH(const bool, waits);
-        for (const Duration patience : {Duration(5ms), Duration(60ms)}) {
-            Bench bench;
-            bench.open();
-            bench.core->setPatience(patience);
-            QVERIFY(!bench.transact(Request::read(9, 56, 2), 0));
-            const Duration timedOut = bench.script.clock.now();
-            static_cast<void>(bench.transact(next, 0));
-            const Duration pause = bench.script.sent.at(1).at - timedOut;
-            QCOMPARE(pause, waits ? std::max<Duration>(20ms, patience) : Duration{});
+        for (const Duration timeout : {Duration(5ms), Duration(60ms)}) {
+            BusFixture fixture;
+            fixture.open();
+            fixture.core->setTimeout(timeout);
+            QVERIFY(!fixture.transact(Request::read(9, 56, 2), 0));
+            const Duration timedOut = fixture.script.clock.now();
+            static_cast<void>(fixture.transact(next, 0));
+            const Duration pause = fixture.script.sent.at(1).at - timedOut;
+            QCOMPARE(pause, waits ? std::max<Duration>(20ms, timeout) : Duration{});
         }
     }
 
-    void lateReplyIsCountedKeptAndLearntFrom()
+    void lateReplyIsCountedKeptAndMeasured()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setReplyDelay(0us);
-        bench.core->setPatience(5ms);
-        bench.script.latency = 16ms;
-        QVERIFY(!bench.transact(Request::ping(1), 0));
-        QVERIFY(bench.core->listen(20ms));
-        QCOMPARE(bench.counters(1).late, std::uint64_t(1));
-        QCOMPARE(bench.counters(1).foreign, std::uint64_t(0));
-        const auto strays = bench.core->takeStrays();
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setReplyDelay(0us);
+        fixture.core->setTimeout(5ms);
+        fixture.script.latency = 16ms;
+        QVERIFY(!fixture.transact(Request::ping(1), 0));
+        QVERIFY(fixture.core->listen(20ms));
+        QCOMPARE(fixture.counters(1).late, std::uint64_t(1));
+        QCOMPARE(fixture.counters(1).foreign, std::uint64_t(0));
+        const auto strays = fixture.core->takeUnexpectedFrames();
         QCOMPARE(strays.size(), std::size_t(1));
         QCOMPARE(strays.front().id, 1);
-        QCOMPARE(bench.core->statistics().patience, Duration(24ms));
-        QVERIFY2(bench.transact(Request::ping(1), 0), "now patient enough");
+        QCOMPARE(fixture.core->statistics().timeout, Duration(24ms));
+        QVERIFY2(fixture.transact(Request::ping(1), 0), "now patient enough");
     }
 
-    void repliesInTimeTeachToo()
+    void repliesInTimeAreMeasuredToo()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setReplyDelay(0us);
-        bench.script.latency = 20ms;
-        QVERIFY(bench.transact(Request::ping(1)));
-        QCOMPARE(bench.core->statistics().patience, Duration(30ms));
-        bench.script.latency = 0ms;
-        QVERIFY(bench.transact(Request::ping(1)));
-        QCOMPARE(bench.core->statistics().patience, Duration(30ms));
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setReplyDelay(0us);
+        fixture.script.latency = 20ms;
+        QVERIFY(fixture.transact(Request::ping(1)));
+        QCOMPARE(fixture.core->statistics().timeout, Duration(30ms));
+        fixture.script.latency = 0ms;
+        QVERIFY(fixture.transact(Request::ping(1)));
+        QCOMPARE(fixture.core->statistics().timeout, Duration(30ms));
     }
 
-    void explicitPatienceStaysAsGiven()
+    void explicitTimeoutIsUnchanged()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setReplyDelay(0us);
-        bench.script.latency = 20ms;
-        QVERIFY(bench.transact(Request::ping(1)));
-        QCOMPARE(bench.timed(Request::ping(9), 0, 4ms), Duration(120us + 4ms));
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setReplyDelay(0us);
+        fixture.script.latency = 20ms;
+        QVERIFY(fixture.transact(Request::ping(1)));
+        QCOMPARE(fixture.timed(Request::ping(9), 0, 4ms), Duration(120us + 4ms));
     }
 
-    void unbelievableLatenessIsNotLearnt()
+    void implausibleLatencyIsIgnored()
     {
-        Bench bench;
-        bench.open();
-        QVERIFY(!bench.transact(Request::ping(9), 0));
-        bench.script.deliver(bench.script.clock.now() + 900ms, frameOf(9, 0, {}));
-        QVERIFY(bench.core->listen(1s));
-        QCOMPARE(bench.counters(9).late, std::uint64_t(1));
-        QCOMPARE(bench.core->statistics().patience, Duration(25ms));
+        BusFixture fixture;
+        fixture.open();
+        QVERIFY(!fixture.transact(Request::ping(9), 0));
+        fixture.script.deliver(fixture.script.clock.now() + 900ms, frameOf(9, 0, {}));
+        QVERIFY(fixture.core->listen(1s));
+        QCOMPARE(fixture.counters(9).late, std::uint64_t(1));
+        QCOMPARE(fixture.core->statistics().timeout, Duration(25ms));
     }
 
     void firstReplyMeasuresTheLink_data()
@@ -159,54 +159,54 @@ private Q_SLOTS:
     void firstReplyMeasuresTheLink()
     {
         QFETCH(const Duration, latency);
-        Bench bench;
-        bench.open();
-        bench.core->setReplyDelay(0us);
-        bench.script.latency = latency;
-        QCOMPARE(bench.core->replyTimeout(), LateGuard::longestLateness);
-        static_cast<void>(bench.transact(Request::read(1, 56, 2), 0));
-        static_cast<void>(bench.transact(Request::ping(1).in(base::Protocol::Modbus), 0));
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setReplyDelay(0us);
+        fixture.script.latency = latency;
+        QCOMPARE(fixture.core->maxReplyLateness(), LateReplyGuard::maxLateness);
+        static_cast<void>(fixture.transact(Request::read(1, 56, 2), 0));
+        static_cast<void>(fixture.transact(Request::ping(1).in(base::Protocol::Modbus), 0));
         for (int i = 0; i < 20; ++i) {
             const int address = i % 2 == 0 ? 56 : 62;
-            const auto outcome = bench.transact(Request::read(1, address, 2));
+            const auto outcome = fixture.transact(Request::read(1, address, 2));
             QVERIFY(outcome);
             QCOMPARE(outcome->data(), tableBytes(1, address, 2));
         }
         // A reply that was lost in the other language may make it look later than it is.
-        const Duration learnt = bench.core->replyTimeout();
+        const Duration learnt = fixture.core->maxReplyLateness();
         QVERIFY(learnt >= std::max<Duration>(25ms, latency * 3 / 2));
-        QVERIFY(learnt <= (latency > 25ms ? LateGuard::longestLateness * 3 / 2 : 30ms));
+        QVERIFY(learnt <= (latency > 25ms ? LateReplyGuard::maxLateness * 3 / 2 : 30ms));
     }
 
-    void silenceOfOthersTeachesNothing()
+    void silenceOfOthersIsNotMeasured()
     {
-        Bench bench;
-        bench.open();
-        QVERIFY(!bench.transact(Request::ping(9)));
-        QCOMPARE(bench.core->replyTimeout(), LateGuard::longestLateness);
-        QVERIFY(bench.transact(Request::ping(1)));
-        QCOMPARE(bench.core->replyTimeout(), Duration(25ms));
-        bench.core->setPatience(200ms);
-        QCOMPARE(bench.core->replyTimeout(), Duration(200ms));
-        bench.core->setPatience(5ms);
-        QCOMPARE(bench.core->replyTimeout(), Duration(25ms));
+        BusFixture fixture;
+        fixture.open();
+        QVERIFY(!fixture.transact(Request::ping(9)));
+        QCOMPARE(fixture.core->maxReplyLateness(), LateReplyGuard::maxLateness);
+        QVERIFY(fixture.transact(Request::ping(1)));
+        QCOMPARE(fixture.core->maxReplyLateness(), Duration(25ms));
+        fixture.core->setTimeout(200ms);
+        QCOMPARE(fixture.core->maxReplyLateness(), Duration(200ms));
+        fixture.core->setTimeout(5ms);
+        QCOMPARE(fixture.core->maxReplyLateness(), Duration(25ms));
     }
 
     void lateRepliesOfAScanNameTheirServo()
     {
-        Bench bench;
-        bench.open();
-        bench.script.latency = 16ms;
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.latency = 16ms;
         int answered = 0;
         for (int id = 0; id <= 20; ++id)
-            answered += bench.transact(Request::ping(id), 0, 4ms) ? 1 : 0;
-        QVERIFY(bench.core->listen(40ms));
+            answered += fixture.transact(Request::ping(id), 0, 4ms) ? 1 : 0;
+        QVERIFY(fixture.core->listen(40ms));
         QCOMPARE(answered, 0);
         std::vector<int> ids;
-        for (const Stray& stray : bench.core->takeStrays())
+        for (const UnexpectedFrame& stray : fixture.core->takeUnexpectedFrames())
             ids.push_back(stray.id);
         QCOMPARE(ids, (std::vector{1, 2, 3}));
-        QCOMPARE(bench.core->statistics().total.late, std::uint64_t(3));
+        QCOMPARE(fixture.core->statistics().total.late, std::uint64_t(3));
     }
 
     void badLineNeverGivesAWrongValue_data()
@@ -222,9 +222,9 @@ private Q_SLOTS:
         QFETCH(const unsigned, seed);
         std::mt19937 random(seed);
         const auto chance = [&](unsigned percent) { return random() % 100 < percent; };
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes& request) {
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes& request) {
             const int id = request[2];
             Bytes reply = frameOf(id, 0, tableBytes(id, request[5], request[6]));
             if (chance(5))
@@ -237,16 +237,16 @@ private Q_SLOTS:
                 Bytes garbage(1 + random() % 12);
                 for (auto& byte : garbage)
                     byte = chance(50) ? 0xFF : std::uint8_t(random());
-                bench.script.reply(garbage);
+                fixture.script.reply(garbage);
             }
-            bench.script.reply(reply, chance(4) ? Duration(30ms) : Duration{});
+            fixture.script.reply(reply, chance(4) ? Duration(30ms) : Duration{});
             return true;
         };
         int right = 0;
         for (int i = 0; i < 2000; ++i) {
             const int id = 1 + int(random() % 3);
             const int address = 40 + int(random() % 30);
-            const auto outcome = bench.transact(Request::read(id, address, 2));
+            const auto outcome = fixture.transact(Request::read(id, address, 2));
             if (!outcome)
                 continue;
             QCOMPARE(outcome->data(), tableBytes(id, address, 2));
@@ -255,18 +255,18 @@ private Q_SLOTS:
         QVERIFY2(right > 1900, QByteArray::number(right).constData());
     }
 
-    void afterRawBytesNobodyIsSpokenToForAWhile()
+    void requestsPauseAfterRawBytes()
     {
-        Bench bench;
-        bench.open();
-        bench.script.latency = 40ms;
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.latency = 40ms;
         // The answer to a raw READ comes after the raw transaction has ended.
-        QVERIFY(bench.transact(Request::raw(frameOf(1, 2, {56, 2}))));
-        const auto outcome = bench.transact(Request::read(1, 62, 2));
+        QVERIFY(fixture.transact(Request::raw(frameOf(1, 2, {56, 2}))));
+        const auto outcome = fixture.transact(Request::read(1, 62, 2));
         QVERIFY(!outcome || outcome->data() == tableBytes(1, 62, 2));
     }
 
-    void echoIsFoundOut_data()
+    void echoIsDetected_data()
     {
         QTest::addColumn<bool>("echo");
         QTest::addColumn<int>("lostFirst");
@@ -287,28 +287,28 @@ private Q_SLOTS:
         QTest::newRow("no echo, noise at first") << false << 0 << true << Duration{};
     }
 
-    void echoIsFoundOut()
+    void echoIsDetected()
     {
         QFETCH(const bool, echo);
         QFETCH(const int, lostFirst);
         QFETCH(const bool, garbleFirst);
         QFETCH(const Duration, latency);
-        Bench bench;
-        bench.script.latency = latency;
-        bench.script.echo = echo && lostFirst == 0 && !garbleFirst;
+        BusFixture fixture;
+        fixture.script.latency = latency;
+        fixture.script.echo = echo && lostFirst == 0 && !garbleFirst;
         int frames = 0;
-        bench.script.intercept = [&](const Bytes& frame) {
+        fixture.script.intercept = [&](const Bytes& frame) {
             if (garbleFirst && frames == 0)
-                bench.script.reply(Bytes(frame.begin(), frame.begin() + 4));
-            bench.script.echo = echo;
+                fixture.script.reply(Bytes(frame.begin(), frame.begin() + 4));
+            fixture.script.echo = echo;
             ++frames;
             return true;
         };
-        bench.open();
-        QCOMPARE(bench.core->echoes(), echo);
+        fixture.open();
+        QCOMPARE(fixture.core->hasEcho(), echo);
     }
 
-    void echoIsNeverAnAnswer_data()
+    void echoIsNeverAReply_data()
     {
         QTest::addColumn<Request>("request");
         QTest::addColumn<bool>("present");
@@ -321,19 +321,19 @@ private Q_SLOTS:
             << Request::write(1, 42, {0, 8}, Repeat::Safe) << true;
     }
 
-    void echoIsNeverAnAnswer()
+    void echoIsNeverAReply()
     {
         QFETCH(const Request, request);
         QFETCH(const bool, present);
         for (const Duration latency : {0ms, 16ms, 40ms, 60ms, 150ms}) {
-            Bench bench;
-            bench.script.echo = true;
-            bench.script.latency = latency;
-            bench.open();
-            QVERIFY(bench.core->echoes());
+            BusFixture fixture;
+            fixture.script.echo = true;
+            fixture.script.latency = latency;
+            fixture.open();
+            QVERIFY(fixture.core->hasEcho());
             if (!present)
-                bench.script.tables.clear();
-            const auto outcome = bench.transact(request, 0);
+                fixture.script.tables.clear();
+            const auto outcome = fixture.transact(request, 0);
             QCOMPARE(outcome.has_value(), present);
             if (present)
                 QCOMPARE(int(outcome->status()), 0);
@@ -344,50 +344,50 @@ private Q_SLOTS:
 
     void echoesOfUnansweredFramesAreDroppedLater()
     {
-        Bench bench;
-        bench.script.echo = true;
-        bench.script.latency = 16ms;
-        bench.open();
+        BusFixture fixture;
+        fixture.script.echo = true;
+        fixture.script.latency = 16ms;
+        fixture.open();
         for (int i = 0; i < 3; ++i)
-            QVERIFY(bench.transact(Request::syncWrite(42, {{1, {0, 8}}})));
-        const auto outcome = bench.transact(Request::read(1, 56, 2), 0);
+            QVERIFY(fixture.transact(Request::syncWrite(42, {{1, {0, 8}}})));
+        const auto outcome = fixture.transact(Request::read(1, 56, 2), 0);
         QVERIFY(outcome);
         QCOMPARE(outcome->data(), tableBytes(1, 56, 2));
-        QCOMPARE(bench.core->statistics().total.foreign, std::uint64_t(0));
+        QCOMPARE(fixture.core->statistics().total.foreign, std::uint64_t(0));
     }
 
     void damagedEchoIsDroppedByItsLength()
     {
-        Bench bench;
-        bench.script.echo = true;
-        bench.open();
-        bench.script.echo = false;
-        bench.script.intercept = [&](const Bytes& frame) {
+        BusFixture fixture;
+        fixture.script.echo = true;
+        fixture.open();
+        fixture.script.echo = false;
+        fixture.script.intercept = [&](const Bytes& frame) {
             Bytes damaged = frame;
             damaged[3] ^= 0x40;
-            bench.script.deliver(bench.script.wireFree, damaged);
+            fixture.script.deliver(fixture.script.wireFreeAt, damaged);
             return false;
         };
-        const auto outcome = bench.transact(Request::read(1, 56, 15), 0);
+        const auto outcome = fixture.transact(Request::read(1, 56, 15), 0);
         QVERIFY(outcome);
         QCOMPARE(outcome->data(), tableBytes(1, 56, 15));
     }
 
     void lateFrameAheadOfAnEchoDoesNotShiftIt()
     {
-        Bench bench;
-        bench.script.echo = true;
-        bench.open();
-        bench.script.tables.erase(1);
+        BusFixture fixture;
+        fixture.script.echo = true;
+        fixture.open();
+        fixture.script.tables.erase(1);
         // Six bytes of another servo come just after the host has begun to send PING 1.
-        bench.script.intercept = [&](const Bytes&) {
-            bench.script.deliver(bench.script.clock.now() + 10us, frameOf(7, 0, {}));
+        fixture.script.intercept = [&](const Bytes&) {
+            fixture.script.deliver(fixture.script.clock.now() + 10us, frameOf(7, 0, {}));
             return true;
         };
-        QVERIFY(!bench.transact(Request::ping(1), 0));
-        QCOMPARE(bench.counters(7).foreign, std::uint64_t(1));
+        QVERIFY(!fixture.transact(Request::ping(1), 0));
+        QCOMPARE(fixture.counters(7).foreign, std::uint64_t(1));
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusLate)
+QTEST_GUILESS_MAIN(TestLateReplies)
 #include "tst_bus_late.moc"

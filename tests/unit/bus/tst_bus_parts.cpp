@@ -80,7 +80,7 @@ private Q_SLOTS:
         QCOMPARE(shown(mergeSpans(spans, 12, 128)), blocks);
     }
 
-    void slowSpansDoNotPartFastOnes()
+    void slowSpansDoNotSplitFastOnes()
     {
         QCOMPARE(shown(mergeSpans({{56, 2, 1}, {58, 2, 5}, {60, 2, 1}, {62, 1, 5}}, 12, 128)),
                  QStringLiteral("56+6 58+5"));
@@ -162,7 +162,7 @@ private Q_SLOTS:
     void percentiles()
     {
         QFETCH(const qint64, step);
-        RoundTrips trips;
+        RoundTripHistogram trips;
         QCOMPARE(trips.percentile(0.5), Duration{});
         for (int i = 1; i <= 100; ++i)
             trips.add(Duration(i * step));
@@ -193,22 +193,22 @@ private Q_SLOTS:
 
     void samplesAreBoundedAndCounted()
     {
-        SampleStore store;
+        PollBuffer store;
         const PollId id = store.open();
-        for (std::size_t i = 0; i < SampleStore::capacity + 5; ++i) {
+        for (std::size_t i = 0; i < PollBuffer::capacity + 5; ++i) {
             Sample sample;
             sample.at = Duration(i);
             store.add(id, sample);
         }
         const auto samples = store.take(id);
-        QCOMPARE(samples.size(), SampleStore::capacity);
+        QCOMPARE(samples.size(), PollBuffer::capacity);
         QCOMPARE(samples.front().at, Duration(5));
         QCOMPARE(store.lost(), std::uint64_t(5));
     }
 
     void samplesOutliveTheirPlanUntilTaken()
     {
-        SampleStore store;
+        PollBuffer store;
         const PollId id = store.open();
         store.add(id, {});
         store.close(id);
@@ -260,7 +260,7 @@ private Q_SLOTS:
         QCOMPARE(table.access(request, 0, otherThread()), Access::Pass);
     }
 
-    void holdsOfOtherThreadsExclude()
+    void holdsExcludeOtherThreads()
     {
         const auto self = std::this_thread::get_id();
         const auto other = otherThread();
@@ -276,14 +276,14 @@ private Q_SLOTS:
         QVERIFY(!table.isHeld(7));
     }
 
-    void speakingToAllMeetsEveryHold_data()
+    void broadcastsRespectEveryHold_data()
     {
         QTest::addColumn<Request>("request");
         QTest::newRow("broadcast") << Request::action();
         QTest::newRow("raw") << Request::raw({0xFF});
     }
 
-    void speakingToAllMeetsEveryHold()
+    void broadcastsRespectEveryHold()
     {
         QFETCH(const Request, request);
         const auto self = std::this_thread::get_id();
@@ -302,7 +302,7 @@ private Q_SLOTS:
         QCOMPARE(table.access(request, 0, self), Access::Refused);
     }
 
-    void everyHoldLearnsOfAnEmergencyOnce()
+    void everyHoldIsNotifiedOfAnEmergencyOnce()
     {
         const auto self = std::this_thread::get_id();
         HoldTable table;

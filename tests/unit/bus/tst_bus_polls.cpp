@@ -13,7 +13,7 @@ using protocol::Request;
 using namespace std::chrono_literals;
 
 namespace {
-PollPlan singles(std::initializer_list<int> ids, Duration period)
+PollPlan singleReadPlan(std::initializer_list<int> ids, Duration period)
 {
     PollPlan plan;
     plan.period = period;
@@ -24,7 +24,7 @@ PollPlan singles(std::initializer_list<int> ids, Duration period)
 
 PollPlan together(std::initializer_list<int> ids, Duration period)
 {
-    PollPlan plan = singles(ids, period);
+    PollPlan plan = singleReadPlan(ids, period);
     for (PollServo& servo : plan.servos)
         servo.syncRead = true;
     return plan;
@@ -46,9 +46,9 @@ std::map<int, int> missesById(const std::vector<Sample>& samples)
     return misses;
 }
 
-void pause(Bench& bench, Duration span)
+void pause(BusFixture& fixture, Duration span)
 {
-    bench.core->pauseUntil(bench.script.clock.now() + span, nullptr);
+    fixture.core->pauseUntil(fixture.script.clock.now() + span, nullptr);
 }
 } // namespace
 
@@ -60,12 +60,12 @@ private Q_SLOTS:
 
     void samplesComeAtThePeriodWithTheirTime()
     {
-        Bench bench;
-        bench.open();
-        const Duration start = bench.script.clock.now();
-        const PollId id = bench.core->startPoll(singles({1}, 10ms));
-        pause(bench, 100ms - 1us);
-        const auto samples = bench.core->takeSamples(id);
+        BusFixture fixture;
+        fixture.open();
+        const Duration start = fixture.script.clock.now();
+        const PollId id = fixture.core->startPoll(singleReadPlan({1}, 10ms));
+        pause(fixture, 100ms - 1us);
+        const auto samples = fixture.core->takeSamples(id);
         QCOMPARE(samples.size(), std::size_t(10));
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const Sample& sample = samples[i];
@@ -75,22 +75,22 @@ private Q_SLOTS:
             QCOMPARE(sample.data, tableBytes(1, 56, 15));
             QCOMPARE(sample.at, start + i * Duration(10ms) + 290us);
         }
-        QVERIFY(bench.core->takeSamples(id).empty());
+        QVERIFY(fixture.core->takeSamples(id).empty());
     }
 
     /// The program is suspended while the servo answers: its value is of then, not of now.
-    void aReplyTakenUpMuchLaterIsOfWhenItWasDue()
+    void aReplyReadLateKeepsItsDueTime()
     {
-        Bench bench;
-        bench.open();
-        const Duration start = bench.script.clock.now();
-        bench.script.onWait = [&bench, stood = false]() mutable {
-            if (!std::exchange(stood, !bench.script.sent.empty()) && stood)
-                bench.script.clock.advance(2s);
+        BusFixture fixture;
+        fixture.open();
+        const Duration start = fixture.script.clock.now();
+        fixture.script.onWait = [&fixture, stood = false]() mutable {
+            if (!std::exchange(stood, !fixture.script.sent.empty()) && stood)
+                fixture.script.clock.advance(2s);
         };
-        const PollId id = bench.core->startPoll(singles({1}, 10ms));
-        pause(bench, 2s + 5ms);
-        const auto samples = bench.core->takeSamples(id);
+        const PollId id = fixture.core->startPoll(singleReadPlan({1}, 10ms));
+        pause(fixture, 2s + 5ms);
+        const auto samples = fixture.core->takeSamples(id);
         QVERIFY(samples.size() >= 2);
         QVERIFY(samples[0].answered && samples[1].answered);
         QVERIFY(samples[0].at < start + 2ms);
@@ -99,24 +99,24 @@ private Q_SLOTS:
 
     void periodZeroFillsTheWire()
     {
-        Bench bench;
-        bench.open();
-        const PollId id = bench.core->startPoll(singles({1}, 0us));
-        pause(bench, 29ms);
-        QCOMPARE(bench.core->takeSamples(id).size(), std::size_t(100));
+        BusFixture fixture;
+        fixture.open();
+        const PollId id = fixture.core->startPoll(singleReadPlan({1}, 0us));
+        pause(fixture, 29ms);
+        QCOMPARE(fixture.core->takeSamples(id).size(), std::size_t(100));
     }
 
     void nearbySpansAreOneRead()
     {
-        Bench bench;
-        bench.open();
+        BusFixture fixture;
+        fixture.open();
         PollPlan plan;
         plan.period = 10ms;
         plan.servos.push_back({1, {{60, 2}, {56, 2}, {100, 3}}, false, 0});
-        const PollId id = bench.core->startPoll(plan);
-        pause(bench, 5ms);
-        QCOMPARE(bench.script.sent.size(), std::size_t(2));
-        const auto samples = bench.core->takeSamples(id);
+        const PollId id = fixture.core->startPoll(plan);
+        pause(fixture, 5ms);
+        QCOMPARE(fixture.script.sent.size(), std::size_t(2));
+        const auto samples = fixture.core->takeSamples(id);
         QCOMPARE(samples.size(), std::size_t(2));
         QCOMPARE(samples[0].address, 56);
         QCOMPARE(samples[0].data, tableBytes(1, 56, 6));
@@ -125,96 +125,96 @@ private Q_SLOTS:
 
     void servosShareSyncReads()
     {
-        Bench bench;
-        bench.open();
-        const PollId id = bench.core->startPoll(together({1, 2, 3}, 10ms));
-        pause(bench, 25ms);
-        QCOMPARE(bench.script.sent.size(), std::size_t(3));
-        for (const SentFrame& frame : bench.script.sent)
+        BusFixture fixture;
+        fixture.open();
+        const PollId id = fixture.core->startPoll(together({1, 2, 3}, 10ms));
+        pause(fixture, 25ms);
+        QCOMPARE(fixture.script.sent.size(), std::size_t(3));
+        for (const SentFrame& frame : fixture.script.sent)
             QCOMPARE(frame.instruction(), 0x82);
-        QCOMPARE(answersById(bench.core->takeSamples(id)),
+        QCOMPARE(answersById(fixture.core->takeSamples(id)),
                  (std::map<int, int>{{1, 3}, {2, 3}, {3, 3}}));
     }
 
     void oneServoNeedsNoSyncRead()
     {
-        Bench bench;
-        bench.open();
-        bench.core->startPoll(together({2}, 10ms));
-        pause(bench, 5ms);
-        QCOMPARE(bench.script.sent.front().instruction(), 0x02);
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->startPoll(together({2}, 10ms));
+        pause(fixture, 5ms);
+        QCOMPARE(fixture.script.sent.front().instruction(), 0x02);
     }
 
     void severalPlansRunSideBySide()
     {
-        Bench bench;
-        bench.open();
-        const PollId fast = bench.core->startPoll(singles({1}, 0us));
-        const PollId slow = bench.core->startPoll(singles({2}, 50ms));
-        const PollId greedy = bench.core->startPoll(singles({3}, 0us));
-        pause(bench, 500ms);
-        QVERIFY(bench.core->takeSamples(fast).size() > 800);
-        QVERIFY(bench.core->takeSamples(greedy).size() > 800);
-        QCOMPARE(bench.core->takeSamples(slow).size(), std::size_t(10));
+        BusFixture fixture;
+        fixture.open();
+        const PollId fast = fixture.core->startPoll(singleReadPlan({1}, 0us));
+        const PollId slow = fixture.core->startPoll(singleReadPlan({2}, 50ms));
+        const PollId fastPoll = fixture.core->startPoll(singleReadPlan({3}, 0us));
+        pause(fixture, 500ms);
+        QVERIFY(fixture.core->takeSamples(fast).size() > 800);
+        QVERIFY(fixture.core->takeSamples(fastPoll).size() > 800);
+        QCOMPARE(fixture.core->takeSamples(slow).size(), std::size_t(10));
     }
 
     void stoppedPollsStop()
     {
-        Bench bench;
-        bench.open();
-        const PollId id = bench.core->startPoll(singles({1}, 10ms));
-        pause(bench, 15ms);
-        bench.core->stopPoll(id);
-        QCOMPARE(bench.core->takeSamples(id).size(), std::size_t(2));
-        bench.script.sent.clear();
-        pause(bench, 100ms);
-        QVERIFY(bench.script.sent.empty());
-        QVERIFY(bench.core->takeSamples(id).empty());
+        BusFixture fixture;
+        fixture.open();
+        const PollId id = fixture.core->startPoll(singleReadPlan({1}, 10ms));
+        pause(fixture, 15ms);
+        fixture.core->stopPoll(id);
+        QCOMPARE(fixture.core->takeSamples(id).size(), std::size_t(2));
+        fixture.script.sent.clear();
+        pause(fixture, 100ms);
+        QVERIFY(fixture.script.sent.empty());
+        QVERIFY(fixture.core->takeSamples(id).empty());
     }
 
-    void anUnansweredPollIsASampleAndNotRepeated()
+    void anUnansweredPollIsASampleAndNotRetried()
     {
-        Bench bench;
-        bench.open();
-        const PollId id = bench.core->startPoll(singles({9}, 200ms));
-        pause(bench, 150ms);
-        QCOMPARE(bench.script.sent.size(), std::size_t(1));
-        const auto samples = bench.core->takeSamples(id);
+        BusFixture fixture;
+        fixture.open();
+        const PollId id = fixture.core->startPoll(singleReadPlan({9}, 200ms));
+        pause(fixture, 150ms);
+        QCOMPARE(fixture.script.sent.size(), std::size_t(1));
+        const auto samples = fixture.core->takeSamples(id);
         QCOMPARE(samples.size(), std::size_t(1));
         QVERIFY(!samples.front().answered);
         QVERIFY(samples.front().data.empty());
-        QCOMPARE(samples.front().error, ErrorCode::NoAnswer);
-        QCOMPARE(bench.counters(9).retried, std::uint64_t(0));
+        QCOMPARE(samples.front().error, ErrorCode::NoReply);
+        QCOMPARE(fixture.counters(9).retried, std::uint64_t(0));
     }
 
-    void aBrokenPollSaysSo()
+    void aGarbledPollIsReported()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes&) {
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes&) {
             Bytes broken = frameOf(1, 0, Bytes(15));
             broken.back() ^= 1;
-            bench.script.reply(broken);
+            fixture.script.reply(broken);
             return true;
         };
-        const PollId id = bench.core->startPoll(singles({1}, 1s));
-        pause(bench, 100ms);
-        QCOMPARE(bench.core->takeSamples(id).front().error, ErrorCode::Garbled);
+        const PollId id = fixture.core->startPoll(singleReadPlan({1}, 1s));
+        pause(fixture, 100ms);
+        QCOMPARE(fixture.core->takeSamples(id).front().error, ErrorCode::Garbled);
     }
 
-    void anImpossiblePlanIsAnswered()
+    void anImpossiblePlanIsRefused()
     {
-        Bench bench;
-        bench.open();
+        BusFixture fixture;
+        fixture.open();
         PollPlan plan;
         plan.servos.push_back({1, {{250, 20}}, false, 0});
         plan.period = 10ms;
-        const PollId id = bench.core->startPoll(plan);
-        pause(bench, 15ms);
-        const auto samples = bench.core->takeSamples(id);
+        const PollId id = fixture.core->startPoll(plan);
+        pause(fixture, 15ms);
+        const auto samples = fixture.core->takeSamples(id);
         QVERIFY(!samples.empty());
         QCOMPARE(samples.front().error, ErrorCode::BadArgument);
-        QVERIFY(bench.script.sent.empty());
+        QVERIFY(fixture.script.sent.empty());
     }
 
     void anAbsentServoDoesNotSlowTheOthersDown_data()
@@ -227,12 +227,12 @@ private Q_SLOTS:
     void anAbsentServoDoesNotSlowTheOthersDown()
     {
         QFETCH(const bool, sync);
-        Bench bench;
-        bench.open();
-        const PollId id =
-            bench.core->startPoll(sync ? together({1, 9, 2}, 0us) : singles({1, 9, 2}, 0us));
-        pause(bench, 10s);
-        const auto samples = bench.core->takeSamples(id);
+        BusFixture fixture;
+        fixture.open();
+        const PollId id = fixture.core->startPoll(sync ? together({1, 9, 2}, 0us)
+                                                       : singleReadPlan({1, 9, 2}, 0us));
+        pause(fixture, 10s);
+        const auto samples = fixture.core->takeSamples(id);
         const auto answers = answersById(samples);
         // Undisturbed, each of the two would be read about 17000 (20000 by sync read) times.
         QVERIFY2(answers.at(1) > 13000, QByteArray::number(answers.at(1)).constData());
@@ -244,113 +244,113 @@ private Q_SLOTS:
 
     void aServoThatComesBackIsPolledAgain()
     {
-        Bench bench;
-        bench.open();
-        const PollId id = bench.core->startPoll(together({1, 2, 3}, 10ms));
-        const Bytes table = bench.script.tables.at(2);
-        pause(bench, 100ms);
-        bench.script.tables.erase(2);
-        pause(bench, 5s);
-        bench.script.tables[2] = table;
-        pause(bench, 2s);
-        bench.core->takeSamples(id);
-        bench.script.sent.clear();
-        pause(bench, 100ms);
-        QCOMPARE(answersById(bench.core->takeSamples(id)).at(2), 10);
-        for (const SentFrame& frame : bench.script.sent)
+        BusFixture fixture;
+        fixture.open();
+        const PollId id = fixture.core->startPoll(together({1, 2, 3}, 10ms));
+        const Bytes table = fixture.script.tables.at(2);
+        pause(fixture, 100ms);
+        fixture.script.tables.erase(2);
+        pause(fixture, 5s);
+        fixture.script.tables[2] = table;
+        pause(fixture, 2s);
+        fixture.core->takeSamples(id);
+        fixture.script.sent.clear();
+        pause(fixture, 100ms);
+        QCOMPARE(answersById(fixture.core->takeSamples(id)).at(2), 10);
+        for (const SentFrame& frame : fixture.script.sent)
             QCOMPARE(frame.instruction(), 0x82);
     }
 
     void aServoWithoutSyncReadIsReadSingly()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes& frame) {
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes& frame) {
             if (frame[4] != 0x82)
                 return false;
             Bytes others = frame; // servo 3 does not know SYNC READ
             others.erase(std::remove(others.begin() + 7, others.end() - 1, 3), others.end() - 1);
-            bench.script.answer(others);
+            fixture.script.answer(others);
             return true;
         };
-        const PollId id = bench.core->startPoll(together({1, 2, 3}, 10ms));
-        pause(bench, 1s);
-        bench.core->takeSamples(id);
-        bench.script.sent.clear();
-        pause(bench, 100ms);
-        const auto samples = bench.core->takeSamples(id);
+        const PollId id = fixture.core->startPoll(together({1, 2, 3}, 10ms));
+        pause(fixture, 1s);
+        fixture.core->takeSamples(id);
+        fixture.script.sent.clear();
+        pause(fixture, 100ms);
+        const auto samples = fixture.core->takeSamples(id);
         QCOMPARE(answersById(samples), (std::map<int, int>{{1, 10}, {2, 10}, {3, 10}}));
         QCOMPARE(missesById(samples).at(3), 0);
         std::set<int> instructions;
-        for (const SentFrame& frame : bench.script.sent)
+        for (const SentFrame& frame : fixture.script.sent)
             instructions.insert(frame.instruction());
         QCOMPARE(instructions, (std::set<int>{0x02, 0x82}));
     }
 
     void heldServosAreSkippedWithoutError()
     {
-        Bench bench;
-        bench.open();
-        const PollId id = bench.core->startPoll(together({1, 2, 3}, 10ms));
+        BusFixture fixture;
+        fixture.open();
+        const PollId id = fixture.core->startPoll(together({1, 2, 3}, 10ms));
         {
-            const Hold hold = bench.core->hold({2});
-            pause(bench, 100ms);
-            const auto samples = bench.core->takeSamples(id);
+            const Hold hold = fixture.core->hold({2});
+            pause(fixture, 100ms);
+            const auto samples = fixture.core->takeSamples(id);
             QCOMPARE(answersById(samples), (std::map<int, int>{{1, 10}, {3, 10}}));
-            QCOMPARE(bench.counters(2).sent, std::uint64_t(0));
+            QCOMPARE(fixture.counters(2).sent, std::uint64_t(0));
         }
-        pause(bench, 50ms);
-        QVERIFY(answersById(bench.core->takeSamples(id)).at(2) >= 4);
+        pause(fixture, 50ms);
+        QVERIFY(answersById(fixture.core->takeSamples(id)).at(2) >= 4);
     }
 
     void holdingAllStopsPolling()
     {
-        Bench bench;
-        bench.open();
-        bench.core->startPoll(singles({1}, 0us));
-        const Hold hold = bench.core->hold({});
-        pause(bench, 100ms);
-        QVERIFY(bench.script.sent.empty());
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->startPoll(singleReadPlan({1}, 0us));
+        const Hold hold = fixture.core->hold({});
+        pause(fixture, 100ms);
+        QVERIFY(fixture.script.sent.empty());
     }
 
-    void pollsKeepAShareWhileAJobIsBusy()
+    void pollsKeepAShareDuringAJob()
     {
-        Bench bench;
-        bench.open();
-        const PollId id = bench.core->startPoll(singles({2}, 0us));
-        const Duration end = bench.script.clock.now() + 1s;
+        BusFixture fixture;
+        fixture.open();
+        const PollId id = fixture.core->startPoll(singleReadPlan({2}, 0us));
+        const Duration end = fixture.script.clock.now() + 1s;
         int transactions = 0;
-        while (bench.script.clock.now() < end) {
-            QVERIFY(bench.transact(Request::read(1, 56, 15)));
+        while (fixture.script.clock.now() < end) {
+            QVERIFY(fixture.transact(Request::read(1, 56, 15)));
             ++transactions;
         }
-        const auto polled = bench.core->takeSamples(id).size();
+        const auto polled = fixture.core->takeSamples(id).size();
         QVERIFY2(polled >= 40 && polled <= 55, QByteArray::number(int(polled)).constData());
         QVERIFY2(transactions > 3000, "the job keeps almost all of the wire");
     }
 
     void pollsRunWhileAJobWaitsForALateReply()
     {
-        Bench bench;
-        bench.open();
-        QVERIFY(!bench.transact(Request::ping(9), 0));
-        const PollId id = bench.core->startPoll(singles({1}, 5ms));
-        QVERIFY(!bench.transact(Request::ping(9), 0));
-        QVERIFY(bench.core->takeSamples(id).size() >= 4);
+        BusFixture fixture;
+        fixture.open();
+        QVERIFY(!fixture.transact(Request::ping(9), 0));
+        const PollId id = fixture.core->startPoll(singleReadPlan({1}, 5ms));
+        QVERIFY(!fixture.transact(Request::ping(9), 0));
+        QVERIFY(fixture.core->takeSamples(id).size() >= 4);
     }
 
-    void polledTimeOutsObeyTheLateRule()
+    void polledTimeoutsFollowTheLateReplyRule()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setPatience(5ms);
-        bench.script.latency = 16ms;
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setTimeout(5ms);
+        fixture.script.latency = 16ms;
         PollPlan plan;
         plan.servos.push_back({1, {{56, 2}, {100, 2}}, false, 0});
-        const PollId id = bench.core->startPoll(plan);
-        pause(bench, 5s);
+        const PollId id = fixture.core->startPoll(plan);
+        pause(fixture, 5s);
         int answered = 0;
-        for (const Sample& sample : bench.core->takeSamples(id)) {
+        for (const Sample& sample : fixture.core->takeSamples(id)) {
             if (!sample.answered)
                 continue;
             ++answered;
@@ -361,15 +361,15 @@ private Q_SLOTS:
 
     void aLostLinkEndsPollingButNotThePause()
     {
-        Bench bench;
-        bench.open();
-        const PollId id = bench.core->startPoll(singles({1}, 10ms));
-        bench.script.cut = true;
-        const Duration end = bench.script.clock.now() + 1s;
-        QVERIFY(bench.core->pauseUntil(end, nullptr));
-        QCOMPARE(bench.script.clock.now(), end);
-        QVERIFY(bench.core->lost());
-        QVERIFY(bench.core->takeSamples(id).empty());
+        BusFixture fixture;
+        fixture.open();
+        const PollId id = fixture.core->startPoll(singleReadPlan({1}, 10ms));
+        fixture.script.cut = true;
+        const Duration end = fixture.script.clock.now() + 1s;
+        QVERIFY(fixture.core->pauseUntil(end, nullptr));
+        QCOMPARE(fixture.script.clock.now(), end);
+        QVERIFY(fixture.core->lost());
+        QVERIFY(fixture.core->takeSamples(id).empty());
     }
 };
 

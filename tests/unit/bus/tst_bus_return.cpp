@@ -13,10 +13,10 @@ using namespace std::chrono_literals;
 
 namespace {
 /// A bench whose link can be opened again as long as it is not cut.
-struct ReturnBench : Bench {
+struct ReconnectFixture : BusFixture {
     int opened = 0;
 
-    ReturnBench()
+    ReconnectFixture()
     {
         CoreOptions options;
         options.reopen = [this]() -> base::Result<std::unique_ptr<transport::Link>> {
@@ -53,221 +53,221 @@ StopFrame stopFrame()
 }
 } // namespace
 
-class TestBusReturn : public QObject {
+class TestBusReconnect : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void withoutPatienceItIsLostAtOnce()
+    void withoutReconnectTimeoutItIsLostAtOnce()
     {
-        ReturnBench bench;
-        bench.script.cut = true;
-        QCOMPARE(bench.ping(1), ErrorCode::LinkLost);
-        bench.script.cut = false;
-        QCOMPARE(bench.ping(1), ErrorCode::LinkLost);
-        QVERIFY(bench.core->lost());
-        QCOMPARE(bench.opened, 0);
+        ReconnectFixture fixture;
+        fixture.script.cut = true;
+        QCOMPARE(fixture.ping(1), ErrorCode::LinkLost);
+        fixture.script.cut = false;
+        QCOMPARE(fixture.ping(1), ErrorCode::LinkLost);
+        QVERIFY(fixture.core->lost());
+        QCOMPARE(fixture.opened, 0);
     }
 
-    void itComesBack()
+    void linkReturns()
     {
-        ReturnBench bench;
-        const LinkPatience patience(*bench.core, 5s);
-        QCOMPARE(bench.ping(1), answered);
-        bench.script.cut = true;
-        QCOMPARE(bench.ping(1), ErrorCode::NoAnswer);
-        QVERIFY(bench.core->away());
-        QVERIFY(!bench.core->lost());
-        bench.script.sent.clear();
-        bench.pass(3s);
-        QVERIFY(bench.script.sent.empty());
-        QVERIFY(bench.opened >= 10 && bench.opened <= 20);
-        bench.script.cut = false;
-        bench.pass(300ms);
-        bench.ping(2); // looks for it
-        QCOMPARE(bench.ping(1), answered);
-        QVERIFY(!bench.core->away());
-        QVERIFY(bench.noted("link back"));
+        ReconnectFixture fixture;
+        const ReconnectScope reconnect(*fixture.core, 5s);
+        QCOMPARE(fixture.ping(1), answered);
+        fixture.script.cut = true;
+        QCOMPARE(fixture.ping(1), ErrorCode::NoReply);
+        QVERIFY(fixture.core->isReconnecting());
+        QVERIFY(!fixture.core->lost());
+        fixture.script.sent.clear();
+        fixture.pass(3s);
+        QVERIFY(fixture.script.sent.empty());
+        QVERIFY(fixture.opened >= 10 && fixture.opened <= 20);
+        fixture.script.cut = false;
+        fixture.pass(300ms);
+        fixture.ping(2); // looks for it
+        QCOMPARE(fixture.ping(1), answered);
+        QVERIFY(!fixture.core->isReconnecting());
+        QVERIFY(fixture.noted("link back"));
     }
 
-    void afterThePatienceItIsLost()
+    void lostAfterTheReconnectTimeout()
     {
-        ReturnBench bench;
-        const LinkPatience patience(*bench.core, 5s);
-        bench.script.cut = true;
-        const Duration from = bench.script.clock.now();
-        while (bench.ping(1) == ErrorCode::NoAnswer) {
+        ReconnectFixture fixture;
+        const ReconnectScope reconnect(*fixture.core, 5s);
+        fixture.script.cut = true;
+        const Duration from = fixture.script.clock.now();
+        while (fixture.ping(1) == ErrorCode::NoReply) {
         }
-        QVERIFY(bench.core->lost());
-        QVERIFY(!bench.core->away());
-        const Duration span = bench.script.clock.now() - from;
+        QVERIFY(fixture.core->lost());
+        QVERIFY(!fixture.core->isReconnecting());
+        const Duration span = fixture.script.clock.now() - from;
         QVERIFY(span >= 5s && span < 5200ms);
-        bench.script.cut = false;
-        QCOMPARE(bench.ping(1), ErrorCode::LinkLost);
+        fixture.script.cut = false;
+        QCOMPARE(fixture.ping(1), ErrorCode::LinkLost);
     }
 
     /// One that opens and dies again without a word does not renew the patience.
-    void aLinkThatOnlySeemsToComeBackIsLostInTime()
+    void aFalseReturnIsLostInTime()
     {
-        ReturnBench bench;
-        const LinkPatience patience(*bench.core, 5s);
-        bench.script.cut = true;
-        bench.ping(1);
-        const Duration from = bench.script.clock.now();
-        bench.script.tables.clear();
-        while (!bench.core->lost() && bench.script.clock.now() < from + 20s) {
-            bench.script.cut = !bench.script.cut;
-            bench.ping(1);
-            bench.pass(50ms);
+        ReconnectFixture fixture;
+        const ReconnectScope reconnect(*fixture.core, 5s);
+        fixture.script.cut = true;
+        fixture.ping(1);
+        const Duration from = fixture.script.clock.now();
+        fixture.script.tables.clear();
+        while (!fixture.core->lost() && fixture.script.clock.now() < from + 20s) {
+            fixture.script.cut = !fixture.script.cut;
+            fixture.ping(1);
+            fixture.pass(50ms);
         }
-        QVERIFY(bench.core->lost());
-        QVERIFY(bench.script.clock.now() - from < 6s);
+        QVERIFY(fixture.core->lost());
+        QVERIFY(fixture.script.clock.now() - from < 6s);
     }
 
-    void thePatienceOfEachPlugIsItsOwn()
+    void eachUnplugHasItsOwnTimeout()
     {
-        ReturnBench bench;
-        const LinkPatience patience(*bench.core, 5s);
+        ReconnectFixture fixture;
+        const ReconnectScope reconnect(*fixture.core, 5s);
         for (int times = 0; times < 3; ++times) {
-            bench.script.cut = true;
-            bench.ping(1);
-            bench.pass(4s);
-            bench.script.cut = false;
-            while (bench.ping(1) != answered)
-                QVERIFY(!bench.core->lost());
+            fixture.script.cut = true;
+            fixture.ping(1);
+            fixture.pass(4s);
+            fixture.script.cut = false;
+            while (fixture.ping(1) != answered)
+                QVERIFY(!fixture.core->lost());
         }
     }
 
-    void theRateIsThatOfBefore()
+    void theRateIsRestored()
     {
-        ReturnBench bench;
-        const LinkPatience patience(*bench.core, 5s);
-        QVERIFY(bench.core->setBaud(500'000));
-        bench.script.cut = true;
-        bench.ping(1);
-        QCOMPARE(bench.core->setBaud(250'000).error().code, ErrorCode::NoAnswer);
-        bench.script.baud = 1'000'000; // what the port was opened with
-        bench.script.cut = false;
-        while (bench.ping(1) != answered)
-            QVERIFY(!bench.core->lost());
-        QCOMPARE(bench.script.baud, 500'000);
+        ReconnectFixture fixture;
+        const ReconnectScope reconnect(*fixture.core, 5s);
+        QVERIFY(fixture.core->setBaud(500'000));
+        fixture.script.cut = true;
+        fixture.ping(1);
+        QCOMPARE(fixture.core->setBaud(250'000).error().code, ErrorCode::NoReply);
+        fixture.script.baud = 1'000'000; // what the port was opened with
+        fixture.script.cut = false;
+        while (fixture.ping(1) != answered)
+            QVERIFY(!fixture.core->lost());
+        QCOMPARE(fixture.script.baud, 500'000);
     }
 
     void pollsCountAsLost()
     {
-        ReturnBench bench;
-        const LinkPatience patience(*bench.core, 5s);
+        ReconnectFixture fixture;
+        const ReconnectScope reconnect(*fixture.core, 5s);
         PollServo servo;
         servo.id = 1;
         servo.spans = {{56, 2}};
         const PollPlan plan{{servo}, 20ms};
-        const PollId id = bench.core->startPoll(plan);
-        bench.pass(200ms);
-        bench.core->takeSamples(id);
-        bench.script.cut = true;
-        bench.pass(1s);
-        const auto lost = bench.core->takeSamples(id);
+        const PollId id = fixture.core->startPoll(plan);
+        fixture.pass(200ms);
+        fixture.core->takeSamples(id);
+        fixture.script.cut = true;
+        fixture.pass(1s);
+        const auto lost = fixture.core->takeSamples(id);
         QVERIFY2(lost.size() >= 3, qPrintable(QString::number(lost.size())));
         QVERIFY(std::all_of(lost.begin(), lost.end(), [](const Sample& sample) {
-            return !sample.answered && sample.error == ErrorCode::NoAnswer;
+            return !sample.answered && sample.error == ErrorCode::NoReply;
         }));
-        QVERIFY(bench.counters(1).timeOuts >= lost.size());
-        bench.script.cut = false;
-        bench.pass(1s);
-        const auto again = bench.core->takeSamples(id);
+        QVERIFY(fixture.counters(1).timeouts >= lost.size());
+        fixture.script.cut = false;
+        fixture.pass(1s);
+        const auto again = fixture.core->takeSamples(id);
         QVERIFY(!again.empty() && again.back().answered);
     }
 
-    void whatIsNotAnsweredIsNotSaidToHaveArrived()
+    void unansweredIsNotReportedDelivered()
     {
-        ReturnBench bench;
-        const LinkPatience patience(*bench.core, 5s);
-        bench.script.cut = true;
-        const auto together = bench.transact(Request::syncWrite(42, {{1, {0, 4}}, {2, {0, 4}}}));
+        ReconnectFixture fixture;
+        const ReconnectScope reconnect(*fixture.core, 5s);
+        fixture.script.cut = true;
+        const auto together = fixture.transact(Request::syncWrite(42, {{1, {0, 4}}, {2, {0, 4}}}));
         QVERIFY(!together);
         QCOMPARE(together.error().code, ErrorCode::Uncertain);
-        bench.script.sent.clear();
-        bench.script.cut = false;
-        bench.pass(1s);
-        for (const SentFrame& frame : bench.script.sent)
+        fixture.script.sent.clear();
+        fixture.script.cut = false;
+        fixture.pass(1s);
+        for (const SentFrame& frame : fixture.script.sent)
             QVERIFY(frame.instruction() != 0x83); // nothing is sent later by itself
     }
 
-    void aStopAskedForMeanwhileIsTheFirstWord()
+    void aStopRequestedWhileAwayIsSentFirst()
     {
-        ReturnBench bench;
-        bench.core->setStopFrames({stopFrame()});
-        const LinkPatience patience(*bench.core, 5s);
-        bench.script.cut = true;
-        bench.ping(1);
-        bench.core->emergency();
-        QCOMPARE(bench.core->emergencies(), std::uint64_t(1));
-        bench.script.sent.clear();
-        QCOMPARE(bench.ping(1), ErrorCode::Preempted);
-        bench.pass(2s);
-        QCOMPARE(bench.ping(2), ErrorCode::Preempted); // nothing is said before it
-        QVERIFY(bench.script.sent.empty());
-        bench.script.cut = false;
-        bench.pass(500ms);
-        QVERIFY(!bench.script.sent.empty());
-        QCOMPARE(bench.script.sent.front().bytes, stopFrame().bytes);
-        QCOMPARE(bench.ping(1), answered);
+        ReconnectFixture fixture;
+        fixture.core->setStopFrames({stopFrame()});
+        const ReconnectScope reconnect(*fixture.core, 5s);
+        fixture.script.cut = true;
+        fixture.ping(1);
+        fixture.core->emergency();
+        QCOMPARE(fixture.core->emergencyCount(), std::uint64_t(1));
+        fixture.script.sent.clear();
+        QCOMPARE(fixture.ping(1), ErrorCode::Preempted);
+        fixture.pass(2s);
+        QCOMPARE(fixture.ping(2), ErrorCode::Preempted); // nothing is said before it
+        QVERIFY(fixture.script.sent.empty());
+        fixture.script.cut = false;
+        fixture.pass(500ms);
+        QVERIFY(!fixture.script.sent.empty());
+        QCOMPARE(fixture.script.sent.front().bytes, stopFrame().bytes);
+        QCOMPARE(fixture.ping(1), answered);
     }
 
     /// The one who asked for patience has ended; the stop is still owed.
-    void aStopIsOwedBeyondThePatientJob()
+    void aPendingStopOutlivesTheWaitingJob()
     {
-        ReturnBench bench;
-        bench.core->setStopFrames({stopFrame()});
+        ReconnectFixture fixture;
+        fixture.core->setStopFrames({stopFrame()});
         {
-            const LinkPatience patience(*bench.core, 5s);
-            bench.script.cut = true;
-            bench.ping(1);
-            bench.core->emergency();
+            const ReconnectScope reconnect(*fixture.core, 5s);
+            fixture.script.cut = true;
+            fixture.ping(1);
+            fixture.core->emergency();
         }
-        bench.script.sent.clear();
-        bench.pass(2s);
-        bench.script.cut = false;
-        bench.pass(500ms);
-        QVERIFY(!bench.script.sent.empty());
-        QCOMPARE(bench.script.sent.front().bytes, stopFrame().bytes);
+        fixture.script.sent.clear();
+        fixture.pass(2s);
+        fixture.script.cut = false;
+        fixture.pass(500ms);
+        QVERIFY(!fixture.script.sent.empty());
+        QCOMPARE(fixture.script.sent.front().bytes, stopFrame().bytes);
     }
 
-    void aStopThatTheLinkDiesUnderIsSaidAgain()
+    void aStopInterruptedByLinkLossIsResent()
     {
-        ReturnBench bench;
-        bench.core->setStopFrames({stopFrame()});
-        const LinkPatience patience(*bench.core, 5s);
-        bench.script.intercept = [&](const Bytes& frame) {
-            bench.script.cut = frame == stopFrame().bytes;
-            return bench.script.cut;
+        ReconnectFixture fixture;
+        fixture.core->setStopFrames({stopFrame()});
+        const ReconnectScope reconnect(*fixture.core, 5s);
+        fixture.script.intercept = [&](const Bytes& frame) {
+            fixture.script.cut = frame == stopFrame().bytes;
+            return fixture.script.cut;
         };
-        bench.core->emergency();
-        QVERIFY(bench.core->away());
-        bench.script.intercept = {};
-        bench.script.sent.clear();
-        bench.script.cut = false;
-        bench.pass(500ms);
-        QVERIFY(!bench.script.sent.empty());
-        QCOMPARE(bench.script.sent.front().bytes, stopFrame().bytes);
+        fixture.core->emergency();
+        QVERIFY(fixture.core->isReconnecting());
+        fixture.script.intercept = {};
+        fixture.script.sent.clear();
+        fixture.script.cut = false;
+        fixture.pass(500ms);
+        QVERIFY(!fixture.script.sent.empty());
+        QCOMPARE(fixture.script.sent.front().bytes, stopFrame().bytes);
     }
 
-    void whoLooksAfterAStopHearsSilence()
+    void afterAStopTheLineIsSilent()
     {
-        ReturnBench bench;
-        const LinkPatience patience(*bench.core, 5s);
-        bench.script.cut = true;
-        bench.ping(1);
-        bench.core->emergency();
+        ReconnectFixture fixture;
+        const ReconnectScope reconnect(*fixture.core, 5s);
+        fixture.script.cut = true;
+        fixture.ping(1);
+        fixture.core->emergency();
         Transaction look;
         look.request = Request::ping(1);
         look.priority = Priority::Emergency;
-        const auto seen = bench.core->transact(look);
+        const auto seen = fixture.core->transact(look);
         QVERIFY(!seen);
-        QCOMPARE(seen.error().code, ErrorCode::NoAnswer);
+        QCOMPARE(seen.error().code, ErrorCode::NoReply);
     }
 };
 
-QTEST_GUILESS_MAIN(TestBusReturn)
+QTEST_GUILESS_MAIN(TestBusReconnect)
 #include "tst_bus_return.moc"

@@ -24,11 +24,11 @@ std::vector<StopFrame> inFeetech(const std::vector<Bytes>& frames)
 }
 
 /// Calls `action` on another thread, once, in the first wait at or after `delay` from now.
-void meanwhile(Bench& bench, Duration delay, std::function<void()> action)
+void meanwhile(BusFixture& fixture, Duration delay, std::function<void()> action)
 {
-    const Duration at = bench.script.clock.now() + delay;
-    bench.script.onWait = [&bench, at, action = std::move(action), done = false]() mutable {
-        if (bench.script.clock.now() < at || std::exchange(done, true))
+    const Duration at = fixture.script.clock.now() + delay;
+    fixture.script.onWait = [&fixture, at, action = std::move(action), done = false]() mutable {
+        if (fixture.script.clock.now() < at || std::exchange(done, true))
             return;
         std::thread(action).join();
     };
@@ -51,111 +51,111 @@ private Q_SLOTS:
 
     void stopEndsAWaitSoon()
     {
-        Bench bench;
-        bench.open();
-        base::Stop stop;
+        BusFixture fixture;
+        fixture.open();
+        base::StopToken stop;
         Transaction transaction;
         transaction.request = Request::read(9, 56, 2);
-        transaction.patience = 10s;
+        transaction.timeout = 10s;
         transaction.stop = &stop;
-        const Duration start = bench.script.clock.now();
-        meanwhile(bench, 100ms, [&] { stop.request(); });
-        const auto outcome = bench.core->transact(transaction);
+        const Duration start = fixture.script.clock.now();
+        meanwhile(fixture, 100ms, [&] { stop.request(); });
+        const auto outcome = fixture.core->transact(transaction);
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::Stopped);
-        QVERIFY(bench.script.clock.now() - start <= 120ms);
+        QVERIFY(fixture.script.clock.now() - start <= 120ms);
     }
 
-    void stopLeavesTheServoInPeaceToo()
+    void stopBlocksRequestsToTheServoToo()
     {
-        Bench bench;
-        bench.open();
-        bench.script.latency = 22ms;
-        base::Stop stop;
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.latency = 22ms;
+        base::StopToken stop;
         Transaction transaction;
         transaction.request = Request::read(1, 56, 2);
         transaction.stop = &stop;
-        meanwhile(bench, 2ms, [&] { stop.request(); });
-        QVERIFY(!bench.core->transact(transaction));
-        const auto outcome = bench.transact(Request::read(1, 62, 2), 0);
+        meanwhile(fixture, 2ms, [&] { stop.request(); });
+        QVERIFY(!fixture.core->transact(transaction));
+        const auto outcome = fixture.transact(Request::read(1, 62, 2), 0);
         QVERIFY(outcome);
         QCOMPARE(outcome->data(), tableBytes(1, 62, 2));
     }
 
-    void whatMustNotBeRepeatedIsWaitedForAfterStop()
+    void nonRepeatableRequestsAreAwaitedAfterStop()
     {
-        Bench bench;
-        bench.open();
-        bench.script.latency = 20ms;
-        base::Stop stop;
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.latency = 20ms;
+        base::StopToken stop;
         Transaction transaction;
         transaction.request = Request::write(1, 5, {5}, Repeat::Never);
         transaction.stop = &stop;
-        meanwhile(bench, 1us, [&] { stop.request(); });
-        QVERIFY2(bench.core->transact(transaction), "its fate is known");
-        const auto next = bench.core->transact(transaction);
+        meanwhile(fixture, 1us, [&] { stop.request(); });
+        QVERIFY2(fixture.core->transact(transaction), "its fate is known");
+        const auto next = fixture.core->transact(transaction);
         QVERIFY(!next);
         QCOMPARE(next.error().code, ErrorCode::Stopped);
-        QCOMPARE(bench.script.sent.size(), std::size_t(1));
+        QCOMPARE(fixture.script.sent.size(), std::size_t(1));
     }
 
-    void withoutAStopNothingStopsIt()
+    void nothingInterruptsWithoutAStop()
     {
-        Bench bench;
-        bench.open();
-        base::Stop stop;
+        BusFixture fixture;
+        fixture.open();
+        base::StopToken stop;
         stop.request();
-        QVERIFY(!bench.core->pauseUntil(bench.script.clock.now() + 1s, &stop));
-        QVERIFY2(bench.transact(Request::write(1, 55, {1}, Repeat::Safe)), "the lock is closed");
+        QVERIFY(!fixture.core->pauseUntil(fixture.script.clock.now() + 1s, &stop));
+        QVERIFY2(fixture.transact(Request::write(1, 55, {1}, Repeat::Safe)), "the lock is closed");
     }
 
     void shutdownEndsEverything()
     {
-        Bench bench;
-        base::Stop shutdown;
-        bench.open({10, &shutdown});
+        BusFixture fixture;
+        base::StopToken shutdown;
+        fixture.open({10, &shutdown});
         shutdown.request();
-        QCOMPARE(bench.transact(Request::ping(1)).error().code, ErrorCode::Stopped);
-        QCOMPARE(bench.core->listen(1s).error().code, ErrorCode::Stopped);
-        QVERIFY(!bench.core->pauseUntil(bench.script.clock.now() + 1s, nullptr));
+        QCOMPARE(fixture.transact(Request::ping(1)).error().code, ErrorCode::Stopped);
+        QCOMPARE(fixture.core->listen(1s).error().code, ErrorCode::Stopped);
+        QVERIFY(!fixture.core->pauseUntil(fixture.script.clock.now() + 1s, nullptr));
     }
 
     void emergencyPreemptsTheRunningTransaction()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setStopFrames(inFeetech({torqueOffAll, torqueOff1}));
-        const Duration start = bench.script.clock.now();
-        meanwhile(bench, 50ms, [&] { bench.core->emergency(); });
-        const auto outcome = bench.transact(Request::ping(9), 5, 10s);
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setStopFrames(inFeetech({torqueOffAll, torqueOff1}));
+        const Duration start = fixture.script.clock.now();
+        meanwhile(fixture, 50ms, [&] { fixture.core->emergency(); });
+        const auto outcome = fixture.transact(Request::ping(9), 5, 10s);
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::Preempted);
-        const auto sent = bench.script.takeSent();
+        const auto sent = fixture.script.takeSent();
         QCOMPARE(framesOf(sent), (std::vector<Bytes>{frameOf(9, 1, {}), torqueOffAll, torqueOff1}));
         QVERIFY2(sent.at(1).at - start <= 50ms + 10ms, "at the next slice");
-        QCOMPARE(int(bench.script.tables.at(1).at(40)), 0);
+        QCOMPARE(int(fixture.script.tables.at(1).at(40)), 0);
     }
 
     void emergencyFromTheSameThreadIsServedAtOnce()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setStopFrames(inFeetech({torqueOffAll}));
-        bench.core->emergency();
-        QCOMPARE(framesOf(bench.script.sent), (std::vector<Bytes>{torqueOffAll}));
-        QVERIFY(bench.transact(Request::ping(1)));
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setStopFrames(inFeetech({torqueOffAll}));
+        fixture.core->emergency();
+        QCOMPARE(framesOf(fixture.script.sent), (std::vector<Bytes>{torqueOffAll}));
+        QVERIFY(fixture.transact(Request::ping(1)));
     }
 
     void emergencyInAPauseIsServedAtOnce()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setStopFrames(inFeetech({torqueOffAll}));
-        bench.core->startPoll({{{1, {{56, 2}}, false, 0}}, 10ms});
-        const Duration start = bench.script.clock.now();
-        meanwhile(bench, 30ms, [&] { bench.core->emergency(); });
-        bench.core->pauseUntil(start + 100ms, nullptr);
-        const auto sent = bench.script.takeSent();
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setStopFrames(inFeetech({torqueOffAll}));
+        fixture.core->startPoll({{{1, {{56, 2}}, false, 0}}, 10ms});
+        const Duration start = fixture.script.clock.now();
+        meanwhile(fixture, 30ms, [&] { fixture.core->emergency(); });
+        fixture.core->pauseUntil(start + 100ms, nullptr);
+        const auto sent = fixture.script.takeSent();
         const auto stop = std::find_if(sent.begin(), sent.end(),
                                        [](const auto& f) { return f.bytes == torqueOffAll; });
         QVERIFY(stop != sent.end());
@@ -163,108 +163,108 @@ private Q_SLOTS:
         QVERIFY2(sent.end() - stop > 4, "polling goes on");
     }
 
-    void stopFramesDoNotFallIntoARunningReply()
+    void stopFramesDoNotCollideWithAReply()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setBaud(115'200);
-        bench.core->setStopFrames(inFeetech({torqueOffAll}));
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setBaud(115'200);
+        fixture.core->setStopFrames(inFeetech({torqueOffAll}));
         Duration replyEnds{};
-        bench.script.intercept = [&](const Bytes& frame) {
+        fixture.script.intercept = [&](const Bytes& frame) {
             if (frame[4] != 0x02)
                 return true;
             // 46 bytes at 115200 take 4 ms
             for (const std::uint8_t byte : frameOf(1, 0, Bytes(40)))
-                bench.script.reply({byte});
-            replyEnds = bench.script.wireFree;
+                fixture.script.reply({byte});
+            replyEnds = fixture.script.wireFreeAt;
             return true;
         };
-        meanwhile(bench, 1ms, [&] { bench.core->emergency(); });
-        QVERIFY(!bench.transact(Request::read(1, 0, 40)));
-        QCOMPARE(bench.script.sent.size(), std::size_t(2));
-        QVERIFY(bench.script.sent.at(1).at >= replyEnds);
-        QVERIFY(bench.script.sent.at(1).at - bench.script.sent.at(0).at <= 11ms);
+        meanwhile(fixture, 1ms, [&] { fixture.core->emergency(); });
+        QVERIFY(!fixture.transact(Request::read(1, 0, 40)));
+        QCOMPARE(fixture.script.sent.size(), std::size_t(2));
+        QVERIFY(fixture.script.sent.at(1).at >= replyEnds);
+        QVERIFY(fixture.script.sent.at(1).at - fixture.script.sent.at(0).at <= 11ms);
     }
 
     void stopFramesLeaveRoomForTheirReplies()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setStopFrames(
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setStopFrames(
             inFeetech({torqueOff1, frameOf(2, 3, {40, 0}), frameOf(3, 3, {40, 0})}));
-        bench.script.replyDelay = 508us;
-        bench.core->emergency();
-        const auto sent = bench.script.takeSent();
+        fixture.script.replyDelay = 508us;
+        fixture.core->emergency();
+        const auto sent = fixture.script.takeSent();
         QCOMPARE(sent.size(), std::size_t(3));
         for (std::size_t i = 1; i < sent.size(); ++i)
             QVERIFY(sent[i].at - sent[i - 1].at >= 80us + 508us + 60us);
-        QVERIFY(bench.transact(Request::read(2, 40, 1)));
+        QVERIFY(fixture.transact(Request::read(2, 40, 1)));
     }
 
-    void aLateReplyToAStopFrameIsNoAnswer()
+    void aLateReplyToAStopFrameIsNoReply()
     {
-        Bench bench;
-        bench.open();
-        bench.script.latency = 16ms;
-        bench.core->setStopFrames(inFeetech({torqueOff1}));
-        bench.core->emergency();
-        bench.script.tables.clear();
-        QVERIFY(!bench.transact(Request::write(1, 55, {1}, Repeat::Safe), 0));
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.latency = 16ms;
+        fixture.core->setStopFrames(inFeetech({torqueOff1}));
+        fixture.core->emergency();
+        fixture.script.tables.clear();
+        QVERIFY(!fixture.transact(Request::write(1, 55, {1}, Repeat::Safe), 0));
     }
 
-    void everyHoldLearnsOfTheEmergency()
+    void everyHoldIsNotifiedOfTheEmergency()
     {
-        Bench bench;
-        bench.open();
-        const Hold job = bench.core->hold({1});
-        bench.core->emergency();
+        BusFixture fixture;
+        fixture.open();
+        const Hold job = fixture.core->hold({1});
+        fixture.core->emergency();
         const auto step =
-            bench.transact(Request::write(1, 42, {0, 8}, Repeat::Safe), -1, {}, job.token());
+            fixture.transact(Request::write(1, 42, {0, 8}, Repeat::Safe), -1, {}, job.token());
         QVERIFY(!step);
         QCOMPARE(step.error().code, ErrorCode::Preempted);
-        QVERIFY(bench.script.sent.empty());
-        QVERIFY2(bench.transact(Request::write(1, 55, {1}, Repeat::Safe), -1, {}, job.token()),
+        QVERIFY(fixture.script.sent.empty());
+        QVERIFY2(fixture.transact(Request::write(1, 55, {1}, Repeat::Safe), -1, {}, job.token()),
                  "the job can still close a lock");
     }
 
-    void thePreemptedTransactionIsToldOnce()
+    void thePreemptedTransactionFailsOnce()
     {
-        Bench bench;
-        bench.open();
-        const Hold job = bench.core->hold({9, 1});
-        meanwhile(bench, 1ms, [&] { bench.core->emergency(); });
-        const auto step = bench.transact(Request::ping(9), -1, {}, job.token());
+        BusFixture fixture;
+        fixture.open();
+        const Hold job = fixture.core->hold({9, 1});
+        meanwhile(fixture, 1ms, [&] { fixture.core->emergency(); });
+        const auto step = fixture.transact(Request::ping(9), -1, {}, job.token());
         QCOMPARE(step.error().code, ErrorCode::Preempted);
-        QVERIFY(bench.transact(Request::ping(1), -1, {}, job.token()));
+        QVERIFY(fixture.transact(Request::ping(1), -1, {}, job.token()));
     }
 
     void heldServosNeedTheToken()
     {
-        Bench bench;
-        bench.open();
+        BusFixture fixture;
+        fixture.open();
         {
-            const Hold hold = bench.core->hold({1});
-            QCOMPARE(bench.transact(Request::ping(1)).error().code, ErrorCode::Held);
-            QCOMPARE(bench.transact(Request::action()).error().code, ErrorCode::Held);
-            QVERIFY(bench.script.sent.empty());
-            QVERIFY(bench.transact(Request::ping(2)));
-            QVERIFY(bench.transact(Request::ping(1), -1, {}, hold.token()));
+            const Hold hold = fixture.core->hold({1});
+            QCOMPARE(fixture.transact(Request::ping(1)).error().code, ErrorCode::Held);
+            QCOMPARE(fixture.transact(Request::action()).error().code, ErrorCode::Held);
+            QVERIFY(fixture.script.sent.empty());
+            QVERIFY(fixture.transact(Request::ping(2)));
+            QVERIFY(fixture.transact(Request::ping(1), -1, {}, hold.token()));
         }
-        QVERIFY(bench.transact(Request::ping(1)));
+        QVERIFY(fixture.transact(Request::ping(1)));
     }
 
     void aHoldCanBeMoved()
     {
-        Bench bench;
-        bench.open();
+        BusFixture fixture;
+        fixture.open();
         Hold outer;
         {
-            Hold inner = bench.core->hold({1});
+            Hold inner = fixture.core->hold({1});
             outer = std::move(inner);
         }
-        QCOMPARE(bench.transact(Request::ping(1)).error().code, ErrorCode::Held);
+        QCOMPARE(fixture.transact(Request::ping(1)).error().code, ErrorCode::Held);
         outer = Hold();
-        QVERIFY(bench.transact(Request::ping(1)));
+        QVERIFY(fixture.transact(Request::ping(1)));
     }
 };
 

@@ -16,9 +16,9 @@ using namespace std::chrono_literals;
 
 namespace {
 const Bytes off = frameOf(254, 3, {40, 0});
-constexpr Duration longPatience = 10s;
+constexpr Duration longTimeout = 10s;
 
-enum class Doing {
+enum class BusActivity {
     Read,
     SyncRead,
     Poll,
@@ -26,59 +26,59 @@ enum class Doing {
     ScanPing,
     Broadcast,
     Listen,
-    Settle,
+    RecoverLine,
     Pause,
     Raw
 };
 
 /// Starts the activity; it lasts until the emergency ends it, or by itself.
-void occupy(Bench& bench, Doing doing)
+void startActivity(BusFixture& fixture, BusActivity doing)
 {
-    BusCore& core = *bench.core;
-    const Duration later = bench.script.clock.now() + 2s;
+    BusCore& core = *fixture.core;
+    const Duration later = fixture.script.clock.now() + 2s;
     switch (doing) {
-    case Doing::Read:
-        static_cast<void>(bench.transact(Request::read(1, 0, 100), 5));
-        static_cast<void>(bench.transact(Request::read(9, 0, 100), 5, longPatience));
+    case BusActivity::Read:
+        static_cast<void>(fixture.transact(Request::read(1, 0, 100), 5));
+        static_cast<void>(fixture.transact(Request::read(9, 0, 100), 5, longTimeout));
         break;
-    case Doing::SyncRead:
-        static_cast<void>(bench.transact(Request::syncRead(0, 60, {1, 2, 3}), 5, longPatience));
-        static_cast<void>(bench.transact(Request::ping(9), 5, longPatience));
+    case BusActivity::SyncRead:
+        static_cast<void>(fixture.transact(Request::syncRead(0, 60, {1, 2, 3}), 5, longTimeout));
+        static_cast<void>(fixture.transact(Request::ping(9), 5, longTimeout));
         break;
-    case Doing::Poll:
+    case BusActivity::Poll:
         core.startPoll({{{1, {{0, 100}}, false, 0}}, {}});
         core.pauseUntil(later, nullptr);
         break;
-    case Doing::SyncPoll:
+    case BusActivity::SyncPoll:
         core.startPoll({{{1, {{0, 60}}, true, 0}, {2, {{0, 60}}, true, 0}}, {}});
         core.pauseUntil(later, nullptr);
         break;
-    case Doing::ScanPing:
+    case BusActivity::ScanPing:
         for (int id = 0; id < 254; ++id)
-            static_cast<void>(bench.transact(Request::ping(id), 0, 4ms));
+            static_cast<void>(fixture.transact(Request::ping(id), 0, 4ms));
         break;
-    case Doing::Broadcast:
-        static_cast<void>(bench.transact(Request::ping(254), 0, longPatience));
+    case BusActivity::Broadcast:
+        static_cast<void>(fixture.transact(Request::ping(254), 0, longTimeout));
         break;
-    case Doing::Listen:
+    case BusActivity::Listen:
         static_cast<void>(core.listen(2s));
         break;
-    case Doing::Settle: // a line that is never silent keeps the rate from being changed
+    case BusActivity::RecoverLine: // a line that is never silent keeps the rate from being changed
         for (int i = 0; i < 4000; ++i)
-            bench.script.deliver(bench.script.clock.now() + i * 500us, {0x55});
-        static_cast<void>(core.setBaud(bench.script.baud));
+            fixture.script.deliver(fixture.script.clock.now() + i * 500us, {0x55});
+        static_cast<void>(core.setBaud(fixture.script.baud));
         break;
-    case Doing::Pause:
+    case BusActivity::Pause:
         core.pauseUntil(later, nullptr);
         break;
-    case Doing::Raw:
-        static_cast<void>(bench.transact(Request::raw(frameOf(1, 2, {0, 100})), 0, longPatience));
+    case BusActivity::Raw:
+        static_cast<void>(fixture.transact(Request::raw(frameOf(1, 2, {0, 100})), 0, longTimeout));
         break;
     }
 }
 
 /// When the replies to the latest frame would be over, as far as a host can know.
-Duration computedEndOf(const Script& script)
+Duration computeExpectedEnd(const Script& script)
 {
     if (script.sent.empty())
         return {};
@@ -91,7 +91,7 @@ Duration computedEndOf(const Script& script)
 }
 } // namespace
 
-Q_DECLARE_METATYPE(Doing)
+Q_DECLARE_METATYPE(BusActivity)
 
 class TestBusStopTiming : public QObject {
     Q_OBJECT
@@ -101,15 +101,15 @@ private Q_SLOTS:
 
     void theFirstStopFrameIsPrompt_data()
     {
-        QTest::addColumn<Doing>("doing");
+        QTest::addColumn<BusActivity>("doing");
         QTest::addColumn<int>("baud");
         QTest::addColumn<Duration>("after");
-        const std::pair<const char*, Doing> all[] = {
-            {"read", Doing::Read},     {"sync read", Doing::SyncRead},
-            {"poll", Doing::Poll},     {"sync poll", Doing::SyncPoll},
-            {"scan", Doing::ScanPing}, {"broadcast", Doing::Broadcast},
-            {"listen", Doing::Listen}, {"settle", Doing::Settle},
-            {"pause", Doing::Pause},   {"raw", Doing::Raw},
+        const std::pair<const char*, BusActivity> all[] = {
+            {"read", BusActivity::Read},     {"sync read", BusActivity::SyncRead},
+            {"poll", BusActivity::Poll},     {"sync poll", BusActivity::SyncPoll},
+            {"scan", BusActivity::ScanPing}, {"broadcast", BusActivity::Broadcast},
+            {"listen", BusActivity::Listen}, {"settle", BusActivity::RecoverLine},
+            {"pause", BusActivity::Pause},   {"raw", BusActivity::Raw},
         };
         for (const auto& [name, doing] : all) {
             for (const int baud : {1'000'000, 115'200, 38'400, 9'600}) {
@@ -122,86 +122,86 @@ private Q_SLOTS:
     }
     void theFirstStopFrameIsPrompt()
     {
-        QFETCH(const Doing, doing);
+        QFETCH(const BusActivity, doing);
         QFETCH(const int, baud);
         QFETCH(const Duration, after);
-        Bench bench;
-        bench.script.baud = baud;
-        bench.open();
-        bench.script.replyDelay = 200us;
-        bench.core->setStopFrames({{base::Protocol::Feetech, off}});
-        std::optional<Duration> called;
+        BusFixture fixture;
+        fixture.script.baud = baud;
+        fixture.open();
+        fixture.script.replyDelay = 200us;
+        fixture.core->setStopFrames({{base::Protocol::Feetech, off}});
+        std::optional<Duration> callTime;
         Duration repliesEnd{};  // of what is on the wire when the call comes
-        Duration computedEnd{}; // also of an absent servo's
-        const Duration from = bench.script.clock.now() + after;
-        bench.script.onWait = [&] {
-            if (called || bench.script.clock.now() < from)
+        Duration expectedEnd{}; // also of an absent servo's
+        const Duration from = fixture.script.clock.now() + after;
+        fixture.script.onWait = [&] {
+            if (callTime || fixture.script.clock.now() < from)
                 return;
-            called = bench.script.clock.now();
-            repliesEnd = bench.script.wireFree;
-            computedEnd = computedEndOf(bench.script);
-            std::thread([&] { bench.core->emergency(); }).join();
+            callTime = fixture.script.clock.now();
+            repliesEnd = fixture.script.wireFreeAt;
+            expectedEnd = computeExpectedEnd(fixture.script);
+            std::thread([&] { fixture.core->emergency(); }).join();
         };
-        occupy(bench, doing);
-        if (!called) // it was over before
+        startActivity(fixture, doing);
+        if (!callTime) // it was over before
             return;
-        static_cast<void>(bench.transact(Request::ping(1)));
-        const auto stop = std::find_if(bench.script.sent.begin(), bench.script.sent.end(),
+        static_cast<void>(fixture.transact(Request::ping(1)));
+        const auto stop = std::find_if(fixture.script.sent.begin(), fixture.script.sent.end(),
                                        [](const SentFrame& frame) { return frame.bytes == off; });
-        QVERIFY(stop != bench.script.sent.end());
-        const Duration waited = stop->at - *called;
+        QVERIFY(stop != fixture.script.sent.end());
+        const Duration waited = stop->at - *callTime;
         if (baud >= 115'200)
             QVERIFY2(waited <= 50ms, qPrintable(QString::number(waited.count())));
-        const Duration due =
-            std::max({*called, repliesEnd, computedEnd}) + waitSlice + bench.script.wire(4) + 500us;
-        if (doing != Doing::Settle)
+        const Duration due = std::max({*callTime, repliesEnd, expectedEnd}) + waitSlice +
+                             fixture.script.wire(4) + 500us;
+        if (doing != BusActivity::RecoverLine)
             QVERIFY2(stop->at <= due, qPrintable(QString::number((stop->at - due).count())));
         // Nobody knows how long the answer to raw bytes will be.
         const bool intoReply = stop->at < repliesEnd && waited < 30ms;
-        QVERIFY2(!intoReply || doing == Doing::Raw, "not into a reply");
+        QVERIFY2(!intoReply || doing == BusActivity::Raw, "not into a reply");
     }
 
     /// Between a task's last look at its stop and its first frame there is a moment.
-    void whatWasAskedForBeforeTheStopSaysNothingAfterIt()
+    void requestsBeforeTheStopAreDroppedAfterIt()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setStopFrames({{base::Protocol::Feetech, off}});
-        const std::uint64_t before = bench.core->emergencies();
-        bench.core->emergency();
-        QCOMPARE(bench.core->emergencies(), before + 1);
-        bench.script.sent.clear();
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setStopFrames({{base::Protocol::Feetech, off}});
+        const std::uint64_t before = fixture.core->emergencyCount();
+        fixture.core->emergency();
+        QCOMPARE(fixture.core->emergencyCount(), before + 1);
+        fixture.script.sent.clear();
         {
-            const Hold late = bench.core->hold({1}, before);
+            const Hold late = fixture.core->hold({1}, before);
             const auto move =
-                bench.transact(Request::write(1, 42, {0, 8}, Repeat::Safe), -1, {}, late.token());
+                fixture.transact(Request::write(1, 42, {0, 8}, Repeat::Safe), -1, {}, late.token());
             QCOMPARE(move.error().code, ErrorCode::Preempted);
         }
         Transaction loose;
         loose.request = Request::write(1, 42, {0, 8}, Repeat::Safe);
         loose.epoch = before;
         for (int i = 0; i < 2; ++i) // each time, not once
-            QCOMPARE(bench.core->transact(loose).error().code, ErrorCode::Preempted);
-        QVERIFY(bench.script.sent.empty());
-        loose.epoch = bench.core->emergencies();
-        QVERIFY(bench.core->transact(loose));
-        const Hold fresh = bench.core->hold({1}, bench.core->emergencies());
-        QVERIFY(bench.transact(Request::ping(1), -1, {}, fresh.token()));
+            QCOMPARE(fixture.core->transact(loose).error().code, ErrorCode::Preempted);
+        QVERIFY(fixture.script.sent.empty());
+        loose.epoch = fixture.core->emergencyCount();
+        QVERIFY(fixture.core->transact(loose));
+        const Hold fresh = fixture.core->hold({1}, fixture.core->emergencyCount());
+        QVERIFY(fixture.transact(Request::ping(1), -1, {}, fresh.token()));
     }
 
     void aLateHoldCanStillCloseALock()
     {
-        Bench bench;
-        bench.open();
-        bench.core->emergency();
-        const Hold late = bench.core->hold({1}, 0);
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->emergency();
+        const Hold late = fixture.core->hold({1}, 0);
         Transaction step;
         step.hold = late.token();
         step.epoch = 0;
         step.request = Request::write(1, 42, {0, 8}, Repeat::Safe);
-        QCOMPARE(bench.core->transact(step).error().code, ErrorCode::Preempted);
+        QCOMPARE(fixture.core->transact(step).error().code, ErrorCode::Preempted);
         step.request = Request::write(1, 55, {1}, Repeat::Safe);
-        QVERIFY(bench.core->transact(step));
+        QVERIFY(fixture.core->transact(step));
     }
 };
 

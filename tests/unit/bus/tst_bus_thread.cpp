@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 namespace {
 /// What the test and the link on the bus thread share.
-struct World {
+struct SharedState {
     std::mutex mutex;
     std::condition_variable changed;
     std::vector<Bytes> sent;
@@ -30,12 +30,12 @@ struct World {
     std::atomic<bool> linkAlive{false};
 
     /// Waits until the link has written so many frames.
-    void awaitSent(std::size_t count)
+    void waitForSent(std::size_t count)
     {
         std::unique_lock lock(mutex);
         changed.wait(lock, [&] { return sent.size() >= count; });
     }
-    void awaitFrame(const Bytes& frame)
+    void waitForFrame(const Bytes& frame)
     {
         std::unique_lock lock(mutex);
         changed.wait(lock, [&] { return std::count(sent.begin(), sent.end(), frame) > 0; });
@@ -58,7 +58,7 @@ struct World {
         withheld.clear();
         changed.notify_all();
     }
-    void mend()
+    void restoreLink()
     {
         const std::lock_guard lock(mutex);
         cut = false;
@@ -72,50 +72,50 @@ struct World {
 };
 
 /// Replies at once, with a table in which each byte is its address.
-class PromptLink final : public transport::Link {
+class ImmediateLink final : public transport::Link {
 public:
-    explicit PromptLink(std::shared_ptr<World> world)
-        : m_world(std::move(world))
+    explicit ImmediateLink(std::shared_ptr<SharedState> shared)
+        : m_shared(std::move(shared))
     {
-        m_world->linkAlive = true;
+        m_shared->linkAlive = true;
     }
-    ~PromptLink() override { m_world->linkAlive = false; }
+    ~ImmediateLink() override { m_shared->linkAlive = false; }
 
     base::Result<void> write(base::ByteView bytes) override
     {
-        const std::lock_guard lock(m_world->mutex);
-        if (m_world->cut)
+        const std::lock_guard lock(m_shared->mutex);
+        if (m_shared->cut)
             return base::fail(ErrorCode::LinkLost);
         const Bytes frame(bytes.begin(), bytes.end());
-        m_world->sent.push_back(frame);
-        const auto& present = m_world->present;
+        m_shared->sent.push_back(frame);
+        const auto& present = m_shared->present;
         if (std::count(present.begin(), present.end(), frame[2]) > 0) {
             Bytes data;
             for (int i = 0; frame[4] == 2 && i < frame[6]; ++i)
                 data.push_back(std::uint8_t(frame[5] + i));
             const Bytes reply = protocol::encodeFeetechStatus(frame[2], 0, data);
-            Bytes& into = m_world->withhold ? m_world->withheld : m_world->toHost;
+            Bytes& into = m_shared->withhold ? m_shared->withheld : m_shared->toHost;
             into.insert(into.end(), reply.begin(), reply.end());
         }
-        m_world->changed.notify_all();
+        m_shared->changed.notify_all();
         return {};
     }
     base::Result<std::size_t> read(Bytes& buffer) override
     {
-        const std::lock_guard lock(m_world->mutex);
-        const std::size_t count = m_world->toHost.size();
-        buffer.insert(buffer.end(), m_world->toHost.begin(), m_world->toHost.end());
-        m_world->toHost.clear();
+        const std::lock_guard lock(m_shared->mutex);
+        const std::size_t count = m_shared->toHost.size();
+        buffer.insert(buffer.end(), m_shared->toHost.begin(), m_shared->toHost.end());
+        m_shared->toHost.clear();
         return count;
     }
-    base::Result<bool> waitReadable(Duration span) override
+    base::Result<bool> waitForReadyRead(Duration span) override
     {
-        std::unique_lock lock(m_world->mutex);
-        m_world->changed.wait_for(lock, span,
-                                  [&] { return m_world->cut || !m_world->toHost.empty(); });
-        if (m_world->cut)
+        std::unique_lock lock(m_shared->mutex);
+        m_shared->changed.wait_for(lock, span,
+                                   [&] { return m_shared->cut || !m_shared->toHost.empty(); });
+        if (m_shared->cut)
             return base::fail(ErrorCode::LinkLost);
-        return !m_world->toHost.empty();
+        return !m_shared->toHost.empty();
     }
     base::Result<void> setBaud(int baud) override
     {
@@ -126,24 +126,24 @@ public:
     QString name() const override { return QStringLiteral("prompt"); }
 
 private:
-    std::shared_ptr<World> m_world;
+    std::shared_ptr<SharedState> m_shared;
     int m_baud = 1'000'000;
 };
 
-struct Bench {
-    std::shared_ptr<World> world = std::make_shared<World>();
+struct Fixture {
+    std::shared_ptr<SharedState> shared = std::make_shared<SharedState>();
     base::SystemClock clock;
     std::unique_ptr<BusThread> bus;
 
-    Bench()
+    Fixture()
     {
         bus =
             BusThread::open([this] { return openLink(); }, protocol::feetechCodec(), clock).value();
-        world->takeSent();
+        shared->takeSent();
     }
     base::Result<std::unique_ptr<transport::Link>> openLink()
     {
-        return std::make_unique<PromptLink>(world);
+        return std::make_unique<ImmediateLink>(shared);
     }
     static Transaction made(Request request, Priority priority = Priority::Job)
     {
@@ -158,13 +158,13 @@ struct Bench {
                           [this, transaction] { return bus->transact(transaction); });
     }
     /// A transaction that keeps the bus busy until its reply is released or something ends it.
-    std::future<base::Result<Outcome>> occupy()
+    std::future<base::Result<Outcome>> startActivity()
     {
-        world->holdReplies();
+        shared->holdReplies();
         Transaction transaction = made(Request::ping(1));
-        transaction.patience = 60s;
+        transaction.timeout = 60s;
         auto future = start(transaction);
-        world->awaitSent(1);
+        shared->waitForSent(1);
         return future;
     }
 };
@@ -181,17 +181,17 @@ class TestBusThread : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void answersCallersFromManyThreads()
+    void servesCallersFromManyThreads()
     {
-        Bench bench;
+        Fixture fixture;
         std::vector<std::future<int>> workers;
         for (int id = 1; id <= 3; ++id) {
-            workers.push_back(std::async(std::launch::async, [&bench, id] {
+            workers.push_back(std::async(std::launch::async, [&fixture, id] {
                 int right = 0;
                 for (int i = 0; i < 200; ++i) {
                     const int address = 10 * id + i % 7;
                     const auto outcome =
-                        bench.bus->transact(Bench::made(Request::read(id, address, 2)));
+                        fixture.bus->transact(Fixture::made(Request::read(id, address, 2)));
                     right += outcome && outcome->data().front() == address ? 1 : 0;
                 }
                 return right;
@@ -199,7 +199,7 @@ private Q_SLOTS:
         }
         for (auto& worker : workers)
             QCOMPARE(worker.get(), 200);
-        QCOMPARE(bench.bus->statistics().total.ok, std::uint64_t(600));
+        QCOMPARE(fixture.bus->statistics().total.ok, std::uint64_t(600));
     }
 
     void failureToOpenIsReported()
@@ -214,16 +214,16 @@ private Q_SLOTS:
         QCOMPARE(bus.error().code, ErrorCode::PortBusy);
     }
 
-    void urgentBeforeLessUrgent()
+    void higherPriorityFirst()
     {
-        Bench bench;
+        Fixture fixture;
         std::mutex mutex;
         std::vector<int> order;
         std::promise<void> all;
-        bench.world->present = {1, 11, 12, 13, 14};
-        auto busy = bench.occupy();
+        fixture.shared->present = {1, 11, 12, 13, 14};
+        auto busy = fixture.startActivity();
         const auto submit = [&](int id, Priority priority) {
-            bench.bus->submit(Bench::made(Request::ping(id), priority), [&, id](const auto&) {
+            fixture.bus->submit(Fixture::made(Request::ping(id), priority), [&, id](const auto&) {
                 const std::lock_guard lock(mutex);
                 order.push_back(id);
                 if (order.size() == 4)
@@ -234,120 +234,120 @@ private Q_SLOTS:
         submit(12, Priority::Interactive);
         submit(13, Priority::Emergency);
         submit(14, Priority::Interactive);
-        bench.world->releaseReplies();
+        fixture.shared->releaseReplies();
         QVERIFY(busy.get());
         all.get_future().wait();
         QCOMPARE(order, (std::vector{13, 12, 14, 11}));
     }
 
-    void stopFreesACallerWhoseTurnHasNotCome()
+    void stopReleasesAQueuedCaller()
     {
-        Bench bench;
-        auto busy = bench.occupy();
-        base::Stop stop;
-        Transaction transaction = Bench::made(Request::ping(2));
+        Fixture fixture;
+        auto busy = fixture.startActivity();
+        base::StopToken stop;
+        Transaction transaction = Fixture::made(Request::ping(2));
         transaction.stop = &stop;
-        auto waiting = bench.start(transaction);
+        auto waiting = fixture.start(transaction);
         stop.request();
         QCOMPARE(waiting.get().error().code, ErrorCode::Stopped);
-        bench.world->releaseReplies();
+        fixture.shared->releaseReplies();
         QVERIFY(busy.get());
-        const auto sent = bench.world->takeSent();
+        const auto sent = fixture.shared->takeSent();
         QCOMPARE(std::count(sent.begin(), sent.end(), ping(2)), 0);
     }
 
     void stopEndsTheRunningTransaction()
     {
-        Bench bench;
-        base::Stop stop;
-        Transaction transaction = Bench::made(Request::ping(99));
-        transaction.patience = 60s;
+        Fixture fixture;
+        base::StopToken stop;
+        Transaction transaction = Fixture::made(Request::ping(99));
+        transaction.timeout = 60s;
         transaction.stop = &stop;
-        auto running = bench.start(transaction);
-        bench.world->awaitSent(1);
+        auto running = fixture.start(transaction);
+        fixture.shared->waitForSent(1);
         stop.request();
         QCOMPARE(running.get().error().code, ErrorCode::Stopped);
     }
 
     void emergencyGoesAheadOfEverything()
     {
-        Bench bench;
+        Fixture fixture;
         const Bytes off =
             protocol::feetechCodec().encode(Request::write(254, 40, {0}, Repeat::Safe)).value();
-        bench.bus->setStopFrames({{base::Protocol::Feetech, off}});
-        auto busy = bench.occupy();
+        fixture.bus->setStopFrames({{base::Protocol::Feetech, off}});
+        auto busy = fixture.startActivity();
         std::promise<base::Result<Outcome>> queued;
-        bench.bus->submit(Bench::made(Request::write(2, 42, {0, 8}, Repeat::Safe)),
-                          [&](base::Result<Outcome> outcome) { queued.set_value(outcome); });
-        bench.bus->emergency();
+        fixture.bus->submit(Fixture::made(Request::write(2, 42, {0, 8}, Repeat::Safe)),
+                            [&](base::Result<Outcome> outcome) { queued.set_value(outcome); });
+        fixture.bus->emergency();
         QCOMPARE(busy.get().error().code, ErrorCode::Preempted);
         QCOMPARE(queued.get_future().get().error().code, ErrorCode::Preempted);
-        bench.world->awaitFrame(off);
-        QCOMPARE(bench.world->takeSent(), (std::vector{ping(1), off}));
+        fixture.shared->waitForFrame(off);
+        QCOMPARE(fixture.shared->takeSent(), (std::vector{ping(1), off}));
     }
 
     /// By the bus' own record: not at the deadline of what is running, which is a minute away.
-    void noDeadlineKeepsAnEmergencyWaiting()
+    void noDeadlineDelaysAnEmergency()
     {
-        Bench bench;
+        Fixture fixture;
         const Bytes off =
             protocol::feetechCodec().encode(Request::write(254, 40, {0}, Repeat::Safe)).value();
-        bench.bus->setStopFrames({{base::Protocol::Feetech, off}});
-        bench.bus->takeTrace();
-        auto busy = bench.occupy();
-        const Duration called = bench.clock.now();
-        bench.bus->emergency();
+        fixture.bus->setStopFrames({{base::Protocol::Feetech, off}});
+        fixture.bus->takeTrace();
+        auto busy = fixture.startActivity();
+        const Duration callTime = fixture.clock.now();
+        fixture.bus->emergency();
         QCOMPARE(busy.get().error().code, ErrorCode::Preempted);
-        bench.world->awaitFrame(off);
+        fixture.shared->waitForFrame(off);
         std::optional<Duration> sent;
         QTRY_VERIFY([&] {
-            for (const TraceEntry& entry : bench.bus->takeTrace()) {
+            for (const TraceEntry& entry : fixture.bus->takeTrace()) {
                 if (entry.kind == TraceKind::Sent && entry.bytes == off)
                     sent = entry.at;
             }
             return sent.has_value();
         }());
-        QVERIFY(*sent >= called && *sent - called < 30s);
+        QVERIFY(*sent >= callTime && *sent - callTime < 30s);
     }
 
     /// Asked for before, and begun after: not even its first frame goes out.
-    void whatWasAskedForBeforeAnEmergencyIsNotBegun()
+    void requestsBeforeAnEmergencyAreNotStarted()
     {
-        Bench bench;
-        const std::uint64_t before = bench.bus->emergencies();
-        bench.bus->emergency();
-        bench.world->takeSent();
-        const Hold late = bench.bus->hold({1}, before);
-        Transaction step = Bench::made(Request::write(1, 42, {0, 8}, Repeat::Safe));
+        Fixture fixture;
+        const std::uint64_t before = fixture.bus->emergencyCount();
+        fixture.bus->emergency();
+        fixture.shared->takeSent();
+        const Hold late = fixture.bus->hold({1}, before);
+        Transaction step = Fixture::made(Request::write(1, 42, {0, 8}, Repeat::Safe));
         step.hold = late.token();
-        QCOMPARE(bench.bus->transact(step).error().code, ErrorCode::Preempted);
-        Transaction loose = Bench::made(Request::write(2, 42, {0, 8}, Repeat::Safe));
+        QCOMPARE(fixture.bus->transact(step).error().code, ErrorCode::Preempted);
+        Transaction loose = Fixture::made(Request::write(2, 42, {0, 8}, Repeat::Safe));
         loose.epoch = before;
-        QCOMPARE(bench.bus->transact(loose).error().code, ErrorCode::Preempted);
-        QVERIFY(bench.world->takeSent().empty());
-        QVERIFY2(bench.bus->transact(step), "a lock can still be closed");
+        QCOMPARE(fixture.bus->transact(loose).error().code, ErrorCode::Preempted);
+        QVERIFY(fixture.shared->takeSent().empty());
+        QVERIFY2(fixture.bus->transact(step), "a lock can still be closed");
     }
 
     void emergencyWakesAnIdleBus()
     {
-        Bench bench;
+        Fixture fixture;
         const Bytes off = ping(254);
-        bench.bus->setStopFrames({{base::Protocol::Feetech, off}});
-        bench.bus->emergency();
-        bench.world->awaitFrame(off);
+        fixture.bus->setStopFrames({{base::Protocol::Feetech, off}});
+        fixture.bus->emergency();
+        fixture.shared->waitForFrame(off);
     }
 
     void othersWaitForAHold()
     {
-        Bench bench;
-        Hold job = bench.bus->hold({1});
-        auto waiting = bench.start(Bench::made(Request::ping(1)));
-        QVERIFY2(bench.bus->transact(Bench::made(Request::ping(2))), "others are free");
-        Transaction own = Bench::made(Request::read(1, 55, 1));
-        QCOMPARE(bench.bus->transact(own).error().code, ErrorCode::Held);
+        Fixture fixture;
+        Hold job = fixture.bus->hold({1});
+        auto waiting = fixture.start(Fixture::made(Request::ping(1)));
+        QVERIFY2(fixture.bus->transact(Fixture::made(Request::ping(2))), "others are free");
+        Transaction own = Fixture::made(Request::read(1, 55, 1));
+        QCOMPARE(fixture.bus->transact(own).error().code, ErrorCode::Held);
         own.hold = job.token();
-        QVERIFY(bench.bus->transact(own));
-        const auto before = bench.world->takeSent();
+        QVERIFY(fixture.bus->transact(own));
+        const auto before = fixture.shared->takeSent();
         QCOMPARE(std::count(before.begin(), before.end(), ping(1)), 0);
         job = Hold();
         QVERIFY(waiting.get());
@@ -355,168 +355,168 @@ private Q_SLOTS:
 
     void aHoldWaitsForOtherHolders()
     {
-        Bench bench;
+        Fixture fixture;
         std::atomic<bool> released{false};
-        Hold first = bench.bus->hold({1, 2});
-        const Hold again = bench.bus->hold({2}); // the same thread may
+        Hold first = fixture.bus->hold({1, 2});
+        const Hold again = fixture.bus->hold({2}); // the same thread may
         auto second = std::async(std::launch::async, [&] {
-            const Hold hold = bench.bus->hold({1});
+            const Hold hold = fixture.bus->hold({1});
             return released.load() && hold.token() != 0;
         });
-        QVERIFY(bench.bus->transact(Bench::made(Request::ping(3))));
+        QVERIFY(fixture.bus->transact(Fixture::made(Request::ping(3))));
         released = true;
         first = Hold();
         QVERIFY(second.get());
     }
 
-    void pollsGoOnWhileAJobIsBusy()
+    void pollsContinueDuringAJob()
     {
-        Bench bench;
+        Fixture fixture;
         PollPlan plan;
         plan.servos.push_back({3, {{56, 15}}, false, 0});
-        const PollId id = bench.bus->startPoll(plan);
-        base::Stop stop;
+        const PollId id = fixture.bus->startPoll(plan);
+        base::StopToken stop;
         std::atomic<int> done{0};
         auto job = std::async(std::launch::async, [&] {
-            while (!stop.requested())
-                done += bench.bus->transact(Bench::made(Request::read(1, 0, 5))) ? 1 : 0;
+            while (!stop.isRequested())
+                done += fixture.bus->transact(Fixture::made(Request::read(1, 0, 5))) ? 1 : 0;
         });
         std::size_t polled = 0;
         while (polled < 20 || done < 20) {
-            for (const Sample& sample : bench.bus->takeSamples(id)) {
+            for (const Sample& sample : fixture.bus->takeSamples(id)) {
                 QVERIFY(sample.answered);
                 QCOMPARE(sample.data.size(), std::size_t(15));
                 polled += done > 0 ? 1 : 0;
             }
-            bench.bus->pauseUntil(bench.clock.now() + 5ms, nullptr);
+            fixture.bus->pauseUntil(fixture.clock.now() + 5ms, nullptr);
         }
         stop.request();
         job.wait();
-        bench.bus->stopPoll(id);
+        fixture.bus->stopPoll(id);
     }
 
-    void pollsRunWhenNobodyAsks()
+    void pollsRunWhenIdle()
     {
-        Bench bench;
+        Fixture fixture;
         PollPlan plan;
         plan.servos = {{1, {{56, 2}}, true, 0}, {2, {{56, 2}}, false, 0}};
         plan.period = 1ms;
-        const PollId id = bench.bus->startPoll(plan);
+        const PollId id = fixture.bus->startPoll(plan);
         std::map<int, int> seen;
         while (seen[1] < 10 || seen[2] < 10) {
-            for (const Sample& sample : bench.bus->takeSamples(id))
+            for (const Sample& sample : fixture.bus->takeSamples(id))
                 ++seen[sample.id];
-            bench.bus->pauseUntil(bench.clock.now() + 2ms, nullptr);
+            fixture.bus->pauseUntil(fixture.clock.now() + 2ms, nullptr);
         }
         QVERIFY(qAbs(seen[1] - seen[2]) <= 2);
     }
 
     void unpluggingIsNoticedWhileIdle()
     {
-        Bench bench;
-        QVERIFY(!bench.bus->lost());
-        bench.world->cutLink();
-        QTRY_VERIFY(bench.bus->lost());
-        QVERIFY2(!bench.world->linkAlive, "closed at once");
-        QCOMPARE(bench.bus->transact(Bench::made(Request::ping(1))).error().code,
+        Fixture fixture;
+        QVERIFY(!fixture.bus->lost());
+        fixture.shared->cutLink();
+        QTRY_VERIFY(fixture.bus->lost());
+        QVERIFY2(!fixture.shared->linkAlive, "closed at once");
+        QCOMPARE(fixture.bus->transact(Fixture::made(Request::ping(1))).error().code,
                  ErrorCode::LinkLost);
-        QCOMPARE(bench.bus->setBaud(500'000).error().code, ErrorCode::LinkLost);
+        QCOMPARE(fixture.bus->setBaud(500'000).error().code, ErrorCode::LinkLost);
     }
 
     void unpluggingEndsTheRunningTransaction()
     {
-        Bench bench;
-        auto busy = bench.occupy();
-        bench.world->cutLink();
+        Fixture fixture;
+        auto busy = fixture.startActivity();
+        fixture.shared->cutLink();
         QCOMPARE(busy.get().error().code, ErrorCode::LinkLost);
     }
 
-    void destructionFreesWhoeverWaits()
+    void destructionReleasesWaitingCallers()
     {
-        Bench bench;
-        auto busy = bench.occupy();
+        Fixture fixture;
+        auto busy = fixture.startActivity();
         std::promise<base::Result<Outcome>> submitted;
-        bench.bus->submit(Bench::made(Request::ping(3)),
-                          [&](base::Result<Outcome> outcome) { submitted.set_value(outcome); });
-        bench.bus.reset();
+        fixture.bus->submit(Fixture::made(Request::ping(3)),
+                            [&](base::Result<Outcome> outcome) { submitted.set_value(outcome); });
+        fixture.bus.reset();
         QCOMPARE(busy.get().error().code, ErrorCode::Stopped);
         QCOMPARE(submitted.get_future().get().error().code, ErrorCode::Stopped);
-        QVERIFY(!bench.world->linkAlive);
+        QVERIFY(!fixture.shared->linkAlive);
     }
 
     void rateAndListeningAreDoneOnTheBusThread()
     {
-        Bench bench;
-        QVERIFY(bench.bus->setBaud(500'000));
-        QCOMPARE(bench.bus->baud(), 500'000);
+        Fixture fixture;
+        QVERIFY(fixture.bus->setBaud(500'000));
+        QCOMPARE(fixture.bus->baud(), 500'000);
         {
-            const std::lock_guard lock(bench.world->mutex);
-            bench.world->toHost = protocol::encodeFeetechStatus(42, 0, {});
+            const std::lock_guard lock(fixture.shared->mutex);
+            fixture.shared->toHost = protocol::encodeFeetechStatus(42, 0, {});
         }
-        QVERIFY(bench.bus->listen(1ms));
-        const auto strays = bench.bus->takeStrays();
+        QVERIFY(fixture.bus->listen(1ms));
+        const auto strays = fixture.bus->takeUnexpectedFrames();
         QCOMPARE(strays.size(), std::size_t(1));
         QCOMPARE(strays.front().id, 42);
     }
 
     /// Callers, polls and a stop on other threads while the link goes and comes.
-    void aLinkThatComesBackIsServedAgain()
+    void aReturningLinkIsServedAgain()
     {
-        Bench bench;
+        Fixture fixture;
         PollServo servo;
         servo.id = 2;
         servo.spans = {{56, 2}};
-        const PollId poll = bench.bus->startPoll({{servo}, 5ms});
-        const LinkPatience patience(*bench.bus, 30s);
-        bench.world->cutLink();
-        QTRY_VERIFY(bench.bus->away());
-        QVERIFY(!bench.bus->lost());
-        const auto deaf = bench.bus->transact(Bench::made(Request::ping(1)));
+        const PollId poll = fixture.bus->startPoll({{servo}, 5ms});
+        const ReconnectScope reconnect(*fixture.bus, 30s);
+        fixture.shared->cutLink();
+        QTRY_VERIFY(fixture.bus->isReconnecting());
+        QVERIFY(!fixture.bus->lost());
+        const auto deaf = fixture.bus->transact(Fixture::made(Request::ping(1)));
         QVERIFY(!deaf);
-        QCOMPARE(deaf.error().code, ErrorCode::NoAnswer);
-        bench.world->mend();
-        QTRY_VERIFY(!bench.bus->away());
-        QVERIFY(bench.bus->transact(Bench::made(Request::ping(1))));
-        bool heard = false;
+        QCOMPARE(deaf.error().code, ErrorCode::NoReply);
+        fixture.shared->restoreLink();
+        QTRY_VERIFY(!fixture.bus->isReconnecting());
+        QVERIFY(fixture.bus->transact(Fixture::made(Request::ping(1))));
+        bool isReceived = false;
         const auto look = [&] {
-            for (const Sample& sample : bench.bus->takeSamples(poll))
-                heard = sample.answered;
-            return heard;
+            for (const Sample& sample : fixture.bus->takeSamples(poll))
+                isReceived = sample.answered;
+            return isReceived;
         };
         look();
-        heard = false;
-        QTRY_VERIFY(heard || look());
+        isReceived = false;
+        QTRY_VERIFY(isReceived || look());
     }
 
-    void aStopWhileTheLinkIsAwayIsTheFirstWord()
+    void aStopWhileTheLinkIsAwayIsSentFirst()
     {
-        Bench bench;
+        Fixture fixture;
         const Bytes off =
             protocol::feetechCodec().encode(Request::write(254, 40, {0}, Repeat::Safe)).value();
-        bench.bus->setStopFrames({{base::Protocol::Feetech, off}});
-        const LinkPatience patience(*bench.bus, 30s);
-        bench.world->cutLink();
-        QTRY_VERIFY(bench.bus->away());
-        bench.world->takeSent();
-        bench.bus->emergency();
-        const auto preempted = bench.bus->transact(Bench::made(Request::ping(1)));
+        fixture.bus->setStopFrames({{base::Protocol::Feetech, off}});
+        const ReconnectScope reconnect(*fixture.bus, 30s);
+        fixture.shared->cutLink();
+        QTRY_VERIFY(fixture.bus->isReconnecting());
+        fixture.shared->takeSent();
+        fixture.bus->emergency();
+        const auto preempted = fixture.bus->transact(Fixture::made(Request::ping(1)));
         QVERIFY(!preempted);
         QCOMPARE(preempted.error().code, ErrorCode::Preempted);
-        bench.world->mend();
-        bench.world->awaitFrame(off);
-        QCOMPARE(bench.world->takeSent().front(), off);
-        QTRY_VERIFY(bench.bus->transact(Bench::made(Request::ping(1))).has_value());
+        fixture.shared->restoreLink();
+        fixture.shared->waitForFrame(off);
+        QCOMPARE(fixture.shared->takeSent().front(), off);
+        QTRY_VERIFY(fixture.bus->transact(Fixture::made(Request::ping(1))).has_value());
     }
 
     void theBusEndsWhileTheLinkIsAway()
     {
-        Bench bench;
-        bench.bus->awaitReturn(60s);
-        bench.world->cutLink();
-        QTRY_VERIFY(bench.bus->away());
-        bench.bus->emergency();
-        bench.bus.reset(); // does not wait for the rest of the minute
-        QVERIFY(!bench.world->linkAlive);
+        Fixture fixture;
+        fixture.bus->setReconnectTimeout(60s);
+        fixture.shared->cutLink();
+        QTRY_VERIFY(fixture.bus->isReconnecting());
+        fixture.bus->emergency();
+        fixture.bus.reset(); // does not wait for the rest of the minute
+        QVERIFY(!fixture.shared->linkAlive);
     }
 };
 

@@ -22,17 +22,17 @@ class TestBusTransact : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void readAnswers()
+    void readReplies()
     {
-        Bench bench;
-        bench.open();
-        const auto outcome = bench.transact(Request::read(1, 56, 15));
+        BusFixture fixture;
+        fixture.open();
+        const auto outcome = fixture.transact(Request::read(1, 56, 15));
         QVERIFY(outcome);
         QCOMPARE(outcome->data(), tableBytes(1, 56, 15));
         QCOMPARE(outcome->attempts, 1);
         QVERIFY(outcome->faults.empty());
         QCOMPARE(outcome->roundTrip, Duration(80 + 210));
-        const Counters counters = bench.counters(1);
+        const Counters counters = fixture.counters(1);
         QCOMPARE(counters.sent, std::uint64_t(1));
         QCOMPARE(counters.ok, std::uint64_t(1));
         QVERIFY(qAbs(counters.roundTripP50.count() - 290) <= 290 / 64);
@@ -40,29 +40,29 @@ private Q_SLOTS:
 
     void alarmIsData()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes&) {
-            bench.script.reply(frameOf(1, 0x20, {7}));
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes&) {
+            fixture.script.reply(frameOf(1, 0x20, {7}));
             return true;
         };
-        const auto outcome = bench.transact(Request::read(1, 56, 1));
+        const auto outcome = fixture.transact(Request::read(1, 56, 1));
         QVERIFY(outcome);
         QCOMPARE(int(outcome->status()), 0x20);
         QCOMPARE(outcome->data(), (Bytes{7}));
     }
 
-    void waitsForWireDelayAndPatience_data()
+    void waitsForWireDelayAndTimeout_data()
     {
         QTest::addColumn<Request>("request");
         QTest::addColumn<int>("baud");
         QTest::addColumn<int>("bits");
         QTest::addColumn<Duration>("replyDelay");
-        QTest::addColumn<Duration>("patience");
+        QTest::addColumn<Duration>("timeout");
         QTest::addColumn<Duration>("waits");
         const auto row = [](const char* name, const Request& request, int baud, int bits,
-                            Duration delay, Duration patience, Duration waits) {
-            QTest::newRow(name) << request << baud << bits << delay << patience << waits;
+                            Duration delay, Duration timeout, Duration waits) {
+            QTest::newRow(name) << request << baud << bits << delay << timeout << waits;
         };
         const Request read = Request::read(9, 56, 15);
         row("default", read, 1'000'000, 10, 508us, 0us, 290us + 508us + 25ms);
@@ -74,33 +74,33 @@ private Q_SLOTS:
             110us + 3 * 210us + 3 * 508us + 25ms);
     }
 
-    void waitsForWireDelayAndPatience()
+    void waitsForWireDelayAndTimeout()
     {
         QFETCH(const Request, request);
         QFETCH(const Duration, replyDelay);
-        QFETCH(const Duration, patience);
+        QFETCH(const Duration, timeout);
         QFETCH(const Duration, waits);
         QFETCH(const int, baud);
         QFETCH(const int, bits);
-        Bench bench;
-        bench.script.baud = baud;
-        bench.open({bits, nullptr});
-        bench.core->setReplyDelay(replyDelay);
-        QCOMPARE(bench.timed(request, 0, patience), waits);
+        BusFixture fixture;
+        fixture.script.baud = baud;
+        fixture.open({bits, nullptr});
+        fixture.core->setReplyDelay(replyDelay);
+        QCOMPARE(fixture.timed(request, 0, timeout), waits);
     }
 
-    void patienceCanBeSet()
+    void timeoutCanBeSet()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setReplyDelay(0us);
-        bench.core->setPatience(100ms);
-        QCOMPARE(bench.timed(Request::ping(9)), Duration(120us + 100ms));
-        bench.core->setPatience(10ms);
-        QCOMPARE(bench.timed(Request::ping(8)), Duration(120us + 10ms));
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setReplyDelay(0us);
+        fixture.core->setTimeout(100ms);
+        QCOMPARE(fixture.timed(Request::ping(9)), Duration(120us + 100ms));
+        fixture.core->setTimeout(10ms);
+        QCOMPARE(fixture.timed(Request::ping(8)), Duration(120us + 10ms));
     }
 
-    void lostAnswersAreAskedForAgain_data()
+    void lostRepliesAreRequestedAgain_data()
     {
         QTest::addColumn<int>("lost");
         QTest::addColumn<int>("retries");
@@ -113,27 +113,27 @@ private Q_SLOTS:
         QTest::newRow("one lost, no retries") << 1 << 0 << 1 << false;
     }
 
-    void lostAnswersAreAskedForAgain()
+    void lostRepliesAreRequestedAgain()
     {
         QFETCH(const int, lost);
         QFETCH(const int, retries);
         QFETCH(const int, attempts);
         QFETCH(const bool, answered);
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [left = lost](const Bytes&) mutable { return left-- > 0; };
-        const auto outcome = bench.transact(Request::read(1, 56, 2), retries);
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [left = lost](const Bytes&) mutable { return left-- > 0; };
+        const auto outcome = fixture.transact(Request::read(1, 56, 2), retries);
         QCOMPARE(outcome.has_value(), answered);
-        QCOMPARE(int(bench.script.sent.size()), attempts);
-        QCOMPARE(int(bench.counters(1).timeOuts), lost);
-        QCOMPARE(int(bench.counters(1).retried), attempts > 1 ? 1 : 0);
+        QCOMPARE(int(fixture.script.sent.size()), attempts);
+        QCOMPARE(int(fixture.counters(1).timeouts), lost);
+        QCOMPARE(int(fixture.counters(1).retried), attempts > 1 ? 1 : 0);
         if (answered) {
             QCOMPARE(outcome->attempts, attempts);
             QCOMPARE(int(outcome->faults.size()), lost);
-            QCOMPARE(outcome->faults.front().kind, FaultKind::TimeOut);
+            QCOMPARE(outcome->faults.front().kind, FaultKind::Timeout);
             QCOMPARE(outcome->data(), tableBytes(1, 56, 2));
         } else {
-            QCOMPARE(outcome.error().code, ErrorCode::NoAnswer);
+            QCOMPARE(outcome.error().code, ErrorCode::NoReply);
             QCOMPARE(outcome.error().attempts, attempts);
             QCOMPARE(outcome.error().id, 1);
         }
@@ -141,14 +141,14 @@ private Q_SLOTS:
 
     void defaultRetriesCanBeSet()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setRetries(0);
-        QVERIFY(!bench.transact(Request::ping(9)));
-        QCOMPARE(bench.script.sent.size(), std::size_t(1));
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setRetries(0);
+        QVERIFY(!fixture.transact(Request::ping(9)));
+        QCOMPARE(fixture.script.sent.size(), std::size_t(1));
     }
 
-    void whatMustNotBeRepeatedIsNot_data()
+    void nonRepeatableRequestsAreNotRetried_data()
     {
         QTest::addColumn<Request>("request");
         QTest::newRow("relative move") << Request::write(1, 42, {0, 4}, Repeat::Never);
@@ -157,145 +157,145 @@ private Q_SLOTS:
         QTest::newRow("state reset") << Request::stateReset(1);
     }
 
-    void whatMustNotBeRepeatedIsNot()
+    void nonRepeatableRequestsAreNotRetried()
     {
         QFETCH(const Request, request);
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [](const Bytes&) { return true; };
-        const auto outcome = bench.transact(request, 5);
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [](const Bytes&) { return true; };
+        const auto outcome = fixture.transact(request, 5);
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::Uncertain);
-        QCOMPARE(bench.script.sent.size(), std::size_t(1));
+        QCOMPARE(fixture.script.sent.size(), std::size_t(1));
     }
 
-    void troublesAreToldApart_data()
+    void errorsAreDistinguished_data()
     {
         QTest::addColumn<Bytes>("answer");
         QTest::addColumn<ErrorCode>("code");
         Bytes broken = frameOf(1, 0, {1, 2});
         broken.back() ^= 0x10;
         const Bytes good = frameOf(1, 0, {1, 2});
-        QTest::newRow("silence") << Bytes{} << ErrorCode::NoAnswer;
+        QTest::newRow("silence") << Bytes{} << ErrorCode::NoReply;
         QTest::newRow("wrong checksum") << broken << ErrorCode::Garbled;
         QTest::newRow("noise") << Bytes{0x00, 0x13, 0x37} << ErrorCode::Garbled;
         QTest::newRow("cut short") << Bytes(good.begin(), good.end() - 2) << ErrorCode::Garbled;
-        QTest::newRow("too short a frame") << frameOf(1, 0, {1}) << ErrorCode::WrongAnswer;
-        QTest::newRow("another servo") << frameOf(2, 0, {1, 2}) << ErrorCode::NoAnswer;
+        QTest::newRow("too short a frame") << frameOf(1, 0, {1}) << ErrorCode::UnexpectedReply;
+        QTest::newRow("another servo") << frameOf(2, 0, {1, 2}) << ErrorCode::NoReply;
     }
 
-    void troublesAreToldApart()
+    void errorsAreDistinguished()
     {
         QFETCH(const Bytes, answer);
         QFETCH(const ErrorCode, code);
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes&) {
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes&) {
             if (!answer.empty())
-                bench.script.reply(answer);
+                fixture.script.reply(answer);
             return true;
         };
-        const auto outcome = bench.transact(Request::read(1, 56, 2));
+        const auto outcome = fixture.transact(Request::read(1, 56, 2));
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, code);
     }
 
-    void anythingHeardOutweighsSilence()
+    void anyReceivedBytesOutweighSilence()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&, first = true](const Bytes&) mutable {
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&, first = true](const Bytes&) mutable {
             if (std::exchange(first, false))
-                bench.script.reply({0x42});
+                fixture.script.reply({0x42});
             return true;
         };
-        const auto outcome = bench.transact(Request::read(1, 56, 2));
+        const auto outcome = fixture.transact(Request::read(1, 56, 2));
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::Garbled);
     }
 
-    void brokenReplyIsRepeatedAtOnce()
+    void garbledReplyIsRetriedAtOnce()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&, first = true](const Bytes&) mutable {
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&, first = true](const Bytes&) mutable {
             if (!std::exchange(first, false))
                 return false;
             Bytes broken = frameOf(1, 0, {1, 2});
             broken.back() ^= 1;
-            bench.script.reply(broken);
+            fixture.script.reply(broken);
             return true;
         };
-        const Duration start = bench.script.clock.now();
-        const auto outcome = bench.transact(Request::read(1, 56, 2));
+        const Duration start = fixture.script.clock.now();
+        const auto outcome = fixture.transact(Request::read(1, 56, 2));
         QVERIFY(outcome);
-        QCOMPARE(outcome->faults.front().kind, FaultKind::BadCheck);
-        QCOMPARE(bench.counters(1).badChecks, std::uint64_t(1));
-        QVERIFY(bench.script.clock.now() - start < 2ms);
+        QCOMPARE(outcome->faults.front().kind, FaultKind::BadChecksum);
+        QCOMPARE(fixture.counters(1).badChecksums, std::uint64_t(1));
+        QVERIFY(fixture.script.clock.now() - start < 2ms);
     }
 
-    void brokenReplyKeepsTheLineUntilItIsSilent()
+    void garbledReplyHoldsTheLineUntilSilent()
     {
-        Bench bench;
-        bench.open();
+        BusFixture fixture;
+        fixture.open();
         Duration tailAt{};
-        bench.script.intercept = [&, first = true](const Bytes&) mutable {
+        fixture.script.intercept = [&, first = true](const Bytes&) mutable {
             if (!std::exchange(first, false))
                 return false;
             Bytes broken = frameOf(1, 0, {1, 2});
             broken.back() ^= 1;
-            bench.script.reply(broken);
-            bench.script.reply({0x55, 0x55}, 100us); // the twin has not finished
-            tailAt = bench.script.wireFree;
+            fixture.script.reply(broken);
+            fixture.script.reply({0x55, 0x55}, 100us); // the twin has not finished
+            tailAt = fixture.script.wireFreeAt;
             return true;
         };
-        QVERIFY(bench.transact(Request::read(1, 56, 2)));
-        QVERIFY(bench.script.sent.at(1).at >= tailAt);
+        QVERIFY(fixture.transact(Request::read(1, 56, 2)));
+        QVERIFY(fixture.script.sent.at(1).at >= tailAt);
     }
 
-    void noiseAheadDoesNotCostTheReply()
+    void noiseAheadDoesNotLoseTheReply()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes&) {
-            bench.script.reply({0xFF, 0xFF, 0x01, 0x00, 0xFF});
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes&) {
+            fixture.script.reply({0xFF, 0xFF, 0x01, 0x00, 0xFF});
             return false;
         };
-        const auto outcome = bench.transact(Request::read(1, 56, 2));
+        const auto outcome = fixture.transact(Request::read(1, 56, 2));
         QVERIFY(outcome);
         QCOMPARE(outcome->attempts, 1);
         QCOMPARE(outcome->data(), tableBytes(1, 56, 2));
-        QCOMPARE(bench.counters(1).noiseBytes, std::uint64_t(5));
+        QCOMPARE(fixture.counters(1).noiseBytes, std::uint64_t(5));
     }
 
     void replyInPieces()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes&) {
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes&) {
             for (const std::uint8_t byte : frameOf(1, 0, {1, 2}))
-                bench.script.reply({byte});
+                fixture.script.reply({byte});
             return true;
         };
-        const auto outcome = bench.transact(Request::read(1, 56, 2));
+        const auto outcome = fixture.transact(Request::read(1, 56, 2));
         QVERIFY(outcome);
         QCOMPARE(outcome->data(), (Bytes{1, 2}));
     }
 
-    void replyRunningAtTheDeadlineIsHeardOut()
+    void replyInProgressAtTheDeadlineIsReceived()
     {
-        Bench bench;
-        bench.open();
-        bench.core->setReplyDelay(0us);
+        BusFixture fixture;
+        fixture.open();
+        fixture.core->setReplyDelay(0us);
         const Bytes reply = frameOf(1, 0, {1, 2});
-        bench.script.intercept = [&](const Bytes&) {
+        fixture.script.intercept = [&](const Bytes&) {
             // Its first bytes come just before the deadline, 160 + 4000 µs after sending.
-            const Duration now = bench.script.clock.now();
+            const Duration now = fixture.script.clock.now();
             for (std::size_t i = 0; i < reply.size(); ++i)
-                bench.script.deliver(now + 4100us + Duration(10 * i), {reply[i]});
+                fixture.script.deliver(now + 4100us + Duration(10 * i), {reply[i]});
             return true;
         };
-        QVERIFY(bench.transact(Request::read(1, 56, 2), 0, 4ms));
+        QVERIFY(fixture.transact(Request::read(1, 56, 2), 0, 4ms));
     }
 
     void silentServosCostNoTime_data()
@@ -314,222 +314,222 @@ private Q_SLOTS:
     {
         QFETCH(const Request, request);
         QFETCH(const int, bytes);
-        Bench bench;
-        bench.script.intercept = [](const Bytes& frame) { return frame[4] != 0x02; };
-        bench.open();
-        const Duration start = bench.script.clock.now();
-        const auto outcome = bench.transact(request);
+        BusFixture fixture;
+        fixture.script.intercept = [](const Bytes& frame) { return frame[4] != 0x02; };
+        fixture.open();
+        const Duration start = fixture.script.clock.now();
+        const auto outcome = fixture.transact(request);
         QVERIFY(outcome);
-        QVERIFY(outcome->parts.empty());
-        QCOMPARE(bench.script.clock.now() - start, Duration(10 * bytes));
+        QVERIFY(outcome->replies.empty());
+        QCOMPARE(fixture.script.clock.now() - start, Duration(10 * bytes));
     }
 
-    void syncReadTakesWhoAnswers()
+    void syncReadReturnsWhoReplies()
     {
-        Bench bench;
-        bench.open();
-        const auto outcome = bench.transact(Request::syncRead(56, 4, {3, 9, 1}));
+        BusFixture fixture;
+        fixture.open();
+        const auto outcome = fixture.transact(Request::syncRead(56, 4, {3, 9, 1}));
         QVERIFY(outcome);
         QCOMPARE(outcome->attempts, 1);
-        QCOMPARE(outcome->parts.size(), std::size_t(2));
-        QCOMPARE(outcome->parts[0].id, 3);
-        QCOMPARE(outcome->parts[0].data, tableBytes(3, 56, 4));
-        QCOMPARE(outcome->parts[1].id, 1);
-        QCOMPARE(outcome->parts[1].data, tableBytes(1, 56, 4));
-        QCOMPARE(bench.counters(9).timeOuts, std::uint64_t(1));
-        QCOMPARE(bench.counters(1).ok, std::uint64_t(1));
+        QCOMPARE(outcome->replies.size(), std::size_t(2));
+        QCOMPARE(outcome->replies[0].id, 3);
+        QCOMPARE(outcome->replies[0].data, tableBytes(3, 56, 4));
+        QCOMPARE(outcome->replies[1].id, 1);
+        QCOMPARE(outcome->replies[1].data, tableBytes(1, 56, 4));
+        QCOMPARE(fixture.counters(9).timeouts, std::uint64_t(1));
+        QCOMPARE(fixture.counters(1).ok, std::uint64_t(1));
     }
 
     void syncReadOfAllPresentEndsWithTheLastByte()
     {
-        Bench bench;
-        bench.open();
-        QCOMPARE(bench.timed(Request::syncRead(56, 4, {3, 2, 1})), Duration(110 + 3 * 100));
+        BusFixture fixture;
+        fixture.open();
+        QCOMPARE(fixture.timed(Request::syncRead(56, 4, {3, 2, 1})), Duration(110 + 3 * 100));
     }
 
-    void syncReadOfNobodyIsNoAnswer()
+    void syncReadWithoutServosIsNoAnswer()
     {
-        Bench bench;
-        bench.open();
-        const auto outcome = bench.transact(Request::syncRead(56, 4, {8, 9}));
+        BusFixture fixture;
+        fixture.open();
+        const auto outcome = fixture.transact(Request::syncRead(56, 4, {8, 9}));
         QVERIFY(!outcome);
-        QCOMPARE(outcome.error().code, ErrorCode::NoAnswer);
+        QCOMPARE(outcome.error().code, ErrorCode::NoReply);
     }
 
     void idWriteAcknowledgedFromTheNewId()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes&) {
-            bench.script.reply(frameOf(7, 0, {}));
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes&) {
+            fixture.script.reply(frameOf(7, 0, {}));
             return true;
         };
         Request request = Request::write(1, 5, {7}, Repeat::Never);
-        request.answersAs = 7;
-        const auto outcome = bench.transact(request);
+        request.alternateReplyId = 7;
+        const auto outcome = fixture.transact(request);
         QVERIFY(outcome);
-        QCOMPARE(outcome->parts.front().id, 7);
+        QCOMPARE(outcome->replies.front().id, 7);
     }
 
-    void broadcastPingFindsAnybody()
+    void broadcastPingFindsAnyServo()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes&) {
-            bench.script.reply(frameOf(77, 0, {}));
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes&) {
+            fixture.script.reply(frameOf(77, 0, {}));
             return true;
         };
-        const auto outcome = bench.transact(Request::ping(254));
+        const auto outcome = fixture.transact(Request::ping(254));
         QVERIFY(outcome);
-        QCOMPARE(outcome->parts.front().id, 77);
+        QCOMPARE(outcome->replies.front().id, 77);
     }
 
-    void rawReturnsAllThatCame()
+    void rawReturnsAllBytes()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes&) {
-            bench.script.reply({0x11, 0xFF});
-            bench.script.reply(frameOf(1, 0, {}), 3ms);
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes&) {
+            fixture.script.reply({0x11, 0xFF});
+            fixture.script.reply(frameOf(1, 0, {}), 3ms);
             return true;
         };
         Bytes all{0x11, 0xFF};
         const Bytes frame = frameOf(1, 0, {});
         all.insert(all.end(), frame.begin(), frame.end());
-        const auto outcome = bench.transact(Request::raw({0xFF, 0xFF, 1, 2, 1, 0xFB}));
+        const auto outcome = fixture.transact(Request::raw({0xFF, 0xFF, 1, 2, 1, 0xFB}));
         QVERIFY(outcome);
-        QCOMPARE(outcome->parts.size(), std::size_t(1));
+        QCOMPARE(outcome->replies.size(), std::size_t(1));
         QCOMPARE(outcome->data(), all);
-        bench.script.intercept = nullptr;
-        const auto silence = bench.transact(Request::raw({0x00}));
+        fixture.script.intercept = nullptr;
+        const auto silence = fixture.transact(Request::raw({0x00}));
         QVERIFY(silence);
         QVERIFY(silence->data().empty());
     }
 
-    void neverSpeaksIntoARunningFrame()
+    void neverSendsDuringAnIncomingFrame()
     {
-        Bench bench;
-        bench.open();
+        BusFixture fixture;
+        fixture.open();
         // Another servo's frame is half in when the transaction begins.
         const Bytes frame = frameOf(99, 0, Bytes(40, 0x22));
-        const Duration now = bench.script.clock.now();
+        const Duration now = fixture.script.clock.now();
         for (std::size_t i = 0; i < frame.size(); ++i)
-            bench.script.deliver(now + Duration(10 * i), {frame[i]});
+            fixture.script.deliver(now + Duration(10 * i), {frame[i]});
         const Duration end = now + Duration(10 * (frame.size() - 1));
-        bench.script.clock.advance(100us);
-        QVERIFY(bench.transact(Request::read(1, 56, 2)));
-        QVERIFY(bench.script.sent.front().at >= end);
-        QCOMPARE(bench.counters(99).foreign, std::uint64_t(1));
+        fixture.script.clock.advance(100us);
+        QVERIFY(fixture.transact(Request::read(1, 56, 2)));
+        QVERIFY(fixture.script.sent.front().at >= end);
+        QCOMPARE(fixture.counters(99).foreign, std::uint64_t(1));
     }
 
     /// It is no silence: the error names the ID that replied instead.
     void namesTheIdThatRepliedInstead()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&bench](const Bytes&) {
-            bench.script.reply(frameOf(2, 0, {0x10, 0x20}));
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&fixture](const Bytes&) {
+            fixture.script.reply(frameOf(2, 0, {0x10, 0x20}));
             return true;
         };
-        const auto outcome = bench.transact(Request::read(1, 56, 2));
+        const auto outcome = fixture.transact(Request::read(1, 56, 2));
         QVERIFY(!outcome);
-        QCOMPARE(outcome.error().code, ErrorCode::NoAnswer);
+        QCOMPARE(outcome.error().code, ErrorCode::NoReply);
         QCOMPARE(outcome.error().detail, QStringLiteral("from 2"));
     }
 
     void endlessNoiseDoesNotBlockForEver()
     {
-        Bench bench;
-        bench.open();
-        const Duration now = bench.script.clock.now();
+        BusFixture fixture;
+        fixture.open();
+        const Duration now = fixture.script.clock.now();
         for (int i = 0; i < 20'000; ++i)
-            bench.script.deliver(now + Duration(50 * i), {0x55});
-        const auto outcome = bench.transact(Request::read(9, 56, 2), 0);
+            fixture.script.deliver(now + Duration(50 * i), {0x55});
+        const auto outcome = fixture.transact(Request::read(9, 56, 2), 0);
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::LineBusy);
-        QVERIFY(bench.script.clock.now() - now < 100ms);
+        QVERIFY(fixture.script.clock.now() - now < 100ms);
     }
 
     void badRequestsNeverReachTheWire()
     {
-        Bench bench;
-        bench.open();
-        const auto outcome = bench.transact(Request::read(254, 0, 9));
+        BusFixture fixture;
+        fixture.open();
+        const auto outcome = fixture.transact(Request::read(254, 0, 9));
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::BadArgument);
-        QVERIFY(bench.script.sent.empty());
+        QVERIFY(fixture.script.sent.empty());
     }
 
     void rateChangesTheWireTime()
     {
-        Bench bench;
-        bench.open();
-        QVERIFY(bench.core->setBaud(100'000));
-        QCOMPARE(bench.core->baud(), 100'000);
-        QCOMPARE(bench.transact(Request::read(1, 56, 15))->roundTrip, Duration(2900));
-        bench.script.refusedBaud = 128'000;
-        const auto refused = bench.core->setBaud(128'000);
+        BusFixture fixture;
+        fixture.open();
+        QVERIFY(fixture.core->setBaud(100'000));
+        QCOMPARE(fixture.core->baud(), 100'000);
+        QCOMPARE(fixture.transact(Request::read(1, 56, 15))->roundTrip, Duration(2900));
+        fixture.script.refusedBaud = 128'000;
+        const auto refused = fixture.core->setBaud(128'000);
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::RateUnsupported);
-        QCOMPARE(bench.core->baud(), 100'000);
-        QVERIFY(bench.transact(Request::ping(1)));
+        QCOMPARE(fixture.core->baud(), 100'000);
+        QVERIFY(fixture.transact(Request::ping(1)));
     }
 
     void rateChangeLetsTheLastFrameLeave()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [](const Bytes&) { return true; };
-        QVERIFY(bench.transact(Request::syncWrite(42, {{1, Bytes(200)}})));
-        const Duration left = bench.script.wireFree;
-        QVERIFY(bench.core->setBaud(500'000));
-        QVERIFY(bench.script.clock.now() > left);
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [](const Bytes&) { return true; };
+        QVERIFY(fixture.transact(Request::syncWrite(42, {{1, Bytes(200)}})));
+        const Duration left = fixture.script.wireFreeAt;
+        QVERIFY(fixture.core->setBaud(500'000));
+        QVERIFY(fixture.script.clock.now() > left);
     }
 
     void lostLinkStaysLost()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes&) { return bench.script.cut = true; };
-        const auto outcome = bench.transact(Request::write(1, 5, {2}, Repeat::Never));
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes&) { return fixture.script.cut = true; };
+        const auto outcome = fixture.transact(Request::write(1, 5, {2}, Repeat::Never));
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::LinkLost);
-        QVERIFY(bench.core->lost());
-        bench.script.cut = false;
-        QCOMPARE(bench.transact(Request::ping(1)).error().code, ErrorCode::LinkLost);
-        QCOMPARE(bench.core->listen(1ms).error().code, ErrorCode::LinkLost);
-        QCOMPARE(bench.core->setBaud(500'000).error().code, ErrorCode::LinkLost);
-        QCOMPARE(bench.script.sent.size(), std::size_t(1));
+        QVERIFY(fixture.core->lost());
+        fixture.script.cut = false;
+        QCOMPARE(fixture.transact(Request::ping(1)).error().code, ErrorCode::LinkLost);
+        QCOMPARE(fixture.core->listen(1ms).error().code, ErrorCode::LinkLost);
+        QCOMPARE(fixture.core->setBaud(500'000).error().code, ErrorCode::LinkLost);
+        QCOMPARE(fixture.script.sent.size(), std::size_t(1));
     }
 
     void listeningCollectsStrays()
     {
-        Bench bench;
-        bench.open();
-        bench.script.deliver(bench.script.clock.now() + 5ms, frameOf(42, 4, {9}));
-        const Duration start = bench.script.clock.now();
-        QVERIFY(bench.core->listen(40ms));
-        QCOMPARE(bench.script.clock.now() - start, Duration(40ms));
-        const auto strays = bench.core->takeStrays();
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.deliver(fixture.script.clock.now() + 5ms, frameOf(42, 4, {9}));
+        const Duration start = fixture.script.clock.now();
+        QVERIFY(fixture.core->listen(40ms));
+        QCOMPARE(fixture.script.clock.now() - start, Duration(40ms));
+        const auto strays = fixture.core->takeUnexpectedFrames();
         QCOMPARE(strays.size(), std::size_t(1));
         QCOMPARE(strays.front().id, 42);
         QCOMPARE(int(strays.front().status), 4);
         QCOMPARE(strays.front().data, (Bytes{9}));
-        QVERIFY(bench.core->takeStrays().empty());
+        QVERIFY(fixture.core->takeUnexpectedFrames().empty());
     }
 
     void traceShowsEveryFrame()
     {
-        Bench bench;
-        bench.open();
-        bench.script.intercept = [&](const Bytes&) {
-            bench.script.reply({0x13});
-            bench.script.reply(frameOf(2, 0, {}));
+        BusFixture fixture;
+        fixture.open();
+        fixture.script.intercept = [&](const Bytes&) {
+            fixture.script.reply({0x13});
+            fixture.script.reply(frameOf(2, 0, {}));
             return false;
         };
-        QVERIFY(bench.transact(Request::read(1, 56, 2)));
+        QVERIFY(fixture.transact(Request::read(1, 56, 2)));
         std::vector<TraceKind> kinds;
-        for (const TraceEntry& entry : bench.core->takeTrace())
+        for (const TraceEntry& entry : fixture.core->takeTrace())
             kinds.push_back(entry.kind);
         QCOMPARE(kinds, (std::vector{TraceKind::Sent, TraceKind::Noise, TraceKind::Foreign,
                                      TraceKind::Received}));
@@ -537,11 +537,11 @@ private Q_SLOTS:
 
     void wireTimeIsCounted()
     {
-        Bench bench;
-        bench.open();
-        const Statistics before = bench.core->statistics();
-        QVERIFY(bench.transact(Request::read(1, 56, 15)));
-        const Statistics after = bench.core->statistics();
+        BusFixture fixture;
+        fixture.open();
+        const Statistics before = fixture.core->statistics();
+        QVERIFY(fixture.transact(Request::read(1, 56, 15)));
+        const Statistics after = fixture.core->statistics();
         QCOMPARE(after.bytesOut - before.bytesOut, std::uint64_t(8));
         QCOMPARE(after.bytesIn - before.bytesIn, std::uint64_t(21));
         QCOMPARE(after.wireTime - before.wireTime, Duration(290));

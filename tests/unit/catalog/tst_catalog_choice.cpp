@@ -24,7 +24,7 @@ const QStringList SlowBauds{QStringLiteral("19200"), QStringLiteral("14400"),
                             QStringLiteral("9600"), QStringLiteral("4800")};
 } // namespace
 
-class TestCatalogChoice : public QObject {
+class TestCatalogLookup : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -37,7 +37,7 @@ private Q_SLOTS:
     void byteOrderWithoutFlag();
     void modelsByName();
     void everyModelResolvesToItsName();
-    void emptyCatalogStillAnswers();
+    void emptyCatalogStillWorks();
     void baudCodes_data();
     void baudCodes();
     void startupForceAndIntegralLimit_data();
@@ -48,21 +48,21 @@ private Q_SLOTS:
     void phaseBit5BySeries();
     void hlsByFirmware_data();
     void hlsByFirmware();
-    void locksAndAbilitiesOfTheOtherMaps();
+    void locksAndFeaturesOfTheOtherMaps();
     void scsReservedRowsAreReadOnly();
-    void abilities();
+    void features();
     void flags();
 
 private:
     const Catalog m_catalog = Catalog::load().catalog;
 };
 
-void TestCatalogChoice::init()
+void TestCatalogLookup::init()
 {
     QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
 }
 
-void TestCatalogChoice::builtInFilesAreClean()
+void TestCatalogLookup::builtInFilesAreClean()
 {
     const auto loaded = Catalog::load();
     for (const LoadWarning& warning : loaded.warnings)
@@ -76,7 +76,7 @@ void TestCatalogChoice::builtInFilesAreClean()
     QVERIFY(loaded.catalog.models().size() > 100);
 }
 
-void TestCatalogChoice::mapByFirmware_data()
+void TestCatalogLookup::mapByFirmware_data()
 {
     QTest::addColumn<Identity>("identity");
     QTest::addColumn<QString>("map");
@@ -132,7 +132,7 @@ void TestCatalogChoice::mapByFirmware_data()
     row("9.10", {3, 10, 0, 9, 10}, "sts-sms", "STS", "STS3095", true);
 }
 
-void TestCatalogChoice::mapByFirmware()
+void TestCatalogLookup::mapByFirmware()
 {
     QFETCH(Identity, identity);
     const ProfilePtr profile = m_catalog.resolve(identity);
@@ -149,7 +149,7 @@ void TestCatalogChoice::mapByFirmware()
              identity.byteOrderFlag ? base::ByteOrder::Big : base::ByteOrder::Little);
 }
 
-void TestCatalogChoice::unknownMapIsReadOnly()
+void TestCatalogLookup::unknownMapIsReadOnly()
 {
     const ProfilePtr profile = m_catalog.resolve({8, 8, 0, 77, 1});
     for (const Register& reg : profile->registers)
@@ -167,7 +167,7 @@ void TestCatalogChoice::unknownMapIsReadOnly()
     QVERIFY(!profile->byRole(Role::None));
 }
 
-void TestCatalogChoice::byteOrderWithoutFlag_data()
+void TestCatalogLookup::byteOrderWithoutFlag_data()
 {
     QTest::addColumn<Identity>("identity");
     QTest::addColumn<QString>("series");
@@ -186,7 +186,7 @@ void TestCatalogChoice::byteOrderWithoutFlag_data()
     QTest::newRow("nothing read") << Identity{} << QString() << false;
 }
 
-void TestCatalogChoice::byteOrderWithoutFlag()
+void TestCatalogLookup::byteOrderWithoutFlag()
 {
     QFETCH(Identity, identity);
     QFETCH(bool, big);
@@ -195,7 +195,7 @@ void TestCatalogChoice::byteOrderWithoutFlag()
     QCOMPARE(profile->byteOrder == base::ByteOrder::Big, big);
 }
 
-void TestCatalogChoice::modelsByName()
+void TestCatalogLookup::modelsByName()
 {
     const ModelEntry* entry = m_catalog.model(QStringLiteral("sts3215"));
     QVERIFY(entry);
@@ -215,15 +215,15 @@ void TestCatalogChoice::modelsByName()
     QCOMPARE(Identity{}.firmware(), QStringLiteral("?"));
 
     // A model whose number nobody knows still has its name when it is asked for by name.
-    const ModelEntry* numberless = m_catalog.model(QStringLiteral("SCS125"));
-    QVERIFY(numberless && numberless->major == -1);
-    const ProfilePtr scs = m_catalog.profileFor(*numberless, 0, 4);
+    const ModelEntry* modelWithoutNumber = m_catalog.model(QStringLiteral("SCS125"));
+    QVERIFY(modelWithoutNumber && modelWithoutNumber->major == -1);
+    const ProfilePtr scs = m_catalog.profileFor(*modelWithoutNumber, 0, 4);
     QCOMPARE(scs->modelName, QStringLiteral("SCS125"));
     QCOMPARE(scs->mapKey, QStringLiteral("scs"));
     QCOMPARE(*scs->angleRangeDeg, 220.0);
 }
 
-void TestCatalogChoice::everyModelResolvesToItsName()
+void TestCatalogLookup::everyModelResolvesToItsName()
 {
     for (const ModelEntry& model : m_catalog.models()) {
         if (model.major < 0)
@@ -241,7 +241,7 @@ void TestCatalogChoice::everyModelResolvesToItsName()
     }
 }
 
-void TestCatalogChoice::emptyCatalogStillAnswers()
+void TestCatalogLookup::emptyCatalogStillWorks()
 {
     const Catalog empty;
     const ProfilePtr profile = empty.resolve({3, 10, 0, 9, 3});
@@ -253,7 +253,7 @@ void TestCatalogChoice::emptyCatalogStillAnswers()
     QCOMPARE(empty.protocolsAt(115200), std::vector{base::Protocol::Feetech});
 }
 
-void TestCatalogChoice::baudCodes_data()
+void TestCatalogLookup::baudCodes_data()
 {
     QTest::addColumn<Identity>("identity");
     QTest::addColumn<bool>("slow");
@@ -266,7 +266,7 @@ void TestCatalogChoice::baudCodes_data()
     QTest::newRow("SMCL") << Identity{1, 6, 0, 6, 16} << false << 4;
 }
 
-void TestCatalogChoice::baudCodes()
+void TestCatalogLookup::baudCodes()
 {
     QFETCH(Identity, identity);
     QFETCH(bool, slow);
@@ -276,14 +276,14 @@ void TestCatalogChoice::baudCodes()
     QCOMPARE(keysOf(reg), slow ? FastBauds + SlowBauds : FastBauds);
     QCOMPARE(*reg->max, slow ? 11 : 7);
     QCOMPARE(*reg->defaultRaw, factory);
-    const Meaning meaning = meaningOf(*reg, *profile, knowNothing);
+    const ValueFormat meaning = valueFormat(*reg, *profile, noLookup);
     QCOMPARE(checkNewValue(8, *reg, meaning, std::nullopt).has_value(), slow);
     QVERIFY(checkNewValue(7, *reg, meaning, std::nullopt).has_value());
     QVERIFY(!checkNewValue(12, *reg, meaning, std::nullopt).has_value());
     QCOMPARE(*profile->defaultBaud, factory == 4 ? 115200 : 1000000);
 }
 
-void TestCatalogChoice::startupForceAndIntegralLimit_data()
+void TestCatalogLookup::startupForceAndIntegralLimit_data()
 {
     QTest::addColumn<Identity>("identity");
     QTest::addColumn<int>("size");
@@ -295,7 +295,7 @@ void TestCatalogChoice::startupForceAndIntegralLimit_data()
     QTest::newRow("SCS") << Identity{0, 4, 1, 5, 15} << 2 << 1000 << false;
 }
 
-void TestCatalogChoice::startupForceAndIntegralLimit()
+void TestCatalogLookup::startupForceAndIntegralLimit()
 {
     QFETCH(Identity, identity);
     QFETCH(int, max);
@@ -312,7 +312,7 @@ void TestCatalogChoice::startupForceAndIntegralLimit()
                                       : QStringLiteral("min_startup_force"));
 }
 
-void TestCatalogChoice::returnDelayOnlyOnSms()
+void TestCatalogLookup::returnDelayOnlyOnSms()
 {
     const ProfilePtr smsProfile = m_catalog.resolve({2, 53, 0, 8, 42});
     const Register* sms = smsProfile->find(QStringLiteral("return_delay"));
@@ -329,7 +329,7 @@ void TestCatalogChoice::returnDelayOnlyOnSms()
     QVERIFY(sts->help.zh.contains(QStringLiteral("预留")));
 }
 
-void TestCatalogChoice::torqueSwitchValues_data()
+void TestCatalogLookup::torqueSwitchValues_data()
 {
     QTest::addColumn<Identity>("identity");
     QTest::addColumn<QStringList>("keys");
@@ -348,7 +348,7 @@ void TestCatalogChoice::torqueSwitchValues_data()
     QTest::newRow("LX") << Identity{-1, -1, -1, -1, -1, base::Protocol::Lx} << QStringList{off, on};
 }
 
-void TestCatalogChoice::torqueSwitchValues()
+void TestCatalogLookup::torqueSwitchValues()
 {
     QFETCH(Identity, identity);
     const ProfilePtr profile = m_catalog.resolve(identity);
@@ -357,7 +357,7 @@ void TestCatalogChoice::torqueSwitchValues()
              keysOf(profile->byRole(Role::TorqueSwitch)).contains(QStringLiteral("damp")));
 }
 
-void TestCatalogChoice::phaseBit5BySeries()
+void TestCatalogLookup::phaseBit5BySeries()
 {
     const auto hasKey = [this](Identity identity, const char* key) {
         return keysOf(m_catalog.resolve(identity)->byRole(Role::Phase))
@@ -368,7 +368,7 @@ void TestCatalogChoice::phaseBit5BySeries()
     QVERIFY(!hasKey({2, 53, 0, 8, 42}, "integrated_bridge"));
 }
 
-void TestCatalogChoice::hlsByFirmware_data()
+void TestCatalogLookup::hlsByFirmware_data()
 {
     QTest::addColumn<int>("minor");
     QTest::addColumn<QString>("bit0");
@@ -383,7 +383,7 @@ void TestCatalogChoice::hlsByFirmware_data()
     QTest::newRow("3.59") << 59 << encoder << false << true;
 }
 
-void TestCatalogChoice::hlsByFirmware()
+void TestCatalogLookup::hlsByFirmware()
 {
     QFETCH(int, minor);
     QFETCH(QString, bit0);
@@ -401,7 +401,7 @@ void TestCatalogChoice::hlsByFirmware()
     QCOMPARE(profile->centering, calibrates ? Centering::Instruction0B : Centering::None);
 }
 
-void TestCatalogChoice::locksAndAbilitiesOfTheOtherMaps()
+void TestCatalogLookup::locksAndFeaturesOfTheOtherMaps()
 {
     const ProfilePtr hls = m_catalog.resolve({3, 43, 0, 10, 10});
     QCOMPARE(hls->byRole(Role::Lock)->address, 55);
@@ -431,7 +431,7 @@ void TestCatalogChoice::locksAndAbilitiesOfTheOtherMaps()
     QCOMPARE(scs2->byRole(scs2->mode(QStringLiteral("motor"))->command)->address, 44);
 }
 
-void TestCatalogChoice::scsReservedRowsAreReadOnly()
+void TestCatalogLookup::scsReservedRowsAreReadOnly()
 {
     const ProfilePtr profile = m_catalog.resolve({0, 4, 1, 5, 15});
     for (const int address : {7, 23}) {
@@ -445,7 +445,7 @@ void TestCatalogChoice::scsReservedRowsAreReadOnly()
     QCOMPARE(profile->byRole(Role::Lock)->address, 48);
 }
 
-void TestCatalogChoice::abilities()
+void TestCatalogLookup::features()
 {
     const ProfilePtr sts = m_catalog.resolve({3, 10, 0, 9, 11});
     QCOMPARE(sts->line, Line::Ttl);
@@ -484,7 +484,7 @@ void TestCatalogChoice::abilities()
     QCOMPARE(scs->byRole(scs->mode(QStringLiteral("motor"))->command)->address, 44);
 }
 
-void TestCatalogChoice::flags()
+void TestCatalogLookup::flags()
 {
     const auto addresses = [](const ProfilePtr& profile, auto&& predicate) {
         QList<int> found;
@@ -517,5 +517,5 @@ void TestCatalogChoice::flags()
     QCOMPARE(addresses(scs, bothZero), (QList<int>{9, 11}));
 }
 
-QTEST_GUILESS_MAIN(TestCatalogChoice)
+QTEST_GUILESS_MAIN(TestCatalogLookup)
 #include "tst_catalog_choice.moc"

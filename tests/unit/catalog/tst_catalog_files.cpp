@@ -12,7 +12,7 @@ namespace {
 constexpr auto AnyName = R"({"en": "Name", "zh": "名称"})";
 
 /// A small, sound map "bench" with the registers given, and a series that leads to it.
-QByteArray benchFile(const QByteArray& registers)
+QByteArray testMapFile(const QByteArray& registers)
 {
     return R"({"maps": [{"key": "bench", "registers": [
         {"key": "firmware_major", "address": 0, "size": 1, "area": "EPROM", "access": "ro",
@@ -29,7 +29,7 @@ QByteArray registerRow(const QByteArray& members)
            QByteArray(AnyName) + (members.isEmpty() ? QByteArray() : ", " + members) + "}";
 }
 
-const Identity Bench{50, 1, 0, 200, 1};
+const Identity TestIdentity{50, 1, 0, 200, 1};
 } // namespace
 
 class TestCatalogFiles : public QObject {
@@ -37,17 +37,17 @@ class TestCatalogFiles : public QObject {
 
 private Q_SLOTS:
     void init();
-    void soundFile();
-    void badRowCostsThatRow_data();
-    void badRowCostsThatRow();
+    void validFile();
+    void badRowSkipsOnlyThatRow_data();
+    void badRowSkipsOnlyThatRow();
     void conflictsBetweenRows_data();
     void conflictsBetweenRows();
     void overlapOnlyUnderACondition();
     void hostileFile_data();
     void hostileFile();
-    void thingsThatAreNoFiles();
+    void nonFiles();
     void manyBadRowsAreSummedUp();
-    void absentFolderIsEmpty();
+    void missingFolderIsEmpty();
     void addsAModel();
     void replacesModelMapAndSeries();
     void laterFilesWin();
@@ -57,7 +57,7 @@ private Q_SLOTS:
 
 private:
     void write(const QString& name, const QByteArray& content) const;
-    Catalog::Loaded load() const { return Catalog::load({m_dir->path()}); }
+    Catalog::LoadResult load() const { return Catalog::load({m_dir->path()}); }
     std::unique_ptr<QTemporaryDir> m_dir;
 };
 
@@ -75,23 +75,23 @@ void TestCatalogFiles::write(const QString& name, const QByteArray& content) con
     QCOMPARE(file.write(content), content.size());
 }
 
-void TestCatalogFiles::soundFile()
+void TestCatalogFiles::validFile()
 {
     write(QStringLiteral("bench.json"),
-          benchFile(registerRow(R"("min": 5, "unit": "V", "scale": 0.1)")));
+          testMapFile(registerRow(R"("min": 5, "unit": "V", "scale": 0.1)")));
     const auto loaded = load();
     QVERIFY(loaded.warnings.empty());
-    const ProfilePtr profile = loaded.catalog.resolve(Bench);
+    const ProfilePtr profile = loaded.catalog.resolve(TestIdentity);
     QCOMPARE(profile->mapKey, QStringLiteral("bench"));
     QCOMPARE(profile->modelName, QStringLiteral("BENCH (200.1)"));
     const Register* extra = profile->find(QStringLiteral("extra"));
     QVERIFY(extra);
     QCOMPARE(*extra->min, 5);
-    QCOMPARE(formatValue(85, *extra, meaningOf(*extra, *profile, knowNothing), false),
+    QCOMPARE(formatValue(85, *extra, valueFormat(*extra, *profile, noLookup), false),
              QStringLiteral("8.5 V"));
 }
 
-void TestCatalogFiles::badRowCostsThatRow_data()
+void TestCatalogFiles::badRowSkipsOnlyThatRow_data()
 {
     QTest::addColumn<QByteArray>("row");
     QTest::addColumn<QString>("about");
@@ -168,14 +168,14 @@ void TestCatalogFiles::badRowCostsThatRow_data()
     row("writable without help", changed(R"("ro")", R"("rw")"), "help");
 }
 
-void TestCatalogFiles::badRowCostsThatRow()
+void TestCatalogFiles::badRowSkipsOnlyThatRow()
 {
     QFETCH(QByteArray, row);
     QFETCH(QString, about);
     write(QStringLiteral("bench.json"),
-          benchFile(row + R"(, {"key": "last", "address": 20, "size": 1, "area": "SRAM",
+          testMapFile(row + R"(, {"key": "last", "address": 20, "size": 1, "area": "SRAM",
               "access": "ro", "encoding": "unsigned", "name": )" +
-                    AnyName + "}"));
+                      AnyName + "}"));
     const auto loaded = load();
     QCOMPARE(loaded.warnings.size(), std::size_t(1));
     const LoadWarning& warning = loaded.warnings.front();
@@ -183,7 +183,7 @@ void TestCatalogFiles::badRowCostsThatRow()
     QVERIFY2(warning.where.startsWith(QStringLiteral("registers")), qPrintable(warning.where));
     QVERIFY2(warning.detail.contains(about), qPrintable(warning.detail));
     QVERIFY(warning.detail.size() < 200);
-    const ProfilePtr profile = loaded.catalog.resolve(Bench);
+    const ProfilePtr profile = loaded.catalog.resolve(TestIdentity);
     QCOMPARE(profile->registers.size(), std::size_t(2));
     QVERIFY(profile->find(QStringLiteral("last")));
 }
@@ -206,32 +206,32 @@ void TestCatalogFiles::conflictsBetweenRows()
     QFETCH(QString, about);
     QByteArray second = registerRow({});
     second.replace("10", QByteArray::number(address)).replace("extra", key.toUtf8());
-    write(QStringLiteral("bench.json"), benchFile(registerRow({}) + "," + second));
+    write(QStringLiteral("bench.json"), testMapFile(registerRow({}) + "," + second));
     const auto loaded = load();
     QCOMPARE(loaded.warnings.size(), std::size_t(1));
     QVERIFY2(loaded.warnings.front().detail.contains(about),
              qPrintable(loaded.warnings.front().detail));
-    const ProfilePtr profile = loaded.catalog.resolve(Bench);
+    const ProfilePtr profile = loaded.catalog.resolve(TestIdentity);
     QCOMPARE(profile->registers.size(), std::size_t(2));
     QCOMPARE(profile->find(QStringLiteral("extra"))->address, 10);
 }
 
 void TestCatalogFiles::overlapOnlyUnderACondition()
 {
-    // From firmware 50.5 on "extra" grows into the neighbour: only that neighbour is lost.
-    QByteArray neighbour = registerRow({});
-    neighbour.replace("10", "12").replace("extra", "neighbour");
+    // From firmware 50.5 on "extra" grows into the neighbor: only that neighbor is lost.
+    QByteArray neighbor = registerRow({});
+    neighbor.replace("10", "12").replace("extra", "neighbour");
     const QByteArray grows =
         registerRow(R"("set": [{"when": {"firmware_from": "50.5"}, "size": 4}])");
-    write(QStringLiteral("bench.json"), benchFile(grows + "," + neighbour));
+    write(QStringLiteral("bench.json"), testMapFile(grows + "," + neighbor));
     const auto overlapping = load();
     QCOMPARE(overlapping.warnings.size(), std::size_t(1));
     QVERIFY(overlapping.warnings.front().where.contains(QStringLiteral("neighbour")));
 
-    // A neighbour that ends where the growth begins is sound.
-    neighbour.chop(1);
-    neighbour += R"(, "only": [{"firmware_to": "50.4"}]})";
-    write(QStringLiteral("bench.json"), benchFile(grows + "," + neighbour));
+    // A neighbor that ends where the growth begins is sound.
+    neighbor.chop(1);
+    neighbor += R"(, "only": [{"firmware_to": "50.4"}]})";
+    write(QStringLiteral("bench.json"), testMapFile(grows + "," + neighbor));
     const auto sound = load();
     QVERIFY(sound.warnings.empty());
     const auto keysAt = [&](int minor) {
@@ -251,7 +251,7 @@ void TestCatalogFiles::hostileFile_data()
     rows += "1";
     QTest::newRow("empty") << QByteArray();
     QTest::newRow("not JSON") << QByteArray("servo = fast\n");
-    QTest::newRow("cut off") << benchFile({}).chopped(7);
+    QTest::newRow("cut off") << testMapFile({}).chopped(7);
     QTest::newRow("binary") << QByteArray("\x00\xFF\xFE\x01\x02", 5);
     QTest::newRow("list outside") << QByteArray("[1, 2]");
     QTest::newRow("number outside") << QByteArray("7");
@@ -272,7 +272,7 @@ void TestCatalogFiles::hostileFile()
 {
     QFETCH(QByteArray, content);
     write(QStringLiteral("bad.json"), content);
-    write(QStringLiteral("good.json"), benchFile({}));
+    write(QStringLiteral("good.json"), testMapFile({}));
     const auto loaded = load();
     QCOMPARE(loaded.warnings.size(), std::size_t(1));
     QVERIFY(loaded.warnings.front().file.endsWith(QStringLiteral("bad.json")));
@@ -282,7 +282,7 @@ void TestCatalogFiles::hostileFile()
     QCOMPARE(loaded.catalog.resolve({3, 10, 0, 9, 3})->modelName, QStringLiteral("STS3215"));
 }
 
-void TestCatalogFiles::thingsThatAreNoFiles()
+void TestCatalogFiles::nonFiles()
 {
     QVERIFY(QDir(m_dir->path()).mkdir(QStringLiteral("folder.json")));
     QVERIFY(QFile::link(m_dir->filePath(QStringLiteral("gone")),
@@ -299,14 +299,14 @@ void TestCatalogFiles::manyBadRowsAreSummedUp()
     QByteArray rows;
     for (int i = 0; i < 400; ++i)
         rows += "{},";
-    write(QStringLiteral("bad.json"), benchFile(rows + "{}"));
+    write(QStringLiteral("bad.json"), testMapFile(rows + "{}"));
     const auto loaded = load();
     QCOMPARE(loaded.warnings.size(), std::size_t(50));
     QVERIFY(loaded.warnings.back().detail.contains(QStringLiteral("more")));
     QVERIFY(loaded.catalog.mapKeys().contains(QStringLiteral("bench")));
 }
 
-void TestCatalogFiles::absentFolderIsEmpty()
+void TestCatalogFiles::missingFolderIsEmpty()
 {
     const auto loaded = Catalog::load({m_dir->filePath(QStringLiteral("nowhere"))});
     QVERIFY(loaded.warnings.empty());
@@ -333,14 +333,14 @@ void TestCatalogFiles::addsAModel()
     QCOMPARE(sts->mapKey, QStringLiteral("sts-sms"));
     const ProfilePtr scs = loaded.catalog.resolve({0, 4, 1, 5, 99});
     const Register* goal = scs->byRole(Role::GoalPosition);
-    QCOMPARE(toPhysical(512, meaningOf(*goal, *scs, knowNothing)), 90.0);
+    QCOMPARE(toPhysical(512, valueFormat(*goal, *scs, noLookup)), 90.0);
     QCOMPARE(loaded.catalog.model(QStringLiteral("STS7777"))->line, Line::Ttl);
 }
 
 void TestCatalogFiles::replacesModelMapAndSeries()
 {
     const auto count = Catalog::load().catalog.models().size();
-    QByteArray file = benchFile({});
+    QByteArray file = testMapFile({});
     file.replace("bench", "scs").replace("BENCH", "SCS");
     file.replace(R"("50.0", "50.255")", R"("0.0", "0.39")").replace("little", "big");
     file.chop(1);
@@ -435,7 +435,7 @@ void TestCatalogFiles::seriesWithoutItsMap()
     const auto loaded = load();
     QCOMPARE(loaded.warnings.size(), std::size_t(1));
     QVERIFY(loaded.warnings.front().detail.contains(QStringLiteral("missing")));
-    const ProfilePtr profile = loaded.catalog.resolve(Bench);
+    const ProfilePtr profile = loaded.catalog.resolve(TestIdentity);
     QCOMPARE(profile->series, QStringLiteral("BENCH"));
     QCOMPARE(profile->mapKey, QStringLiteral("unknown"));
     QVERIFY(!profile->writable);

@@ -15,15 +15,15 @@ const Identity Lx{-1, -1, -1, -1, -1, Protocol::Lx};
 const Identity Modbus{20, 8, -1, -1, -1, Protocol::Modbus};
 } // namespace
 
-class TestCatalogLanguages : public QObject {
+class TestCatalogProtocols : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
-    void languageNamesTheFamily_data();
-    void languageNamesTheFamily();
-    void feetechNeverGetsTheirMaps();
-    void modelsOfTheOtherLanguages();
+    void protocolDeterminesTheFamily_data();
+    void protocolDeterminesTheFamily();
+    void feetechNeverGetsOtherMaps();
+    void modelsOfTheOtherProtocols();
     void protocolsAt_data();
     void protocolsAt();
     void modbusOffsets();
@@ -38,17 +38,17 @@ private Q_SLOTS:
     void currentOfHlsFollowsItsMode();
     void lxVoltageLimits();
     void baudCodesOfModbus();
-    void badRowCostsThatRow_data();
-    void badRowCostsThatRow();
+    void badRowSkipsOnlyThatRow_data();
+    void badRowSkipsOnlyThatRow();
     void conflictsOfLxRows_data();
     void conflictsOfLxRows();
-    void seriesSpeaksItsMapsLanguage();
+    void seriesUsesItsMapsProtocol();
 
 private:
     const Catalog m_catalog = Catalog::load().catalog;
 };
 
-void TestCatalogLanguages::languageNamesTheFamily_data()
+void TestCatalogProtocols::protocolDeterminesTheFamily_data()
 {
     QTest::addColumn<Identity>("identity");
     QTest::addColumn<QString>("series");
@@ -66,7 +66,7 @@ void TestCatalogLanguages::languageNamesTheFamily_data()
         << Identity{-1, -1, -1, -1, -1, Protocol::Modbus} << modbus << modbusMap << true << 0;
 }
 
-void TestCatalogLanguages::languageNamesTheFamily()
+void TestCatalogProtocols::protocolDeterminesTheFamily()
 {
     QFETCH(Identity, identity);
     QFETCH(bool, big);
@@ -82,7 +82,7 @@ void TestCatalogLanguages::languageNamesTheFamily()
     QCOMPARE(*profile->defaultBaud, 115200);
 }
 
-void TestCatalogLanguages::feetechNeverGetsTheirMaps()
+void TestCatalogProtocols::feetechNeverGetsOtherMaps()
 {
     for (int major = 0; major <= 25; ++major) {
         for (int flag = -1; flag <= 1; ++flag) {
@@ -97,7 +97,7 @@ void TestCatalogLanguages::feetechNeverGetsTheirMaps()
     }
 }
 
-void TestCatalogLanguages::modelsOfTheOtherLanguages()
+void TestCatalogProtocols::modelsOfTheOtherProtocols()
 {
     const ModelEntry* lx = m_catalog.model(QStringLiteral("lx224hv"));
     QVERIFY(lx);
@@ -120,7 +120,7 @@ void TestCatalogLanguages::modelsOfTheOtherLanguages()
     QCOMPARE(m_catalog.model(QStringLiteral("SM-80BL-MB"))->series, QStringLiteral("SMSMB"));
 }
 
-void TestCatalogLanguages::protocolsAt_data()
+void TestCatalogProtocols::protocolsAt_data()
 {
     QTest::addColumn<int>("baud");
     QTest::addColumn<bool>("lx");
@@ -133,7 +133,7 @@ void TestCatalogLanguages::protocolsAt_data()
     QTest::newRow("named by nobody") << 123456 << false << false;
 }
 
-void TestCatalogLanguages::protocolsAt()
+void TestCatalogProtocols::protocolsAt()
 {
     QFETCH(int, baud);
     QFETCH(bool, lx);
@@ -146,7 +146,7 @@ void TestCatalogLanguages::protocolsAt()
     QCOMPARE(m_catalog.protocolsAt(baud), expected);
 }
 
-void TestCatalogLanguages::modbusOffsets()
+void TestCatalogProtocols::modbusOffsets()
 {
     const ProfilePtr profile = m_catalog.resolve(Modbus);
     for (const Register& reg : profile->registers) {
@@ -159,7 +159,7 @@ void TestCatalogLanguages::modbusOffsets()
     QCOMPARE(profile->byRole(Role::FaultReset)->address, 134);
 }
 
-void TestCatalogLanguages::lxOffsetsAndBlocks_data()
+void TestCatalogProtocols::lxOffsetsAndBlocks_data()
 {
     QTest::addColumn<QString>("key");
     QTest::addColumn<int>("offset");
@@ -181,7 +181,7 @@ void TestCatalogLanguages::lxOffsetsAndBlocks_data()
     row("position", 8 * 28, 8 * 28, 8 * 28, 2, 8 * 28);
 }
 
-void TestCatalogLanguages::lxOffsetsAndBlocks()
+void TestCatalogProtocols::lxOffsetsAndBlocks()
 {
     QFETCH(QString, key);
     QFETCH(int, blockOffset);
@@ -196,7 +196,7 @@ void TestCatalogLanguages::lxOffsetsAndBlocks()
     QCOMPARE(*reg->block, (Block{blockOffset, blockSize, blockWrite}));
 }
 
-void TestCatalogLanguages::onlyLxHasBlocks()
+void TestCatalogProtocols::onlyLxHasBlocks()
 {
     const ProfilePtr lx = m_catalog.resolve(Lx);
     for (const Register& reg : lx->registers) {
@@ -218,7 +218,7 @@ void TestCatalogLanguages::onlyLxHasBlocks()
     }
 }
 
-void TestCatalogLanguages::lxFlags()
+void TestCatalogProtocols::lxFlags()
 {
     QStringList identity;
     QStringList dangerous;
@@ -241,7 +241,7 @@ void TestCatalogLanguages::lxFlags()
     QCOMPARE(motion, moving);
 }
 
-void TestCatalogLanguages::modbusFlags()
+void TestCatalogProtocols::modbusFlags()
 {
     const ProfilePtr profile = m_catalog.resolve(Modbus);
     for (const Register& reg : profile->registers) {
@@ -252,7 +252,7 @@ void TestCatalogLanguages::modbusFlags()
     }
 }
 
-void TestCatalogLanguages::workedValues_data()
+void TestCatalogProtocols::workedValues_data()
 {
     QTest::addColumn<Identity>("identity");
     QTest::addColumn<QString>("key");
@@ -296,7 +296,7 @@ void TestCatalogLanguages::workedValues_data()
     row({3, 20, 1, 9, 20}, "goal_pwm", -200, "04C8", "-20.0 %");
 }
 
-void TestCatalogLanguages::workedValues()
+void TestCatalogProtocols::workedValues()
 {
     QFETCH(Identity, identity);
     QFETCH(QString, key);
@@ -306,7 +306,7 @@ void TestCatalogLanguages::workedValues()
     const ProfilePtr profile = m_catalog.resolve(identity);
     const Register* reg = profile->find(key);
     QVERIFY(reg);
-    const Meaning meaning = meaningOf(*reg, *profile, knowNothing);
+    const ValueFormat meaning = valueFormat(*reg, *profile, noLookup);
     const base::Bytes bytes = encodeRaw(raw, *reg, meaning, profile->byteOrder);
     QCOMPARE(QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())),
              wire);
@@ -315,12 +315,12 @@ void TestCatalogLanguages::workedValues()
     QCOMPARE(*parseValue(text, *reg, meaning), raw);
 }
 
-void TestCatalogLanguages::speedOfModbusFollowsItsMode()
+void TestCatalogProtocols::speedOfModbusFollowsItsMode()
 {
     const ProfilePtr profile = m_catalog.resolve(Modbus);
     const Register* speed = profile->byRole(Role::GoalSpeed);
     const auto inMode = [&](int mode) {
-        return meaningOf(*speed, *profile, [=](const QString&) { return std::optional(mode); });
+        return valueFormat(*speed, *profile, [=](const QString&) { return std::optional(mode); });
     };
     const base::Bytes wire{0xFF, 0xCE};
     QCOMPARE(decodeRaw(wire, *speed, inMode(0), profile->byteOrder), 65486);
@@ -328,16 +328,16 @@ void TestCatalogLanguages::speedOfModbusFollowsItsMode()
     QVERIFY(!checkNewValue(-50, *speed, inMode(0), {}));
     QVERIFY(checkNewValue(-50, *speed, inMode(1), {}));
     QVERIFY(!checkNewValue(1001, *speed, inMode(2), {}));
-    QVERIFY(meaningOf(*speed, *profile, knowNothing).assumed);
+    QVERIFY(valueFormat(*speed, *profile, noLookup).assumed);
 }
 
-void TestCatalogLanguages::currentOfHlsFollowsItsMode()
+void TestCatalogProtocols::currentOfHlsFollowsItsMode()
 {
     const ProfilePtr profile = m_catalog.resolve({3, 46, 0, 10, 10});
     const Register* current = profile->byRole(Role::GoalCurrent);
     QVERIFY(current);
     const auto inMode = [&](int mode) {
-        return meaningOf(*current, *profile, [=](const QString&) { return std::optional(mode); });
+        return valueFormat(*current, *profile, [=](const QString&) { return std::optional(mode); });
     };
     QCOMPARE(inMode(2).unit, QStringLiteral("mA"));
     QCOMPARE(inMode(3).unit, QStringLiteral("%"));
@@ -347,11 +347,11 @@ void TestCatalogLanguages::currentOfHlsFollowsItsMode()
     QVERIFY(!checkNewValue(2047, *current, inMode(3), {}));
 }
 
-void TestCatalogLanguages::lxVoltageLimits()
+void TestCatalogProtocols::lxVoltageLimits()
 {
     const ProfilePtr profile = m_catalog.resolve(Lx);
     const Register* most = profile->byRole(Role::MaxVoltage);
-    const Meaning meaning = meaningOf(*most, *profile, knowNothing);
+    const ValueFormat meaning = valueFormat(*most, *profile, noLookup);
     QCOMPARE(*parseValue(QStringLiteral("8.4V"), *most, meaning), 8400);
     QVERIFY(checkNewValue(4500, *most, meaning, {}));
     QVERIFY(checkNewValue(14000, *most, meaning, {}));
@@ -361,11 +361,11 @@ void TestCatalogLanguages::lxVoltageLimits()
     QCOMPARE(*most->warnAbove, 12000);
 }
 
-void TestCatalogLanguages::baudCodesOfModbus()
+void TestCatalogProtocols::baudCodesOfModbus()
 {
     const ProfilePtr profile = m_catalog.resolve(Modbus);
     const Register* baud = profile->byRole(Role::BaudRate);
-    const Meaning meaning = meaningOf(*baud, *profile, knowNothing);
+    const ValueFormat meaning = valueFormat(*baud, *profile, noLookup);
     const QList<int> rates{256000, 128000, 115200, 57600, 56000, 38400, 19200, 14400, 9600, 4800};
     for (int code = 0; code < rates.size(); ++code)
         QCOMPARE(*parseValue(QString::number(rates[code]), *baud, meaning), code);
@@ -381,7 +381,8 @@ QByteArray lxRow(const QByteArray& key, const QByteArray& members)
 }
 
 /// A map of one sound row and those given, in a language nobody else of the family speaks.
-Catalog::Loaded loadMap(const QByteArray& protocol, const QByteArray& first, const QByteArray& rows)
+Catalog::LoadResult loadMap(const QByteArray& protocol, const QByteArray& first,
+                            const QByteArray& rows)
 {
     QTemporaryDir dir;
     QFile file(dir.filePath(QStringLiteral("bench.json")));
@@ -395,7 +396,7 @@ Catalog::Loaded loadMap(const QByteArray& protocol, const QByteArray& first, con
 }
 } // namespace
 
-void TestCatalogLanguages::badRowCostsThatRow_data()
+void TestCatalogProtocols::badRowSkipsOnlyThatRow_data()
 {
     QTest::addColumn<QByteArray>("protocol");
     QTest::addColumn<QByteArray>("members");
@@ -436,7 +437,7 @@ void TestCatalogLanguages::badRowCostsThatRow_data()
        "write");
 }
 
-void TestCatalogLanguages::badRowCostsThatRow()
+void TestCatalogProtocols::badRowSkipsOnlyThatRow()
 {
     QFETCH(QByteArray, protocol);
     QFETCH(QByteArray, members);
@@ -453,7 +454,7 @@ void TestCatalogLanguages::badRowCostsThatRow()
     QVERIFY(loaded.catalog.mapKeys().contains(QStringLiteral("bench")));
 }
 
-void TestCatalogLanguages::conflictsOfLxRows_data()
+void TestCatalogProtocols::conflictsOfLxRows_data()
 {
     QTest::addColumn<QByteArray>("members");
     QTest::addColumn<QString>("about");
@@ -473,7 +474,7 @@ void TestCatalogLanguages::conflictsOfLxRows_data()
     row("fits", R"("address": 21, "write": 20, "place": 3, "size": 2, "access": "rw")", "");
 }
 
-void TestCatalogLanguages::conflictsOfLxRows()
+void TestCatalogProtocols::conflictsOfLxRows()
 {
     QFETCH(QByteArray, members);
     QFETCH(QString, about);
@@ -493,7 +494,7 @@ void TestCatalogLanguages::conflictsOfLxRows()
     QCOMPARE(profile->find(QStringLiteral("first"))->block->size, about.isEmpty() ? 4 : 2);
 }
 
-void TestCatalogLanguages::seriesSpeaksItsMapsLanguage()
+void TestCatalogProtocols::seriesUsesItsMapsProtocol()
 {
     // A user's own LX family comes before the built-in one and leaves the Feetech ones alone.
     const auto loaded =
@@ -509,5 +510,5 @@ void TestCatalogLanguages::seriesSpeaksItsMapsLanguage()
     QVERIFY(unknown.warnings.front().detail.contains(QStringLiteral("morse")));
 }
 
-QTEST_GUILESS_MAIN(TestCatalogLanguages)
+QTEST_GUILESS_MAIN(TestCatalogProtocols)
 #include "tst_catalog_languages.moc"

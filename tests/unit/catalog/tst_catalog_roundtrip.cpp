@@ -18,7 +18,7 @@ private Q_SLOTS:
     void init();
     void everyValue_data();
     void everyValue();
-    void everyWireWordIsShownAsItIs();
+    void everyRawWordIsShownUnchanged();
 
 private:
     const Catalog m_catalog = Catalog::load().catalog;
@@ -56,7 +56,7 @@ void TestCatalogRoundTrip::everyValue_data()
         {"unknown", {9, 9, 0, 99, 9}},
         {"unknown, high byte first", {9, 9, 1, 99, 9}}};
     for (const auto& [name, identity] : servos) {
-        QTest::addRow("%s, nothing known", name) << identity << Lookup(knowNothing);
+        QTest::addRow("%s, nothing known", name) << identity << Lookup(noLookup);
         for (const int raw : {0, 1, 2, 3, 4, 255})
             QTest::addRow("%s, deciders %d", name, raw) << identity << always(raw);
     }
@@ -68,8 +68,8 @@ void TestCatalogRoundTrip::everyValue()
     QFETCH(Lookup, lookup);
     const ProfilePtr profile = m_catalog.resolve(identity);
     for (const Register& reg : profile->registers) {
-        const Meaning meaning = meaningOf(reg, *profile, lookup);
-        const RawRange possible = representable(reg.size, meaning.encoding, meaning.signBit);
+        const ValueFormat meaning = valueFormat(reg, *profile, lookup);
+        const RawRange possible = representableRange(reg.size, meaning.encoding, meaning.signBit);
         const std::int64_t first = meaning.min.value_or(possible.min);
         const std::int64_t last = meaning.max.value_or(possible.max);
         QVERIFY2(first >= possible.min && last <= possible.max, qPrintable(reg.key));
@@ -98,14 +98,14 @@ void TestCatalogRoundTrip::everyValue()
     }
 }
 
-void TestCatalogRoundTrip::everyWireWordIsShownAsItIs()
+void TestCatalogRoundTrip::everyRawWordIsShownUnchanged()
 {
     const ProfilePtr profile = m_catalog.resolve({3, 10, 0, 9, 3});
     for (const Register& reg : profile->registers) {
         // Signed registers ignore the bits above the sign; all others keep every bit.
         if (reg.encoding == Encoding::SignBit || reg.encoding == Encoding::SignBit11Ext12)
             continue;
-        const Meaning meaning = meaningOf(reg, *profile, knowNothing);
+        const ValueFormat meaning = valueFormat(reg, *profile, noLookup);
         const std::uint64_t words = std::uint64_t{1} << (8 * reg.size);
         for (std::uint64_t word = 0; word < words; ++word) {
             const base::Bytes wire =

@@ -120,13 +120,13 @@ class TestCatalogSchema : public QObject {
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
-    void builtInFilesObeyIt_data();
-    void builtInFilesObeyIt();
-    void itRefusesSlips();
-    void loaderKnowsEveryRoleOfIt();
+    void builtInFilesConform_data();
+    void builtInFilesConform();
+    void rejectsMistakes();
+    void loaderKnowsEveryRole();
 };
 
-void TestCatalogSchema::builtInFilesObeyIt_data()
+void TestCatalogSchema::builtInFilesConform_data()
 {
     QTest::addColumn<QString>("file");
     const QDir folder(QStringLiteral(SOURCE_DIR "/resources/models"));
@@ -136,7 +136,7 @@ void TestCatalogSchema::builtInFilesObeyIt_data()
     }
 }
 
-void TestCatalogSchema::builtInFilesObeyIt()
+void TestCatalogSchema::builtInFilesConform()
 {
     QFETCH(QString, file);
     const QJsonObject schema = readJson(QStringLiteral("schema.json"));
@@ -146,7 +146,7 @@ void TestCatalogSchema::builtInFilesObeyIt()
     QVERIFY2(violation.isEmpty(), qPrintable(violation));
 }
 
-void TestCatalogSchema::itRefusesSlips()
+void TestCatalogSchema::rejectsMistakes()
 {
     const Schema schema(readJson(QStringLiteral("schema.json")));
     const auto refuses = [&](const char* json) {
@@ -161,7 +161,7 @@ void TestCatalogSchema::itRefusesSlips()
     QVERIFY(refuses(R"({"maps": [{"key": "m", "registers": [{"key": "a"}]}]})"));
 }
 
-void TestCatalogSchema::loaderKnowsEveryRoleOfIt()
+void TestCatalogSchema::loaderKnowsEveryRole()
 {
     const QJsonArray roles = readJson(QStringLiteral("schema.json"))[QStringLiteral("$defs")]
                                  .toObject()[QStringLiteral("register")]

@@ -9,7 +9,7 @@
 using namespace catalog;
 
 namespace {
-QString encodingWord(const Register& reg)
+QString encodingName(const Register& reg)
 {
     switch (reg.encoding) {
     case Encoding::Unsigned:
@@ -29,7 +29,7 @@ QString encodingWord(const Register& reg)
 }
 
 /// The sheet's word for it; what cannot be written has none.
-QString persistenceWord(const Register& reg)
+QString persistenceName(const Register& reg)
 {
     switch (reg.persistence) {
     case Persistence::ByArea:
@@ -46,7 +46,7 @@ QString persistenceWord(const Register& reg)
     return {};
 }
 
-QString numberWord(const std::optional<std::int64_t>& number)
+QString numberText(const std::optional<std::int64_t>& number)
 {
     return number ? QString::number(*number) : QString();
 }
@@ -60,12 +60,12 @@ QStringList cells(const Register& reg)
             reg.name.zh,
             areaName(reg.area),
             accessName(reg.access),
-            numberWord(reg.defaultRaw),
-            numberWord(reg.min),
-            numberWord(reg.max),
+            numberText(reg.defaultRaw),
+            numberText(reg.min),
+            numberText(reg.max),
             reg.unit,
             QString::number(reg.scale, 'g', 12),
-            encodingWord(reg)};
+            encodingName(reg)};
 }
 
 QList<QStringList> readSheet(const QString& name)
@@ -89,7 +89,7 @@ using Changes = QMap<QString, QString>;
 
 Q_DECLARE_METATYPE(Changes)
 
-class TestCatalogSheet : public QObject {
+class TestCatalogDataSheet : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -108,12 +108,12 @@ private:
     const Catalog m_catalog = Catalog::load().catalog;
 };
 
-void TestCatalogSheet::init()
+void TestCatalogDataSheet::init()
 {
     QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
 }
 
-QList<ProfilePtr> TestCatalogSheet::profiles() const
+QList<ProfilePtr> TestCatalogDataSheet::profiles() const
 {
     return {m_catalog.resolve({3, 10, 0, 9, 3}),
             m_catalog.resolve({2, 45, 0, 8, 42}),
@@ -129,7 +129,7 @@ QList<ProfilePtr> TestCatalogSheet::profiles() const
             m_catalog.resolve(Lx)};
 }
 
-void TestCatalogSheet::registersMatchTheSheet_data()
+void TestCatalogDataSheet::registersMatchTheSheet_data()
 {
     QTest::addColumn<QString>("sheet");
     QTest::addColumn<Identity>("identity");
@@ -172,7 +172,7 @@ void TestCatalogSheet::registersMatchTheSheet_data()
                                  << Changes{};
 }
 
-void TestCatalogSheet::registersMatchTheSheet()
+void TestCatalogDataSheet::registersMatchTheSheet()
 {
     QFETCH(QString, sheet);
     QFETCH(Identity, identity);
@@ -194,7 +194,7 @@ void TestCatalogSheet::registersMatchTheSheet()
     QVERIFY2(changes.isEmpty(), qPrintable(changes.keys().join(QLatin1Char(' '))));
 }
 
-void TestCatalogSheet::textsInBothLanguages()
+void TestCatalogDataSheet::textsInBothLanguages()
 {
     static const QRegularExpression chinese(QStringLiteral("[\\x{4e00}-\\x{9fff}]"));
     for (const ProfilePtr& profile : profiles()) {
@@ -211,7 +211,7 @@ void TestCatalogSheet::textsInBothLanguages()
     }
 }
 
-void TestCatalogSheet::namedValuesAreDistinct()
+void TestCatalogDataSheet::namedValuesAreDistinct()
 {
     static const QRegularExpression word(QStringLiteral("^[a-z0-9_]+$"));
     for (const ProfilePtr& profile : profiles()) {
@@ -230,7 +230,7 @@ void TestCatalogSheet::namedValuesAreDistinct()
     }
 }
 
-void TestCatalogSheet::rolesAreUnique()
+void TestCatalogDataSheet::rolesAreUnique()
 {
     for (const ProfilePtr& profile : profiles()) {
         QSet<int> roles;
@@ -262,7 +262,7 @@ void TestCatalogSheet::rolesAreUnique()
     }
 }
 
-void TestCatalogSheet::lxMatchesTheSheet()
+void TestCatalogDataSheet::lxMatchesTheSheet()
 {
     QList<QStringList> rows = readSheet(QStringLiteral("lx-parameters.csv"));
     QVERIFY2(rows.size() == 20, "the sheet could not be read");
@@ -293,18 +293,18 @@ void TestCatalogSheet::lxMatchesTheSheet()
                                 QString::number(reg->address),
                                 reg->saveOffset >= 0 ? saved : QString(),
                                 places,
-                                named ? encodingWord(*reg) : number,
-                                numberWord(reg->min),
-                                numberWord(most),
+                                named ? encodingName(*reg) : number,
+                                numberText(reg->min),
+                                numberText(most),
                                 voltage ? QStringLiteral("mV") : reg->unit,
                                 QString::number(voltage ? reg->scale * 1000 : reg->scale),
-                                numberWord(reg->defaultRaw),
-                                persistenceWord(*reg)};
+                                numberText(reg->defaultRaw),
+                                persistenceName(*reg)};
         QCOMPARE(found, row);
     }
 }
 
-void TestCatalogSheet::defaultsAreValid()
+void TestCatalogDataSheet::defaultsAreValid()
 {
     for (const ProfilePtr& profile : profiles()) {
         for (const Register& reg : profile->registers) {
@@ -318,7 +318,7 @@ void TestCatalogSheet::defaultsAreValid()
     QVERIFY(!profiles().front()->byRole(Role::MaxVoltage)->defaultRaw);
 }
 
-void TestCatalogSheet::warningThresholds()
+void TestCatalogDataSheet::warningThresholds()
 {
     const ProfilePtr sts = profiles().front();
     QCOMPARE(*sts->byRole(Role::ProtectionCurrent)->warnAbove, 511);
@@ -326,5 +326,5 @@ void TestCatalogSheet::warningThresholds()
     QCOMPARE(*sts->byRole(Role::OvercurrentTime)->warnAbove, 254);
 }
 
-QTEST_GUILESS_MAIN(TestCatalogSheet)
+QTEST_GUILESS_MAIN(TestCatalogDataSheet)
 #include "tst_catalog_sheet.moc"

@@ -30,16 +30,16 @@ private Q_SLOTS:
     void halfStepIsTheLargestRounding();
 
 private:
-    struct Known {
+    struct KnownRegister {
         ProfilePtr profile;
         const Register* reg;
-        Meaning meaning;
+        ValueFormat meaning;
     };
-    Known known(const Identity& identity, const QString& key) const
+    KnownRegister known(const Identity& identity, const QString& key) const
     {
         const ProfilePtr profile = m_catalog.resolve(identity);
         const Register* reg = profile->find(key);
-        return {profile, reg, meaningOf(*reg, *profile, knowNothing)};
+        return {profile, reg, valueFormat(*reg, *profile, noLookup)};
     }
     const Catalog m_catalog = Catalog::load().catalog;
 };
@@ -92,7 +92,7 @@ void TestCatalogText::format()
     QFETCH(Identity, identity);
     QFETCH(QString, key);
     QFETCH(qint64, raw);
-    const Known value = known(identity, key);
+    const KnownRegister value = known(identity, key);
     QTEST(formatValue(raw, *value.reg, value.meaning, false), "en");
     QTEST(formatValue(raw, *value.reg, value.meaning, true), "zh");
 }
@@ -154,7 +154,7 @@ void TestCatalogText::parse()
     QFETCH(QString, key);
     QFETCH(QString, text);
     QFETCH(qint64, raw);
-    const Known value = known(identity, key);
+    const KnownRegister value = known(identity, key);
     const auto parsed = parseValue(text, *value.reg, value.meaning);
     QVERIFY2(parsed.has_value(), parsed ? "" : qPrintable(parsed.error().detail));
     QCOMPARE(*parsed, raw);
@@ -197,7 +197,7 @@ void TestCatalogText::parseRefuses()
 {
     QFETCH(QString, key);
     QFETCH(QString, text);
-    const Known value = known(Sts, key);
+    const KnownRegister value = known(Sts, key);
     const auto parsed = parseValue(text, *value.reg, value.meaning);
     QVERIFY2(!parsed.has_value(), parsed ? qPrintable(QString::number(*parsed)) : "");
     QCOMPARE(parsed.error().code, base::ErrorCode::BadArgument);
@@ -207,7 +207,7 @@ void TestCatalogText::parseRefuses()
 
 void TestCatalogText::halfStepIsTheLargestRounding()
 {
-    const Known volts = known(Sts, QStringLiteral("max_voltage"));
+    const KnownRegister volts = known(Sts, QStringLiteral("max_voltage"));
     for (const char* text : {"8.55V", "8.54V", "8.56V", "8.449V"}) {
         const QString typed = QString::fromLatin1(text);
         const auto raw = parseValue(typed, *volts.reg, volts.meaning);

@@ -18,7 +18,7 @@ const Identity Sms{2, 53, 0, 8, 42};
 const Identity Scs15{0, 4, 1, 5, 15};
 const Identity Scs45{0, 4, 1, 5, 12}; // range not known
 
-Lookup knows(QMap<QString, std::int64_t> values)
+Lookup lookupIn(QMap<QString, std::int64_t> values)
 {
     return [values](const QString& key) {
         return values.contains(key) ? std::optional(values.value(key)) : std::nullopt;
@@ -55,19 +55,20 @@ private Q_SLOTS:
     void scsDegreesWhereTheRangeIsKnown();
     void newValues_data();
     void newValues();
-    void refusalsSayWhatIsExpected();
+    void refusalsStateTheExpectedRange();
 
 private:
-    struct Known {
+    struct KnownRegister {
         ProfilePtr profile;
         const Register* reg;
-        Meaning meaning;
+        ValueFormat meaning;
     };
-    Known known(const Identity& identity, const char* key, const Lookup& lookup = knowNothing) const
+    KnownRegister known(const Identity& identity, const char* key,
+                        const Lookup& lookup = noLookup) const
     {
         const ProfilePtr profile = m_catalog.resolve(identity);
         const Register* reg = profile->find(QLatin1String(key));
-        return {profile, reg, meaningOf(*reg, *profile, lookup)};
+        return {profile, reg, valueFormat(*reg, *profile, lookup)};
     }
     const Catalog m_catalog = Catalog::load().catalog;
 };
@@ -129,7 +130,7 @@ void TestCatalogValue::wire()
     QFETCH(base::Bytes, bytes);
     QFETCH(qint64, raw);
     const auto order = big ? base::ByteOrder::Big : base::ByteOrder::Little;
-    const Meaning meaning = meaningOf(reg, Profile{}, knowNothing);
+    const ValueFormat meaning = valueFormat(reg, Profile{}, noLookup);
     QCOMPARE(decodeRaw(bytes, reg, meaning, order), raw);
     QCOMPARE(encodeRaw(raw, reg, meaning, order), bytes);
 }
@@ -149,7 +150,7 @@ void TestCatalogValue::negativeZeroIsZero()
     QFETCH(base::Bytes, bytes);
     reg.unit = QStringLiteral("deg");
     reg.scale = 0.087890625;
-    const Meaning meaning = meaningOf(reg, Profile{}, knowNothing);
+    const ValueFormat meaning = valueFormat(reg, Profile{}, noLookup);
     const auto raw = decodeRaw(bytes, reg, meaning, base::ByteOrder::Little);
     QCOMPARE(raw, 0);
     QCOMPARE(formatValue(raw, reg, meaning, false), QStringLiteral("0.00°"));
@@ -160,11 +161,11 @@ void TestCatalogValue::encodingSaturates()
 {
     // A number that does not fit must not turn into another one.
     const Register reg = plain(2, Encoding::SignBit, 10);
-    const Meaning meaning = meaningOf(reg, Profile{}, knowNothing);
+    const ValueFormat meaning = valueFormat(reg, Profile{}, noLookup);
     QCOMPARE(encodeRaw(5000, reg, meaning, base::ByteOrder::Little), (base::Bytes{0xFF, 0x03}));
     QCOMPARE(encodeRaw(-5000, reg, meaning, base::ByteOrder::Little), (base::Bytes{0xFF, 0x07}));
     const Register byte = plain(1, Encoding::Unsigned);
-    const Meaning unsignedMeaning = meaningOf(byte, Profile{}, knowNothing);
+    const ValueFormat unsignedMeaning = valueFormat(byte, Profile{}, noLookup);
     QCOMPARE(encodeRaw(300, byte, unsignedMeaning, base::ByteOrder::Little), (base::Bytes{0xFF}));
     QCOMPARE(encodeRaw(-1, byte, unsignedMeaning, base::ByteOrder::Little), (base::Bytes{0x00}));
     QCOMPARE(toRaw(std::nan(""), meaning), 0);
@@ -194,9 +195,9 @@ void TestCatalogValue::speedUnit()
     QFETCH(int, phase);
     QFETCH(double, scale);
     const Lookup lookup =
-        phase < 0 ? Lookup(knowNothing) : knows({{QStringLiteral("phase"), phase}});
+        phase < 0 ? Lookup(noLookup) : lookupIn({{QStringLiteral("phase"), phase}});
     for (const char* key : {"goal_speed", "present_speed"}) {
-        const Known speed = known(identity, key, lookup);
+        const KnownRegister speed = known(identity, key, lookup);
         QCOMPARE(speed.meaning.scale, scale);
         QCOMPARE(speed.meaning.unit, QStringLiteral("rpm"));
         QCOMPARE(speed.meaning.assumed, phase < 0);
@@ -227,7 +228,7 @@ void TestCatalogValue::scsTimeOrPwm()
         values.insert(QStringLiteral("min_angle_limit"), min);
     if (max >= 0)
         values.insert(QStringLiteral("max_angle_limit"), max);
-    const Known time = known(Scs15, "goal_time", knows(values));
+    const KnownRegister time = known(Scs15, "goal_time", lookupIn(values));
     QTEST(time.meaning.assumed, "assumed");
     const base::Bytes wire{0x04, 0xC8};
     const auto raw = decodeRaw(wire, *time.reg, time.meaning, base::ByteOrder::Big);
@@ -243,31 +244,31 @@ void TestCatalogValue::scsTimeOrPwm()
 
 void TestCatalogValue::angleResolutionScalesTheGoalOnly()
 {
-    const Lookup factor3 = knows({{QStringLiteral("angle_resolution"), 3}});
-    const Known goal = known(Sts, "goal_position", factor3);
+    const Lookup factor3 = lookupIn({{QStringLiteral("angle_resolution"), 3}});
+    const KnownRegister goal = known(Sts, "goal_position", factor3);
     QCOMPARE(toPhysical(1024, goal.meaning), 270.0);
     QVERIFY(!goal.meaning.assumed);
     QCOMPARE(*parseValue(QStringLiteral("270deg"), *goal.reg, goal.meaning), 1024);
     for (const char* key : {"present_position", "active_goal_position", "min_angle_limit"})
         QCOMPARE(toPhysical(1024, known(Sts, key, factor3).meaning), 90.0);
 
-    const Known unread = known(Sts, "goal_position");
+    const KnownRegister unread = known(Sts, "goal_position");
     QVERIFY(unread.meaning.assumed);
     QCOMPARE(toPhysical(1024, unread.meaning), 90.0);
-    const Known senseless =
-        known(Sts, "goal_position", knows({{QStringLiteral("angle_resolution"), 0}}));
-    QVERIFY(senseless.meaning.assumed);
-    QCOMPARE(toPhysical(1024, senseless.meaning), 90.0);
+    const KnownRegister invalidRegister =
+        known(Sts, "goal_position", lookupIn({{QStringLiteral("angle_resolution"), 0}}));
+    QVERIFY(invalidRegister.meaning.assumed);
+    QCOMPARE(toPhysical(1024, invalidRegister.meaning), 90.0);
 }
 
 void TestCatalogValue::scsDegreesWhereTheRangeIsKnown()
 {
     for (const char* key : {"goal_position", "present_position", "min_angle_limit",
                             "max_angle_limit", "cw_dead_zone", "ccw_dead_zone"}) {
-        const Known with = known(Scs15, key);
+        const KnownRegister with = known(Scs15, key);
         QCOMPARE(with.meaning.unit, QStringLiteral("deg"));
         QCOMPARE(toPhysical(1024, with.meaning), 220.0);
-        const Known without = known(Scs45, key);
+        const KnownRegister without = known(Scs45, key);
         QCOMPARE(without.meaning.unit, QStringLiteral("step"));
         QCOMPARE(toPhysical(1024, without.meaning), 1024.0);
     }
@@ -328,7 +329,7 @@ void TestCatalogValue::newValues()
     QFETCH(qint64, raw);
     QFETCH(int, present);
     QFETCH(QString, error);
-    const Known value = known(Sts, key.toLatin1().constData());
+    const KnownRegister value = known(Sts, key.toLatin1().constData());
     const auto result =
         checkNewValue(raw, *value.reg, value.meaning,
                       present == -99999 ? std::nullopt : std::optional<std::int64_t>(present));
@@ -337,12 +338,12 @@ void TestCatalogValue::newValues()
         QCOMPARE(result.error().registerKey, key);
 }
 
-void TestCatalogValue::refusalsSayWhatIsExpected()
+void TestCatalogValue::refusalsStateTheExpectedRange()
 {
-    const Known angle = known(Sts, "goal_position");
+    const KnownRegister angle = known(Sts, "goal_position");
     QCOMPARE(checkNewValue(40000, *angle.reg, angle.meaning, std::nullopt).error().detail,
              QStringLiteral("-30719…30719, -2699.91° … 2699.91°"));
-    const Known mode = known(Sts, "operating_mode");
+    const KnownRegister mode = known(Sts, "operating_mode");
     QCOMPARE(checkNewValue(4, *mode.reg, mode.meaning, std::nullopt).error().detail,
              QStringLiteral("position, speed, pwm, step"));
     QVERIFY(parseValue(QStringLiteral("8.5"), *angle.reg, angle.meaning)

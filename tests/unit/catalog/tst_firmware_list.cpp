@@ -28,15 +28,15 @@ class TestFirmwareList : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void newerIsNamed_data();
-    void newerIsNamed();
-    void dateAndSourceAreTold();
-    void aUsersFileCounts();
-    void slipsCostTheirRow_data();
-    void slipsCostTheirRow();
+    void newerFirmwareIsReported_data();
+    void newerFirmwareIsReported();
+    void dateAndSourceAreShown();
+    void userFilesAreUsed();
+    void mistakesSkipTheirRow_data();
+    void mistakesSkipTheirRow();
 };
 
-void TestFirmwareList::newerIsNamed_data()
+void TestFirmwareList::newerFirmwareIsReported_data()
 {
     QTest::addColumn<Case>("servo");
     QTest::addColumn<QString>("newer");
@@ -65,7 +65,7 @@ void TestFirmwareList::newerIsNamed_data()
     row("never read", {Protocol::Feetech, 9, 3, 0, -1, -1}, "");
 }
 
-void TestFirmwareList::newerIsNamed()
+void TestFirmwareList::newerFirmwareIsReported()
 {
     QFETCH(const Case, servo);
     QFETCH(const QString, newer);
@@ -76,7 +76,7 @@ void TestFirmwareList::newerIsNamed()
     QCOMPARE(found ? found->version() : QString(), newer);
 }
 
-void TestFirmwareList::dateAndSourceAreTold()
+void TestFirmwareList::dateAndSourceAreShown()
 {
     const Catalog catalog = Catalog::load().catalog;
     const auto found = catalog.newerFirmware(*catalog.resolve({3, 9, 0, 9, 3}));
@@ -85,7 +85,7 @@ void TestFirmwareList::dateAndSourceAreTold()
     QVERIFY(!found->source.isEmpty());
 }
 
-void TestFirmwareList::aUsersFileCounts()
+void TestFirmwareList::userFilesAreUsed()
 {
     const QTemporaryDir folder;
     QFile file(folder.filePath(QStringLiteral("mine.json")));
@@ -100,7 +100,7 @@ void TestFirmwareList::aUsersFileCounts()
     QCOMPARE(found->version(), QStringLiteral("3.12"));
 }
 
-void TestFirmwareList::slipsCostTheirRow_data()
+void TestFirmwareList::mistakesSkipTheirRow_data()
 {
     QTest::addColumn<QByteArray>("row");
     QTest::newRow("no models") << QByteArray(
@@ -123,7 +123,7 @@ void TestFirmwareList::slipsCostTheirRow_data()
     QTest::newRow("no object") << QByteArray("7");
 }
 
-void TestFirmwareList::slipsCostTheirRow()
+void TestFirmwareList::mistakesSkipTheirRow()
 {
     QFETCH(const QByteArray, row);
     const QTemporaryDir folder;

@@ -42,7 +42,7 @@ QStringList kept()
             return at.isValid() ? QString::number(after(0).msecsTo(at)) : QString();
         };
         all.prepend(alarm.key + QLatin1Char(' ') + ms(alarm.at) + QLatin1Char('-') +
-                    ms(alarm.went));
+                    ms(alarm.clearedAt));
     }
     return all;
 }
@@ -53,63 +53,63 @@ class TestAlarmLog : public QObject {
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
-    void comesAndGoes();
-    void oneThatFlickersIsWrittenDownOnceASecond();
-    void theEndWritesDownTheRest();
-    void servosThatReportNoneAreLeftOut();
+    void raisedAndCleared();
+    void aFlickeringAlarmIsLoggedOncePerSecond();
+    void theEndLogsTheRest();
+    void servosWithoutAlarmsAreOmitted();
 };
 
-void TestAlarmLog::comesAndGoes()
+void TestAlarmLog::raisedAndCleared()
 {
-    const support::OwnDataFolder folder;
+    const support::TemporaryDataFolder folder;
     cli::Console console(false);
     cli::AlarmLog log(console, {servo()});
-    log.look(1, 0, after(0));
+    log.addStatus(1, 0, after(0));
     QVERIFY2(!QFile::exists(session::historyFile()), "nothing to write down");
-    log.look(1, voltage, after(100));
+    log.addStatus(1, voltage, after(100));
     QCOMPARE(kept(), QStringList({QStringLiteral("voltage 100-")}));
-    log.look(1, voltage | heat, after(2000));
-    log.look(1, heat, after(4000));
+    log.addStatus(1, voltage | heat, after(2000));
+    log.addStatus(1, heat, after(4000));
     QCOMPARE(kept(),
              QStringList({QStringLiteral("voltage 100-4000"), QStringLiteral("overheat 2000-")}));
 }
 
-void TestAlarmLog::oneThatFlickersIsWrittenDownOnceASecond()
+void TestAlarmLog::aFlickeringAlarmIsLoggedOncePerSecond()
 {
-    const support::OwnDataFolder folder;
+    const support::TemporaryDataFolder folder;
     cli::Console console(false);
     cli::AlarmLog log(console, {servo()});
-    log.look(1, voltage, after(0));
+    log.addStatus(1, voltage, after(0));
     for (int ms = 50; ms < 1000; ms += 50)
-        log.look(1, ms % 100 == 0 ? heat : 0, after(ms));
+        log.addStatus(1, ms % 100 == 0 ? heat : 0, after(ms));
     QCOMPARE(kept(), QStringList({QStringLiteral("voltage 0-")}));
-    log.look(1, 0, after(1000));
+    log.addStatus(1, 0, after(1000));
     QCOMPARE(kept(),
              QStringList({QStringLiteral("voltage 0-1000"), QStringLiteral("overheat 100-1000")}));
 }
 
-void TestAlarmLog::theEndWritesDownTheRest()
+void TestAlarmLog::theEndLogsTheRest()
 {
-    const support::OwnDataFolder folder;
+    const support::TemporaryDataFolder folder;
     cli::Console console(false);
     cli::AlarmLog log(console, {servo()});
-    log.look(1, voltage, after(0));
-    log.look(1, heat, after(200));
+    log.addStatus(1, voltage, after(0));
+    log.addStatus(1, heat, after(200));
     log.finish();
     QCOMPARE(kept(),
              QStringList({QStringLiteral("voltage 0-200"), QStringLiteral("overheat 200-")}));
 }
 
-void TestAlarmLog::servosThatReportNoneAreLeftOut()
+void TestAlarmLog::servosWithoutAlarmsAreOmitted()
 {
-    const support::OwnDataFolder folder;
+    const support::TemporaryDataFolder folder;
     device::Servo mute = servo();
     auto profile = std::make_shared<catalog::Profile>();
     profile->protocol = base::Protocol::Lx;
     mute.profile = profile;
     cli::Console console(false);
     cli::AlarmLog log(console, {mute});
-    log.look(1, voltage, after(0));
+    log.addStatus(1, voltage, after(0));
     log.finish();
     QVERIFY(!QFile::exists(session::historyFile()));
 }

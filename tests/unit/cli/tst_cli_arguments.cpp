@@ -31,13 +31,13 @@ private Q_SLOTS:
     void assignments();
     void nearNames_data();
     void nearNames();
-    void optionsStandAnywhere_data();
-    void optionsStandAnywhere();
-    void valuesReachTheirPlaces();
+    void optionsMayBeAnywhere_data();
+    void optionsMayBeAnywhere();
+    void valuesAreAssigned();
     void negativeGoalsAreNoOptions();
-    void helpKnowsItsCommand_data();
-    void helpKnowsItsCommand();
-    void languageIsFoundWhereverItStands();
+    void helpIsPerCommand_data();
+    void helpIsPerCommand();
+    void languageOptionIsFoundAnywhere();
     void everyCommandIsDescribed();
 };
 
@@ -139,7 +139,7 @@ void TestCliArguments::nearNames()
     QCOMPARE(cli::nearest(typed, known).value(0), first);
 }
 
-void TestCliArguments::optionsStandAnywhere_data()
+void TestCliArguments::optionsMayBeAnywhere_data()
 {
     QTest::addColumn<QStringList>("typed");
     for (const char* line :
@@ -149,7 +149,7 @@ void TestCliArguments::optionsStandAnywhere_data()
         QTest::newRow(line) << words(line);
 }
 
-void TestCliArguments::optionsStandAnywhere()
+void TestCliArguments::optionsMayBeAnywhere()
 {
     QFETCH(QStringList, typed);
     const auto parsed = cli::parseCommandLine(typed);
@@ -157,37 +157,37 @@ void TestCliArguments::optionsStandAnywhere()
     QCOMPARE(parsed->command->name, "scan");
     QCOMPARE(parsed->globals.port, QStringLiteral("P"));
     QCOMPARE(parsed->globals.baud, std::optional(115200));
-    QCOMPARE(parsed->globals.patience,
+    QCOMPARE(parsed->globals.maxReplyLateness,
              std::optional<base::Duration>(std::chrono::milliseconds(40)));
     QCOMPARE(parsed->globals.retries, std::optional(1));
     QVERIFY(parsed->json);
     QCOMPARE(parsed->values.option("--ids"), std::optional(QStringLiteral("1-5")));
 }
 
-void TestCliArguments::valuesReachTheirPlaces()
+void TestCliArguments::valuesAreAssigned()
 {
     const auto parsed =
         cli::parseCommandLine(words("write 7 position_p=20 max_voltage=8.5V --temporary"));
     QVERIFY(parsed.has_value());
-    QCOMPARE(parsed->values.word("ID"), QStringLiteral("7"));
-    QCOMPARE(parsed->values.words("KEY=VALUE"), words("position_p=20 max_voltage=8.5V"));
+    QCOMPARE(parsed->values.argument("ID"), QStringLiteral("7"));
+    QCOMPARE(parsed->values.arguments("KEY=VALUE"), words("position_p=20 max_voltage=8.5V"));
     QVERIFY(parsed->values.has("--temporary"));
     QVERIFY(!parsed->values.has("--dangerous"));
     const auto nested = cli::parseCommandLine(words("snapshot save 3 f.servo.json"));
     QVERIFY(nested.has_value());
     QCOMPARE(nested->command->name, "snapshot save");
-    QCOMPARE(nested->values.word("FILE"), QStringLiteral("f.servo.json"));
+    QCOMPARE(nested->values.argument("FILE"), QStringLiteral("f.servo.json"));
 }
 
 void TestCliArguments::negativeGoalsAreNoOptions()
 {
     const auto parsed = cli::parseCommandLine(words("move 1=-90deg 2=-5 --speed -20"));
     QVERIFY(parsed.has_value());
-    QCOMPARE(parsed->values.words("ID=POS"), words("1=-90deg 2=-5"));
+    QCOMPARE(parsed->values.arguments("ID=POS"), words("1=-90deg 2=-5"));
     QCOMPARE(parsed->values.option("--speed"), std::optional(QStringLiteral("-20")));
 }
 
-void TestCliArguments::helpKnowsItsCommand_data()
+void TestCliArguments::helpIsPerCommand_data()
 {
     QTest::addColumn<QStringList>("typed");
     QTest::addColumn<QString>("command");
@@ -199,23 +199,23 @@ void TestCliArguments::helpKnowsItsCommand_data()
     QTest::newRow("although words are missing") << words("write --help") << QStringLiteral("write");
 }
 
-void TestCliArguments::helpKnowsItsCommand()
+void TestCliArguments::helpIsPerCommand()
 {
     QFETCH(QStringList, typed);
     QFETCH(QString, command);
     const auto parsed = cli::parseCommandLine(typed);
     QVERIFY(parsed.has_value());
-    QCOMPARE(parsed->wish, cli::Parsed::Wish::Help);
+    QCOMPARE(parsed->action, cli::ParsedCommandLine::Action::Help);
     QCOMPARE(parsed->command ? QString::fromLatin1(parsed->command->name) : QString(), command);
 }
 
-void TestCliArguments::languageIsFoundWhereverItStands()
+void TestCliArguments::languageOptionIsFoundAnywhere()
 {
-    QCOMPARE(cli::wantedLanguage(words("scan --lang zh_CN --json")), QStringLiteral("zh_CN"));
-    QCOMPARE(cli::wantedLanguage(words("--lang=en scan")), QStringLiteral("en"));
-    QCOMPARE(cli::wantedLanguage(words("scan")), QString());
-    QVERIFY(!cli::wantedLanguage(words("scan --lang")).has_value());
-    QVERIFY(!cli::wantedLanguage(words("scan --lang=de")).has_value());
+    QCOMPARE(cli::requestedLanguage(words("scan --lang zh_CN --json")), QStringLiteral("zh_CN"));
+    QCOMPARE(cli::requestedLanguage(words("--lang=en scan")), QStringLiteral("en"));
+    QCOMPARE(cli::requestedLanguage(words("scan")), QString());
+    QVERIFY(!cli::requestedLanguage(words("scan --lang")).has_value());
+    QVERIFY(!cli::requestedLanguage(words("scan --lang=de")).has_value());
 }
 
 void TestCliArguments::everyCommandIsDescribed()

@@ -25,8 +25,8 @@ private Q_SLOTS:
     void jsonScalars_data();
     void jsonScalars();
     void jsonKeepsTheOrder();
-    void jsonElementsStandOnLines();
-    void jsonIsReadBackTheSame();
+    void jsonElementsAreOnLines();
+    void jsonRoundTrips();
     void widths_data();
     void widths();
     void columnsLineUpInChinese();
@@ -75,14 +75,14 @@ void TestCliOutput::jsonKeepsTheOrder()
     QCOMPARE(json.compact(), QByteArray(R"({"z": 1, "a": ["x"]})"));
 }
 
-void TestCliOutput::jsonElementsStandOnLines()
+void TestCliOutput::jsonElementsAreOnLines()
 {
     Json::Array rows{Json::object().add("id", 1), Json::object().add("id", 2)};
     QCOMPARE(Json::object().add("rows", rows).text(),
              QByteArray("{\n  \"rows\": [\n    {\"id\": 1},\n    {\"id\": 2}\n  ]\n}\n"));
 }
 
-void TestCliOutput::jsonIsReadBackTheSame()
+void TestCliOutput::jsonRoundTrips()
 {
     const QString text = QString::fromUtf8("\t\"{[,]}\"\u007f\u2028 %1 舵");
     const Json json =
@@ -121,7 +121,7 @@ void TestCliOutput::widths()
 void TestCliOutput::columnsLineUpInChinese()
 {
     cli::Table table({QStringLiteral("ID"), QStringLiteral("名称"), QStringLiteral("v")});
-    table.right({0});
+    table.alignRight({0});
     table.add({QStringLiteral("1"), QStringLiteral("位置"), QStringLiteral("x")});
     table.add({QStringLiteral("12"), QStringLiteral("ab"), QStringLiteral("y")});
     QCOMPARE(table.text(), QStringLiteral("ID  名称  v\n 1  位置  x\n12  ab    y\n"));
@@ -153,7 +153,7 @@ void TestCliOutput::exitCodes_data()
     row(ErrorCode::NeedsConsent, 2);
     row(ErrorCode::PortMissing, 3);
     row(ErrorCode::LinkLost, 3);
-    row(ErrorCode::NoAnswer, 4);
+    row(ErrorCode::NoReply, 4);
     row(ErrorCode::Garbled, 4);
     row(ErrorCode::FileMissing, 5);
     row(ErrorCode::DiskFull, 5);
@@ -191,8 +191,8 @@ void TestCliOutput::reportExitCodes_data()
     row("kept, lock unknown", {WriteOutcome::Kept}, LockState::Unknown, 1);
     row("one refused", {WriteOutcome::Kept, WriteOutcome::Refused}, LockState::Closed, 1);
     row("mismatch", {WriteOutcome::Mismatch}, LockState::Closed, 1);
-    row("silent", {WriteOutcome::NoAnswer}, LockState::Unknown, 4);
-    row("silent half-way", {WriteOutcome::Kept, WriteOutcome::NoAnswer}, LockState::Unknown, 1);
+    row("silent", {WriteOutcome::NoReply}, LockState::Unknown, 4);
+    row("silent half-way", {WriteOutcome::Kept, WriteOutcome::NoReply}, LockState::Unknown, 1);
     row("unplugged", {WriteOutcome::Unknown}, LockState::Unknown, 3, ErrorCode::LinkLost);
 }
 

@@ -13,26 +13,27 @@
 #include <algorithm>
 #include <deque>
 
-namespace paper {
+namespace fake {
 using protocol::Op;
 using protocol::Request;
 
 class Bus final : public bus::Bus {
 public:
     std::deque<Servo> servos;
-    std::vector<Request> said; ///< every request that went out, in order
-    bool loseAcks = false;     ///< writes are carried out, their answers are lost
-    int deafWrites = 0;        ///< so many writes never arrive
-    int ignoredWrites = 0;     ///< so many are acknowledged and do nothing
-    int cutAfter = -1;         ///< so many requests still pass, then the link is gone
-    bool bridge = false;       ///< a port without a rate of its own
-    bool emergencyNow = false; ///< torque goes off everywhere and the request ends with Preempted
+    std::vector<Request> requests;    ///< every request that went out, in order
+    bool dropAcknowledgments = false; ///< writes are carried out, their answers are lost
+    int lostWrites = 0;               ///< so many writes never arrive
+    int ignoredWrites = 0;            ///< so many are acknowledged and do nothing
+    int cutAfter = -1;                ///< so many requests still pass, then the link is gone
+    bool bridge = false;              ///< a port without a rate of its own
+    bool emergencyPending =
+        false; ///< torque goes off everywhere and the request ends with Preempted
     std::function<void(const Request&)> onRequest;
     base::ManualClock time;
 
     int writes() const
     {
-        return int(std::count_if(said.begin(), said.end(), [](const Request& request) {
+        return int(std::count_if(requests.begin(), requests.end(), [](const Request& request) {
             return request.op != Op::Ping && request.op != Op::Read;
         }));
     }
@@ -46,16 +47,16 @@ public:
             return base::fail(base::ErrorCode::LinkLost, {}, {}, request.id);
         cutAfter -= cutAfter > 0 ? 1 : 0;
         time.advance(std::chrono::milliseconds(1));
-        said.push_back(request);
+        requests.push_back(request);
         if (onRequest)
             onRequest(request);
-        if (std::exchange(emergencyNow, false)) {
-            said.pop_back();
+        if (std::exchange(emergencyPending, false)) {
+            requests.pop_back();
             for (Servo& servo : servos)
                 servo.poke(servo.profile->byRole(catalog::Role::TorqueSwitch)->key, 0);
             return base::fail(base::ErrorCode::Preempted, {}, {}, request.id);
         }
-        return isQuestion(request) ? ask(request) : tell(request);
+        return isQuestion(request) ? handleRead(request) : handleWrite(request);
     }
 
     base::Result<void> listen(base::Duration span) override
@@ -63,20 +64,20 @@ public:
         time.advance(span);
         return {};
     }
-    std::vector<bus::Stray> takeStrays() override { return {}; }
+    std::vector<bus::UnexpectedFrame> takeUnexpectedFrames() override { return {}; }
     base::Result<void> setBaud(int baud) override
     {
         m_baud = baud;
         return {};
     }
     int baud() const override { return m_baud; }
-    bool hasBaud() const override { return !bridge; }
+    bool canSetBaud() const override { return !bridge; }
     QString portName() const override { return QStringLiteral("paper"); }
     bool lost() const override { return false; }
-    bool away() const override { return false; }
-    void awaitReturn(base::Duration) override {}
-    bool echoes() const override { return false; }
-    bool pauseUntil(base::Duration instant, const base::Stop* stop) override
+    bool isReconnecting() const override { return false; }
+    void setReconnectTimeout(base::Duration) override {}
+    bool hasEcho() const override { return false; }
+    bool pauseUntil(base::Duration instant, const base::StopToken* stop) override
     {
         return time.sleepUntil(instant, stop);
     }
@@ -84,15 +85,15 @@ public:
     {
         return {this, ++m_token};
     }
-    std::uint64_t emergencies() const override { return 0; }
+    std::uint64_t emergencyCount() const override { return 0; }
     bus::PollId startPoll(const bus::PollPlan&) override { return 0; }
     void stopPoll(bus::PollId) override {}
     std::vector<bus::Sample> takeSamples(bus::PollId) override { return {}; }
     void setStopFrames(std::vector<bus::StopFrame>) override {}
     void emergency() override {}
     void setRetries(int) override {}
-    void setPatience(base::Duration) override {}
-    base::Duration replyTimeout() const override { return std::chrono::milliseconds(25); }
+    void setTimeout(base::Duration) override {}
+    base::Duration maxReplyLateness() const override { return std::chrono::milliseconds(25); }
     void setReplyDelay(base::Duration) override {}
     void setSilence(base::Duration) override {}
     bus::Statistics statistics() const override { return {}; }
@@ -109,19 +110,19 @@ private:
     {
         return request.op == Op::Ping || request.op == Op::Read;
     }
-    static bool everybody(const Request& request) { return request.id == protocol::broadcastId; }
+    static bool isBroadcast(const Request& request) { return request.id == protocol::broadcastId; }
 
     std::vector<Servo*> addressed(const Request& request)
     {
         std::vector<Servo*> found;
         for (Servo& servo : servos) {
-            const bool hears = servo.profile->protocol == request.protocol &&
-                               servo.baud == m_baud &&
-                               (servo.id == request.id || everybody(request));
-            if (!hears)
+            const bool isAddressed = servo.profile->protocol == request.protocol &&
+                                     servo.baud == m_baud &&
+                                     (servo.id == request.id || isBroadcast(request));
+            if (!isAddressed)
                 continue;
-            if (servo.startsIn > 0)
-                --servo.startsIn;
+            if (servo.requestsUntilReady > 0)
+                --servo.requestsUntilReady;
             else
                 found.push_back(&servo);
         }
@@ -131,7 +132,7 @@ private:
     Outcome failed(const Request& request, base::ErrorCode code, const QString& detail = {}) const
     {
         base::Error error{code, QStringLiteral("bus"), detail, request.id};
-        if (request.repeat == protocol::Repeat::Never && code == base::ErrorCode::NoAnswer)
+        if (request.repeat == protocol::Repeat::Never && code == base::ErrorCode::NoReply)
             error.code = base::ErrorCode::Uncertain;
         return tl::unexpected(error);
     }
@@ -142,50 +143,51 @@ private:
         bus::Outcome outcome;
         outcome.attempts = 1;
         outcome.sentAt = time.now();
-        outcome.parts.push_back(
+        outcome.replies.push_back(
             {request.id, level ? servo.status : std::uint8_t{0}, std::move(data)});
         return outcome;
     }
 
-    Outcome ask(const Request& request)
+    Outcome handleRead(const Request& request)
     {
-        const auto heard = addressed(request);
-        if (heard.empty() || (request.op == Op::Read && staysSilent(*heard.front(), request)))
-            return failed(request, base::ErrorCode::NoAnswer);
+        const auto addressedServos = addressed(request);
+        if (addressedServos.empty() ||
+            (request.op == Op::Read && isSilentRead(*addressedServos.front(), request)))
+            return failed(request, base::ErrorCode::NoReply);
         base::Bytes data;
-        for (Servo* servo : heard) {
-            const base::Bytes said = request.op == Op::Read
-                                         ? servo->read(request.address, request.count)
-                                         : base::Bytes{};
-            if (servo != heard.front() && said != data)
+        for (Servo* servo : addressedServos) {
+            const base::Bytes requests = request.op == Op::Read
+                                             ? servo->read(request.address, request.count)
+                                             : base::Bytes{};
+            if (servo != addressedServos.front() && requests != data)
                 return failed(request, base::ErrorCode::Garbled);
-            data = said;
+            data = requests;
         }
-        return answered(request, *heard.front(), data);
+        return answered(request, *addressedServos.front(), data);
     }
 
     /// An LX servo answers whole commands it knows.
-    static bool staysSilent(const Servo& servo, const Request& request)
+    static bool isSilentRead(const Servo& servo, const Request& request)
     {
         if (request.protocol != base::Protocol::Lx)
             return false;
         const catalog::Register* reg = servo.profile->at(request.address);
         const bool stored = reg != nullptr && reg->role == catalog::Role::StoredGoal;
         return reg == nullptr || !reg->block || reg->block->offset != request.address ||
-               reg->block->size != request.count || (stored && !servo.tellsStored);
+               reg->block->size != request.count || (stored && !servo.repliesStoredMove);
     }
 
-    Outcome tell(const Request& request)
+    Outcome handleWrite(const Request& request)
     {
-        if (deafWrites > 0) {
-            --deafWrites;
+        if (lostWrites > 0) {
+            --lostWrites;
             return unanswered(request) ? Outcome(bus::Outcome{})
-                                       : failed(request, base::ErrorCode::NoAnswer);
+                                       : failed(request, base::ErrorCode::NoReply);
         }
         const bool ignored = ignoredWrites > 0;
         ignoredWrites -= ignored ? 1 : 0;
-        const auto heard = addressed(request);
-        for (Servo* servo : heard) {
+        const auto addressedServos = addressed(request);
+        for (Servo* servo : addressedServos) {
             if (ignored)
                 continue;
             if (const auto reason = servo->exceptions.find(request.address);
@@ -195,14 +197,14 @@ private:
         }
         if (unanswered(request))
             return bus::Outcome{};
-        if (heard.empty() || loseAcks)
-            return failed(request, base::ErrorCode::NoAnswer);
-        return answered(request, *heard.front(), {});
+        if (addressedServos.empty() || dropAcknowledgments)
+            return failed(request, base::ErrorCode::NoReply);
+        return answered(request, *addressedServos.front(), {});
     }
 
     static bool unanswered(const Request& request)
     {
-        return everybody(request) || !request.acknowledged || request.op == Op::Reboot ||
+        return isBroadcast(request) || !request.acknowledged || request.op == Op::Reboot ||
                request.op == Op::SyncWrite || request.protocol == base::Protocol::Lx;
     }
     static QString exceptionName(int reason)
@@ -235,11 +237,11 @@ private:
             }
             break;
         case Op::Calibrate:
-            servo.centre();
+            servo.center();
             break;
         case Op::Reboot:
             servo.powerCycle();
-            servo.startsIn = 3;
+            servo.requestsUntilReady = 3;
             break;
         default:
             break;
@@ -261,20 +263,20 @@ public:
         list.push_back(entry);
         return entry.intent.uuid;
     }
-    base::Result<void> end(const QString& uuid, const base::IntentEnd& end) override
+    base::Result<void> end(const QString& uuid, const base::IntentResult& end) override
     {
         list[uuid.toULong()].end = end;
         return {};
     }
     base::Result<std::vector<base::JournalEntry>> entries() const override { return list; }
-    base::Result<void> keep(const base::ServoIdentity&, const QString& name,
-                            const std::vector<std::int64_t>& values) override
+    base::Result<void> saveServoValues(const base::ServoIdentity&, const QString& name,
+                                       const std::vector<std::int64_t>& values) override
     {
         facts[name] = values;
         return {};
     }
-    base::Result<std::optional<std::vector<std::int64_t>>> kept(const base::ServoIdentity&,
-                                                                const QString& name) const override
+    base::Result<std::optional<std::vector<std::int64_t>>>
+    servoValues(const base::ServoIdentity&, const QString& name) const override
     {
         const auto found = facts.find(name);
         return found == facts.end() ? std::nullopt : std::optional(found->second);
@@ -285,39 +287,42 @@ public:
 };
 
 /// A bus, a journal, and what a manoeuvre needs around them.
-struct Bench {
+struct DeviceFixture {
     Bus bus;
     Journal journal;
-    base::Stop stop;
+    base::StopToken stop;
     device::Notices notices;
 
-    explicit Bench(std::initializer_list<std::pair<const char*, int>> servos)
+    explicit DeviceFixture(std::initializer_list<std::pair<const char*, int>> servos)
     {
         for (const auto& [family, id] : servos)
             bus.servos.emplace_back(QString::fromLatin1(family), id);
     }
-    explicit Bench(const QString& family, int id = 1) { bus.servos.emplace_back(family, id); }
+    explicit DeviceFixture(const QString& family, int id = 1)
+    {
+        bus.servos.emplace_back(family, id);
+    }
 
     device::Context context() { return {bus, models(), journal, stop, notices}; }
-    Servo& paper(std::size_t index = 0) { return bus.servos[index]; }
+    Servo& fake(std::size_t index = 0) { return bus.servos[index]; }
     /// As the program knows it after reading its settings; nothing is said any more.
     device::Servo servo(std::size_t index = 0)
     {
-        const Servo& there = paper(index);
+        const Servo& there = fake(index);
         auto found = device::identify(context(), there.id, there.profile->protocol);
         if (!found || !device::readSettings(context(), *found))
             qFatal("servo %d does not answer", there.id);
         // That nobody else answers has been looked at before (tst_write_twins has that look).
         bus.verifiedIds().add(found->protocol, found->id, bus.baud());
-        bus.said.clear();
+        bus.requests.clear();
         notices.clear();
         return *found;
     }
-    int noted(device::NoticeCode code) const
+    int noticeCount(device::NoticeCode code) const
     {
         return int(std::count_if(notices.begin(), notices.end(),
                                  [code](const device::Notice& n) { return n.code == code; }));
     }
     std::size_t openIntents() const { return journal.open()->size(); }
 };
-} // namespace paper
+} // namespace fake

@@ -11,7 +11,7 @@
 
 #include <map>
 
-namespace paper {
+namespace fake {
 using Table = std::map<int, std::uint8_t>;
 
 inline const catalog::Catalog& models()
@@ -41,11 +41,11 @@ struct Servo {
     catalog::ProfilePtr profile;
     int id = 1;
     int baud = 115'200;
-    std::uint8_t status = 0;   ///< error byte of its replies
-    bool tellsStored = true;   ///< LX: answers command 8
-    bool goalEnergises = true; ///< a goal switches torque on (Feetech, Modbus)
-    bool ratesAfterRestart = false;
-    int startsIn = 0;              ///< so many requests go unheard after a reboot
+    std::uint8_t status = 0;       ///< error byte of its replies
+    bool repliesStoredMove = true; ///< LX: answers command 8
+    bool goalEnergizes = true;     ///< a goal switches torque on (Feetech, Modbus)
+    bool baudNeedsRestart = false;
+    int requestsUntilReady = 0;    ///< so many requests go unheard after a reboot
     std::map<int, int> exceptions; ///< Modbus: write offset → reason it is refused with
     Table now;
     Table kept;
@@ -53,15 +53,15 @@ struct Servo {
     Servo(const QString& family, int withId)
         : profile(models().resolve(identityOf(family)))
     {
-        const catalog::Identity& who = profile->identity;
+        const catalog::Identity& profileIdentity = profile->identity;
         for (const catalog::Register& reg : profile->registers)
             set(reg, reg.defaultRaw.value_or(0), true);
         const std::pair<catalog::Role, int> head[]{
-            {catalog::Role::FirmwareMajor, who.firmwareMajor},
-            {catalog::Role::FirmwareMinor, who.firmwareMinor},
-            {catalog::Role::ByteOrder, who.byteOrderFlag},
-            {catalog::Role::ModelMajor, who.modelMajor},
-            {catalog::Role::ModelMinor, who.modelMinor}};
+            {catalog::Role::FirmwareMajor, profileIdentity.firmwareMajor},
+            {catalog::Role::FirmwareMinor, profileIdentity.firmwareMinor},
+            {catalog::Role::ByteOrder, profileIdentity.byteOrderFlag},
+            {catalog::Role::ModelMajor, profileIdentity.modelMajor},
+            {catalog::Role::ModelMinor, profileIdentity.modelMinor}};
         for (const auto& [role, value] : head) {
             if (const catalog::Register* reg = profile->byRole(role))
                 set(*reg, value, true);
@@ -87,26 +87,25 @@ struct Servo {
             qFatal("no register %s", qPrintable(key));
         return *found;
     }
-    catalog::Meaning meaning(const catalog::Register& reg) const
+    catalog::ValueFormat meaning(const catalog::Register& reg) const
     {
-        return catalog::meaningOf(reg, *profile, [this](const QString& key) {
+        return catalog::valueFormat(reg, *profile, [this](const QString& key) {
             const catalog::Register* other = profile->find(key);
-            return other == nullptr
-                       ? std::nullopt
-                       : std::optional(catalog::decodeRaw(
-                             bytes(now, other->offset, other->size), *other,
-                             catalog::meaningOf(*other, *profile, catalog::knowNothing),
-                             profile->byteOrder));
+            return other == nullptr ? std::nullopt
+                                    : std::optional(catalog::decodeRaw(
+                                          bytes(now, other->offset, other->size), *other,
+                                          catalog::valueFormat(*other, *profile, catalog::noLookup),
+                                          profile->byteOrder));
         });
     }
     std::int64_t raw(const QString& key) const { return rawIn(now, reg(key)); }
-    std::int64_t keptRaw(const QString& key) const { return rawIn(kept, reg(key)); }
+    std::int64_t persistentRaw(const QString& key) const { return rawIn(kept, reg(key)); }
     std::int64_t raw(catalog::Role role) const { return rawIn(now, *profile->byRole(role)); }
     bool has(catalog::Role role) const { return profile->byRole(role) != nullptr; }
 
     void poke(const QString& key, std::int64_t value) { set(reg(key), value, false); }
     /// As if it had been written and kept.
-    void settle(const QString& key, std::int64_t value) { set(reg(key), value, true); }
+    void setPersistent(const QString& key, std::int64_t value) { set(reg(key), value, true); }
 
     void powerCycle()
     {
@@ -114,7 +113,7 @@ struct Servo {
         if (has(catalog::Role::TorqueLimit) && has(catalog::Role::MaxTorque))
             put(catalog::Role::TorqueLimit, raw(catalog::Role::MaxTorque)); // every start loads it
         id = static_cast<int>(raw(catalog::Role::Id));
-        takeBaud();
+        loadBaud();
     }
 
     base::Bytes read(int offset, int count) const { return bytes(now, offset, count); }
@@ -135,12 +134,12 @@ struct Servo {
     }
 
     /// The present position becomes the middle, and the difference the offset.
-    void centre()
+    void center()
     {
         const std::int64_t middle = profile->stepsPerTurn / 2;
         const catalog::Register& offset = *profile->byRole(catalog::Role::PositionOffset);
         const catalog::Register& present = *profile->byRole(catalog::Role::PresentPosition);
-        set(offset, rawIn(now, present) - middle + rawIn(now, offset), lockOpenFor(offset));
+        set(offset, rawIn(now, present) - middle + rawIn(now, offset), isLockOpenFor(offset));
         set(present, middle, false);
     }
 
@@ -189,7 +188,7 @@ private:
         }
         return false;
     }
-    bool lockOpenFor(const catalog::Register& reg) const
+    bool isLockOpenFor(const catalog::Register& reg) const
     {
         if (!has(catalog::Role::Lock))
             return false;
@@ -201,9 +200,9 @@ private:
         if (reg.persistence == catalog::Persistence::Kept)
             return true;
         const bool locked = reg.area == catalog::Area::Eprom || reg.area == catalog::Area::Factory;
-        return reg.persistence == catalog::Persistence::ByArea && locked && lockOpenFor(reg);
+        return reg.persistence == catalog::Persistence::ByArea && locked && isLockOpenFor(reg);
     }
-    void takeBaud()
+    void loadBaud()
     {
         const catalog::Register* rate = profile->byRole(catalog::Role::BaudRate);
         if (rate == nullptr)
@@ -223,20 +222,20 @@ private:
             id = static_cast<int>(rawIn(now, written));
             break;
         case Role::BaudRate:
-            if (!ratesAfterRestart)
-                takeBaud();
+            if (!baudNeedsRestart)
+                loadBaud();
             break;
         case Role::OperatingMode:
             if (profile->protocol == base::Protocol::Feetech)
                 set(*profile->byRole(Role::TorqueSwitch), 0, false);
             break;
         case Role::GoalPosition:
-            if (goalEnergises && profile->protocol != base::Protocol::Lx)
+            if (goalEnergizes && profile->protocol != base::Protocol::Lx)
                 set(*profile->byRole(Role::TorqueSwitch), 1, false);
             break;
         case Role::FaultReset:
             if (rawIn(now, written) == 4)
-                centre();
+                center();
             set(written, 0, false);
             break;
         default:
@@ -244,4 +243,4 @@ private:
         }
     }
 };
-} // namespace paper
+} // namespace fake

@@ -9,11 +9,11 @@
 
 using base::ErrorCode;
 using catalog::Role;
-using device::MoveHow;
-using device::MoveOrder;
+using device::MoveCommand;
+using device::MoveMethod;
 using device::NoticeCode;
 using device::Torque;
-using paper::Bench;
+using fake::DeviceFixture;
 using protocol::Op;
 using namespace std::chrono_literals;
 
@@ -24,10 +24,10 @@ QString text(const char* word)
 }
 
 /// What was said besides reading: "W16:F4 01 00 00" = write at offset 16; H halt, A action.
-QStringList said(const Bench& bench)
+QStringList requests(const DeviceFixture& fixture)
 {
     QStringList words;
-    for (const protocol::Request& request : bench.bus.said) {
+    for (const protocol::Request& request : fixture.bus.requests) {
         if (request.op == Op::Write)
             words << QStringLiteral("W%1:%2").arg(request.address).arg(base::toHex(request.data));
         else if (request.op == Op::SyncWrite)
@@ -42,32 +42,32 @@ QStringList said(const Bench& bench)
     return words;
 }
 
-MoveOrder order(device::Servo& servo, const char* goal)
+MoveCommand order(device::Servo& servo, const char* goal)
 {
     return {&servo, text(goal)};
 }
 
-base::Result<std::vector<device::MovePlan>> planned(Bench& bench,
-                                                    const std::vector<MoveOrder>& orders)
+base::Result<std::vector<device::MovePlan>> planned(DeviceFixture& fixture,
+                                                    const std::vector<MoveCommand>& orders)
 {
     std::vector<device::MovePlan> plans;
-    for (const MoveOrder& one : orders) {
-        auto plan = device::planMove(bench.context(), one);
+    for (const MoveCommand& one : orders) {
+        auto plan = device::planMove(fixture.context(), one);
         if (!plan)
             return tl::unexpected(plan.error());
         plans.push_back(*plan);
     }
-    bench.bus.said.clear();
+    fixture.bus.requests.clear();
     return plans;
 }
 
-base::Result<void> moved(Bench& bench, const std::vector<MoveOrder>& orders,
-                         MoveHow how = MoveHow::Write)
+base::Result<void> moved(DeviceFixture& fixture, const std::vector<MoveCommand>& orders,
+                         MoveMethod how = MoveMethod::Write)
 {
-    auto plans = planned(bench, orders);
+    auto plans = planned(fixture, orders);
     if (!plans)
         return tl::unexpected(plans.error());
-    return device::sendMoves(bench.context(), *plans, how);
+    return device::sendMoves(fixture.context(), *plans, how);
 }
 } // namespace
 
@@ -80,42 +80,42 @@ private Q_SLOTS:
     void torqueOnHolds_data();
     void torqueOnHolds();
     void torqueOnOutsideTheScaleIsRefused();
-    void torqueOnInMotorModeStandsStill();
+    void torqueOnInMotorModeDoesNotMove();
     void anEmergencyEndsTorqueOn_data();
     void anEmergencyEndsTorqueOn();
     void noDampingWhereThereIsNone_data();
     void noDampingWhereThereIsNone();
-    void noCurrentIsSaid();
-    void currentComesBack_data();
-    void currentComesBack();
-    void currentComesBackAfterAnInterruptedSwitch();
-    void speedComesBackByAnyWay();
-    void oldEvidenceIsNoAlarm();
-    void modbusModesSettle();
-    void torqueOffThatIsRefusedIsSaid();
-    void lxModesAreQuietBothWays();
+    void missingCurrentIsReported();
+    void currentIsRestored_data();
+    void currentIsRestored();
+    void currentIsRestoredAfterAnInterruptedSwitch();
+    void speedIsAlwaysRestored();
+    void staleReadingsAreNoAlarm();
+    void modbusModesTakeEffect();
+    void refusedTorqueOffIsReported();
+    void lxModeSwitchesDoNotMove();
     void framesOfAMove_data();
     void framesOfAMove();
-    void aMoveLoadsFirst();
+    void aMoveSwitchesTorqueOnFirst();
     void motorSpeeds_data();
     void motorSpeeds();
     void refusedMoves_data();
     void refusedMoves();
     void storedMovesStartTogether();
     void oneStoredMoveStartsAlone();
-    void aMoveThatWasGivenUpIsForgotten();
-    void aStoredMoveThatIsTornIsStoredAgain();
-    void togetherOnlyWhereItExists();
+    void aCanceledMoveIsCleared();
+    void aTornStoredMoveIsStoredAgain();
+    void syncMoveOnlyWhereSupported();
     void familiesMoveTogether();
     void lostGoalsAreWrittenAgain();
     void haltEndsTheMotion_data();
     void haltEndsTheMotion();
-    void aShaftThatMovesOnIsHeld();
-    void haltOfAnUnloadedServoSaysNothing();
-    void haltInStepModeLetsGo();
+    void aMovingShaftIsHeld();
+    void haltOfAnUnloadedServoSendsNothing();
+    void haltInStepModeReleasesTorque();
     void arrivalWithoutAFlag_data();
     void arrivalWithoutAFlag();
-    void stoppingTheWaitSaysWhatIsUnderWay();
+    void cancelingTheWaitReportsPendingMoves();
 };
 
 void TestFamilyMotion::torqueOnHolds_data()
@@ -141,45 +141,45 @@ void TestFamilyMotion::torqueOnHolds()
     QFETCH(QString, family);
     QFETCH(int, stands);
     QFETCH(QStringList, frames);
-    Bench bench(family);
-    const catalog::Register& position = *bench.paper().profile->byRole(Role::PresentPosition);
-    bench.paper().poke(position.key, stands);
-    device::Servo servo = bench.servo();
-    QVERIFY(device::setTorque(bench.context(), servo, Torque::On));
-    QCOMPARE(said(bench), frames);
-    QCOMPARE(bench.paper().raw(Role::TorqueSwitch), std::int64_t(1));
-    QCOMPARE(bench.noted(NoticeCode::HoldingAt), 1);
-    bench.bus.said.clear();
-    QVERIFY(device::setTorque(bench.context(), servo, Torque::Off));
-    QCOMPARE(bench.paper().raw(Role::TorqueSwitch), std::int64_t(0));
+    DeviceFixture fixture(family);
+    const catalog::Register& position = *fixture.fake().profile->byRole(Role::PresentPosition);
+    fixture.fake().poke(position.key, stands);
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::setTorque(fixture.context(), servo, Torque::On));
+    QCOMPARE(requests(fixture), frames);
+    QCOMPARE(fixture.fake().raw(Role::TorqueSwitch), std::int64_t(1));
+    QCOMPARE(fixture.noticeCount(NoticeCode::HoldingAt), 1);
+    fixture.bus.requests.clear();
+    QVERIFY(device::setTorque(fixture.context(), servo, Torque::Off));
+    QCOMPARE(fixture.fake().raw(Role::TorqueSwitch), std::int64_t(0));
 }
 
 void TestFamilyMotion::torqueOnOutsideTheScaleIsRefused()
 {
     for (const int stands : {-11, 1011}) {
-        Bench bench(text("LX"));
-        bench.paper().poke(text("position"), stands);
-        device::Servo servo = bench.servo();
-        const auto on = device::setTorque(bench.context(), servo, Torque::On);
+        DeviceFixture fixture(text("LX"));
+        fixture.fake().poke(text("position"), stands);
+        device::Servo servo = fixture.servo();
+        const auto on = device::setTorque(fixture.context(), servo, Torque::On);
         QVERIFY(!on);
         QCOMPARE(on.error().code, ErrorCode::OutOfRange);
-        QCOMPARE(bench.bus.writes(), 0);
+        QCOMPARE(fixture.bus.writes(), 0);
         // A goal inside leads it back, or it could be turned by hand only.
-        QVERIFY(moved(bench, {order(servo, "500")}));
-        QCOMPARE(bench.paper().raw(Role::TorqueSwitch), std::int64_t(1));
-        QCOMPARE(bench.paper().raw(Role::GoalPosition), std::int64_t(500));
-        QCOMPARE(bench.noted(NoticeCode::HoldingAt), 0);
+        QVERIFY(moved(fixture, {order(servo, "500")}));
+        QCOMPARE(fixture.fake().raw(Role::TorqueSwitch), std::int64_t(1));
+        QCOMPARE(fixture.fake().raw(Role::GoalPosition), std::int64_t(500));
+        QCOMPARE(fixture.noticeCount(NoticeCode::HoldingAt), 0);
     }
 }
 
-void TestFamilyMotion::torqueOnInMotorModeStandsStill()
+void TestFamilyMotion::torqueOnInMotorModeDoesNotMove()
 {
-    Bench bench(text("LX"));
-    bench.paper().poke(text("mode"), 1);
-    bench.paper().poke(text("motor_speed"), 700);
-    device::Servo servo = bench.servo();
-    QVERIFY(device::setTorque(bench.context(), servo, Torque::On));
-    QCOMPARE(said(bench),
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("mode"), 1);
+    fixture.fake().poke(text("motor_speed"), 700);
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::setTorque(fixture.context(), servo, Torque::On));
+    QCOMPARE(requests(fixture),
              (QStringList{text("W232:01 00 00 00"), text("W248:01"), text("W232:01 00 00 00")}));
 }
 
@@ -195,20 +195,20 @@ void TestFamilyMotion::anEmergencyEndsTorqueOn()
 {
     QFETCH(QString, family);
     for (int passed = 0;; ++passed) {
-        Bench bench(family);
-        bench.paper().goalEnergises = false;
-        bench.paper().poke(bench.paper().profile->byRole(Role::PresentPosition)->key, 500);
-        device::Servo servo = bench.servo();
+        DeviceFixture fixture(family);
+        fixture.fake().goalEnergizes = false;
+        fixture.fake().poke(fixture.fake().profile->byRole(Role::PresentPosition)->key, 500);
+        device::Servo servo = fixture.servo();
         int left = passed;
         bool met = false;
-        bench.bus.onRequest = [&](const protocol::Request&) {
-            bench.bus.emergencyNow = !met && left-- == 0;
-            met |= bench.bus.emergencyNow;
+        fixture.bus.onRequest = [&](const protocol::Request&) {
+            fixture.bus.emergencyPending = !met && left-- == 0;
+            met |= fixture.bus.emergencyPending;
         };
-        const auto on = device::setTorque(bench.context(), servo, Torque::On);
+        const auto on = device::setTorque(fixture.context(), servo, Torque::On);
         if (!met)
             break;
-        QCOMPARE(bench.paper().raw(Role::TorqueSwitch), std::int64_t(0));
+        QCOMPARE(fixture.fake().raw(Role::TorqueSwitch), std::int64_t(0));
         // Evidence about alarms is read after the work is done.
         if (!on)
             QCOMPARE(base::errorName(on.error().code), base::errorName(ErrorCode::Preempted));
@@ -225,39 +225,39 @@ void TestFamilyMotion::noDampingWhereThereIsNone_data()
 void TestFamilyMotion::noDampingWhereThereIsNone()
 {
     QFETCH(QString, family);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
-    const auto damped = device::setTorque(bench.context(), servo, Torque::Damp);
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
+    const auto damped = device::setTorque(fixture.context(), servo, Torque::Damp);
     QVERIFY(!damped);
     QCOMPARE(damped.error().code, ErrorCode::NotSupported);
     QCOMPARE(damped.error().detail, text("damp"));
-    QVERIFY(bench.bus.said.empty());
+    QVERIFY(fixture.bus.requests.empty());
 }
 
 /// HLS 44 at 0 is no torque at all; and no move ever writes there.
-void TestFamilyMotion::noCurrentIsSaid()
+void TestFamilyMotion::missingCurrentIsReported()
 {
-    Bench bench(text("HLS"));
-    bench.paper().poke(text("goal_current"), 0);
-    device::Servo servo = bench.servo();
-    QVERIFY(device::setTorque(bench.context(), servo, Torque::On));
-    QCOMPARE(bench.noted(NoticeCode::NoCurrentAllowed), 1);
-    bench.notices.clear();
-    MoveOrder fast = order(servo, "2000");
+    DeviceFixture fixture(text("HLS"));
+    fixture.fake().poke(text("goal_current"), 0);
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::setTorque(fixture.context(), servo, Torque::On));
+    QCOMPARE(fixture.noticeCount(NoticeCode::CurrentLimitZero), 1);
+    fixture.notices.clear();
+    MoveCommand fast = order(servo, "2000");
     fast.speed = text("100");
     fast.acceleration = text("50");
-    for (const MoveHow how : {MoveHow::Write, MoveHow::Sync, MoveHow::Async})
-        QVERIFY(moved(bench, {fast}, how));
-    QCOMPARE(bench.noted(NoticeCode::NoCurrentAllowed), 3);
-    bench.paper().poke(text("goal_current"), 500);
-    bench.notices.clear();
-    QVERIFY(moved(bench, {fast}));
-    QCOMPARE(bench.noted(NoticeCode::NoCurrentAllowed), 0);
-    QCOMPARE(bench.paper().raw(text("goal_current")), std::int64_t(500));
-    QCOMPARE(said(bench), (QStringList{text("W46:64 00"), text("W41:32 D0 07")}));
+    for (const MoveMethod how : {MoveMethod::Write, MoveMethod::Sync, MoveMethod::Async})
+        QVERIFY(moved(fixture, {fast}, how));
+    QCOMPARE(fixture.noticeCount(NoticeCode::CurrentLimitZero), 3);
+    fixture.fake().poke(text("goal_current"), 500);
+    fixture.notices.clear();
+    QVERIFY(moved(fixture, {fast}));
+    QCOMPARE(fixture.noticeCount(NoticeCode::CurrentLimitZero), 0);
+    QCOMPARE(fixture.fake().raw(text("goal_current")), std::int64_t(500));
+    QCOMPARE(requests(fixture), (QStringList{text("W46:64 00"), text("W41:32 D0 07")}));
 }
 
-void TestFamilyMotion::currentComesBack_data()
+void TestFamilyMotion::currentIsRestored_data()
 {
     QTest::addColumn<QString>("through");
     QTest::addColumn<QString>("to");
@@ -269,118 +269,118 @@ void TestFamilyMotion::currentComesBack_data()
                                       << "speed";
 }
 
-void TestFamilyMotion::currentComesBack()
+void TestFamilyMotion::currentIsRestored()
 {
     QFETCH(QString, through);
     QFETCH(QString, to);
-    Bench bench(text("HLS"));
-    bench.paper().settle(text("protection_current"), 400);
-    bench.paper().poke(text("goal_current"), 400);
-    device::Servo servo = bench.servo();
-    const auto there = device::switchMode(bench.context(), servo, through);
-    QVERIFY(there && there->allGood());
-    QCOMPARE(bench.paper().raw(text("goal_current")), std::int64_t(0)); // nothing pushes
-    QCOMPARE(bench.noted(NoticeCode::CommandZeroed), 1);
-    bench.notices.clear();
-    const auto back = device::switchMode(bench.context(), servo, to);
-    QVERIFY(back && back->allGood());
-    QCOMPARE(bench.paper().raw(text("goal_current")), std::int64_t(400));
-    QCOMPARE(bench.noted(NoticeCode::CurrentRestored), 1);
-    QCOMPARE(bench.paper().raw(Role::TorqueSwitch), std::int64_t(0));
+    DeviceFixture fixture(text("HLS"));
+    fixture.fake().setPersistent(text("protection_current"), 400);
+    fixture.fake().poke(text("goal_current"), 400);
+    device::Servo servo = fixture.servo();
+    const auto there = device::switchMode(fixture.context(), servo, through);
+    QVERIFY(there && there->isSuccessful());
+    QCOMPARE(fixture.fake().raw(text("goal_current")), std::int64_t(0)); // nothing pushes
+    QCOMPARE(fixture.noticeCount(NoticeCode::CommandZeroed), 1);
+    fixture.notices.clear();
+    const auto back = device::switchMode(fixture.context(), servo, to);
+    QVERIFY(back && back->isSuccessful());
+    QCOMPARE(fixture.fake().raw(text("goal_current")), std::int64_t(400));
+    QCOMPARE(fixture.noticeCount(NoticeCode::CurrentRestored), 1);
+    QCOMPARE(fixture.fake().raw(Role::TorqueSwitch), std::int64_t(0));
 }
 
-void TestFamilyMotion::currentComesBackAfterAnInterruptedSwitch()
+void TestFamilyMotion::currentIsRestoredAfterAnInterruptedSwitch()
 {
-    Bench bench(text("HLS"));
-    bench.paper().settle(text("protection_current"), 400);
-    bench.paper().poke(text("goal_current"), 0);
-    device::Servo servo = bench.servo();
-    QVERIFY(device::quieten(bench.context(), servo));
-    QCOMPARE(bench.paper().raw(text("goal_current")), std::int64_t(400));
-    QCOMPARE(bench.noted(NoticeCode::CurrentRestored), 1);
+    DeviceFixture fixture(text("HLS"));
+    fixture.fake().setPersistent(text("protection_current"), 400);
+    fixture.fake().poke(text("goal_current"), 0);
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::torqueOffAndZero(fixture.context(), servo));
+    QCOMPARE(fixture.fake().raw(text("goal_current")), std::int64_t(400));
+    QCOMPARE(fixture.noticeCount(NoticeCode::CurrentRestored), 1);
 }
 
 /// Also when another mode lay between the one that zeroed it and the position mode.
-void TestFamilyMotion::speedComesBackByAnyWay()
+void TestFamilyMotion::speedIsAlwaysRestored()
 {
-    Bench bench(text("HLS"));
-    bench.paper().poke(text("goal_speed"), 60);
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(text("HLS"));
+    fixture.fake().poke(text("goal_speed"), 60);
+    device::Servo servo = fixture.servo();
     for (const char* mode : {"speed", "current", "position"}) {
-        const auto there = device::switchMode(bench.context(), servo, text(mode));
-        QVERIFY(there && there->allGood());
+        const auto there = device::switchMode(fixture.context(), servo, text(mode));
+        QVERIFY(there && there->isSuccessful());
     }
-    QCOMPARE(bench.paper().raw(text("goal_speed")), std::int64_t(60));
-    QCOMPARE(bench.noted(NoticeCode::SpeedRestored), 1);
+    QCOMPARE(fixture.fake().raw(text("goal_speed")), std::int64_t(60));
+    QCOMPARE(fixture.noticeCount(NoticeCode::SpeedRestored), 1);
 }
 
-void TestFamilyMotion::oldEvidenceIsNoAlarm()
+void TestFamilyMotion::staleReadingsAreNoAlarm()
 {
-    Bench bench(text("LX"));
-    bench.paper().poke(text("temperature"), 99);
-    bench.paper().poke(text("vin"), 7400);
-    device::Servo servo = bench.servo();
-    device::noteAlarms(bench.context(), servo);
-    QCOMPARE(bench.noted(NoticeCode::DerivedTemperature), 1);
-    bench.notices.clear();
-    bench.bus.cutAfter = 0;
-    device::noteAlarms(bench.context(), servo);
-    QVERIFY(bench.notices.empty());
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("temperature"), 99);
+    fixture.fake().poke(text("vin"), 7400);
+    device::Servo servo = fixture.servo();
+    device::addAlarmNotices(fixture.context(), servo);
+    QCOMPARE(fixture.noticeCount(NoticeCode::DerivedTemperature), 1);
+    fixture.notices.clear();
+    fixture.bus.cutAfter = 0;
+    device::addAlarmNotices(fixture.context(), servo);
+    QVERIFY(fixture.notices.empty());
 }
 
-void TestFamilyMotion::modbusModesSettle()
+void TestFamilyMotion::modbusModesTakeEffect()
 {
-    Bench bench(text("SMSMB"));
-    bench.paper().poke(text("goal_speed"), 60);
-    bench.paper().poke(text("torque_switch"), 1);
-    device::Servo servo = bench.servo();
-    const auto speed = device::switchMode(bench.context(), servo, text("speed"));
-    QVERIFY(speed && speed->allGood());
-    QCOMPARE(bench.paper().keptRaw(text("operating_mode")), std::int64_t(1));
-    QCOMPARE(bench.paper().raw(text("goal_speed")), std::int64_t(0));
-    QCOMPARE(bench.paper().raw(text("torque_switch")), std::int64_t(0));
-    const auto back = device::switchMode(bench.context(), servo, text("position"));
-    QVERIFY(back && back->allGood());
-    QCOMPARE(bench.paper().raw(text("goal_speed")), std::int64_t(60));
-    const auto turns = device::switchMode(bench.context(), servo, text("multiturn"));
-    QVERIFY(turns && turns->allGood());
-    QCOMPARE(bench.paper().raw(text("max_angle_limit")), std::int64_t(0));
-    QVERIFY(device::switchMode(bench.context(), servo, text("position")));
-    QCOMPARE(bench.paper().raw(text("max_angle_limit")), std::int64_t(4095));
+    DeviceFixture fixture(text("SMSMB"));
+    fixture.fake().poke(text("goal_speed"), 60);
+    fixture.fake().poke(text("torque_switch"), 1);
+    device::Servo servo = fixture.servo();
+    const auto speed = device::switchMode(fixture.context(), servo, text("speed"));
+    QVERIFY(speed && speed->isSuccessful());
+    QCOMPARE(fixture.fake().persistentRaw(text("operating_mode")), std::int64_t(1));
+    QCOMPARE(fixture.fake().raw(text("goal_speed")), std::int64_t(0));
+    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(0));
+    const auto back = device::switchMode(fixture.context(), servo, text("position"));
+    QVERIFY(back && back->isSuccessful());
+    QCOMPARE(fixture.fake().raw(text("goal_speed")), std::int64_t(60));
+    const auto turns = device::switchMode(fixture.context(), servo, text("multiturn"));
+    QVERIFY(turns && turns->isSuccessful());
+    QCOMPARE(fixture.fake().raw(text("max_angle_limit")), std::int64_t(0));
+    QVERIFY(device::switchMode(fixture.context(), servo, text("position")));
+    QCOMPARE(fixture.fake().raw(text("max_angle_limit")), std::int64_t(4095));
 }
 
 /// Nothing is said of a torque that is still on.
-void TestFamilyMotion::torqueOffThatIsRefusedIsSaid()
+void TestFamilyMotion::refusedTorqueOffIsReported()
 {
-    Bench bench(text("SMSMB"));
-    paper::Servo& servo = bench.paper();
+    DeviceFixture fixture(text("SMSMB"));
+    fake::Servo& servo = fixture.fake();
     const catalog::Register& torque = *servo.profile->byRole(Role::TorqueSwitch);
     servo.poke(torque.key, 1);
-    device::Servo known = bench.servo();
+    device::Servo known = fixture.servo();
     servo.exceptions[torque.writeOffset] = 3;
-    const auto report = device::switchMode(bench.context(), known, text("speed"));
+    const auto report = device::switchMode(fixture.context(), known, text("speed"));
     QVERIFY(report);
-    QVERIFY(!report->allGood());
+    QVERIFY(!report->isSuccessful());
     QCOMPARE(servo.raw(torque.key), 1);
-    QCOMPARE(bench.noted(NoticeCode::TorqueStaysOff), 0);
+    QCOMPARE(fixture.noticeCount(NoticeCode::TorqueStaysOff), 0);
 }
 
-void TestFamilyMotion::lxModesAreQuietBothWays()
+void TestFamilyMotion::lxModeSwitchesDoNotMove()
 {
-    Bench bench(text("LX"));
-    bench.paper().poke(text("load"), 1);
-    device::Servo servo = bench.servo();
-    const auto motor = device::switchMode(bench.context(), servo, text("motor"));
-    QVERIFY(motor && motor->allGood());
-    QCOMPARE(said(bench), (QStringList{text("W248:00"), text("W232:01 00 00 00")}));
-    bench.paper().poke(text("motor_speed"), 500);
-    bench.paper().poke(text("load"), 1);
-    bench.bus.said.clear();
-    const auto position = device::switchMode(bench.context(), servo, text("position"));
-    QVERIFY(position && position->allGood());
-    QCOMPARE(said(bench), (QStringList{text("W248:00"), text("W232:00 00 00 00")}));
-    QCOMPARE(bench.openIntents(), std::size_t(0));
-    const auto none = device::switchMode(bench.context(), servo, text("step"));
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("load"), 1);
+    device::Servo servo = fixture.servo();
+    const auto motor = device::switchMode(fixture.context(), servo, text("motor"));
+    QVERIFY(motor && motor->isSuccessful());
+    QCOMPARE(requests(fixture), (QStringList{text("W248:00"), text("W232:01 00 00 00")}));
+    fixture.fake().poke(text("motor_speed"), 500);
+    fixture.fake().poke(text("load"), 1);
+    fixture.bus.requests.clear();
+    const auto position = device::switchMode(fixture.context(), servo, text("position"));
+    QVERIFY(position && position->isSuccessful());
+    QCOMPARE(requests(fixture), (QStringList{text("W248:00"), text("W232:00 00 00 00")}));
+    QCOMPARE(fixture.openIntents(), std::size_t(0));
+    const auto none = device::switchMode(fixture.context(), servo, text("step"));
     QVERIFY(!none);
     QCOMPARE(none.error().code, ErrorCode::NotSupported);
     QCOMPARE(none.error().detail, text("position, motor"));
@@ -414,31 +414,31 @@ void TestFamilyMotion::framesOfAMove()
     QFETCH(QString, acceleration);
     QFETCH(QString, time);
     QFETCH(QStringList, frames);
-    Bench bench(family);
-    bench.paper().poke(bench.paper().profile->byRole(Role::TorqueSwitch)->key, 1);
-    device::Servo servo = bench.servo();
-    MoveOrder go = order(servo, "500");
+    DeviceFixture fixture(family);
+    fixture.fake().poke(fixture.fake().profile->byRole(Role::TorqueSwitch)->key, 1);
+    device::Servo servo = fixture.servo();
+    MoveCommand go = order(servo, "500");
     if (!speed.isEmpty())
         go.speed = speed;
     if (!acceleration.isEmpty())
         go.acceleration = acceleration;
     if (!time.isEmpty())
         go.time = time;
-    QVERIFY(moved(bench, {go}));
-    QCOMPARE(said(bench), frames);
-    QCOMPARE(bench.noted(NoticeCode::TorqueSwitchedOn), 0);
+    QVERIFY(moved(fixture, {go}));
+    QCOMPARE(requests(fixture), frames);
+    QCOMPARE(fixture.noticeCount(NoticeCode::TorqueSwitchedOn), 0);
 }
 
-void TestFamilyMotion::aMoveLoadsFirst()
+void TestFamilyMotion::aMoveSwitchesTorqueOnFirst()
 {
-    Bench bench(text("LX"));
-    bench.paper().poke(text("position"), 300);
-    device::Servo servo = bench.servo();
-    QVERIFY(moved(bench, {order(servo, "120deg")}));
-    QCOMPARE(said(bench), (QStringList{text("W8:2C 01 00 00"), text("W248:01"),
-                                       text("W8:2C 01 00 00"), text("W8:F4 01 00 00")}));
-    QCOMPARE(bench.noted(NoticeCode::TorqueSwitchedOn), 1);
-    QCOMPARE(bench.paper().raw(text("load")), std::int64_t(1));
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("position"), 300);
+    device::Servo servo = fixture.servo();
+    QVERIFY(moved(fixture, {order(servo, "120deg")}));
+    QCOMPARE(requests(fixture), (QStringList{text("W8:2C 01 00 00"), text("W248:01"),
+                                             text("W8:2C 01 00 00"), text("W8:F4 01 00 00")}));
+    QCOMPARE(fixture.noticeCount(NoticeCode::TorqueSwitchedOn), 1);
+    QCOMPARE(fixture.fake().raw(text("load")), std::int64_t(1));
 }
 
 void TestFamilyMotion::motorSpeeds_data()
@@ -458,12 +458,12 @@ void TestFamilyMotion::motorSpeeds()
 {
     QFETCH(QString, goal);
     QFETCH(QString, frame);
-    Bench bench(text("LX"));
-    bench.paper().poke(text("mode"), 1);
-    bench.paper().poke(text("load"), 1);
-    device::Servo servo = bench.servo();
-    QVERIFY(moved(bench, {{&servo, goal}}));
-    QCOMPARE(said(bench), QStringList{frame});
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("mode"), 1);
+    fixture.fake().poke(text("load"), 1);
+    device::Servo servo = fixture.servo();
+    QVERIFY(moved(fixture, {{&servo, goal}}));
+    QCOMPARE(requests(fixture), QStringList{frame});
 }
 
 void TestFamilyMotion::refusedMoves_data()
@@ -501,11 +501,11 @@ void TestFamilyMotion::refusedMoves()
     QFETCH(QString, extra);
     QFETCH(ErrorCode, code);
     QFETCH(QString, detail);
-    Bench bench(family);
-    if (bench.paper().has(Role::OperatingMode))
-        bench.paper().poke(bench.paper().profile->byRole(Role::OperatingMode)->key, mode);
-    device::Servo servo = bench.servo();
-    MoveOrder go{&servo, goal};
+    DeviceFixture fixture(family);
+    if (fixture.fake().has(Role::OperatingMode))
+        fixture.fake().poke(fixture.fake().profile->byRole(Role::OperatingMode)->key, mode);
+    device::Servo servo = fixture.servo();
+    MoveCommand go{&servo, goal};
     const QString value = extra.section(QLatin1Char('='), 1);
     if (extra.startsWith(text("speed")))
         go.speed = value;
@@ -513,29 +513,29 @@ void TestFamilyMotion::refusedMoves()
         go.acceleration = value;
     else if (extra.startsWith(text("time")))
         go.time = value;
-    const auto plan = device::planMove(bench.context(), go);
+    const auto plan = device::planMove(fixture.context(), go);
     QVERIFY(!plan);
     QCOMPARE(base::errorName(plan.error().code), base::errorName(code));
     QCOMPARE(plan.error().detail, detail);
-    QCOMPARE(bench.bus.writes(), 0);
+    QCOMPARE(fixture.bus.writes(), 0);
 }
 
 /// Each is addressed: others on the line may hold a move of another program.
 void TestFamilyMotion::storedMovesStartTogether()
 {
     for (const bool tells : {true, false}) {
-        for (const MoveHow how : {MoveHow::Sync, MoveHow::Async}) {
-            Bench bench{{"LX", 1}, {"LX", 2}};
-            for (paper::Servo& servo : bench.bus.servos) {
+        for (const MoveMethod how : {MoveMethod::Sync, MoveMethod::Async}) {
+            DeviceFixture fixture{{"LX", 1}, {"LX", 2}};
+            for (fake::Servo& servo : fixture.bus.servos) {
                 servo.poke(text("load"), 1);
-                servo.tellsStored = tells;
+                servo.repliesStoredMove = tells;
             }
-            device::Servo first = bench.servo(0);
-            device::Servo second = bench.servo(1);
-            MoveOrder slow = order(second, "1000");
+            device::Servo first = fixture.servo(0);
+            device::Servo second = fixture.servo(1);
+            MoveCommand slow = order(second, "1000");
             slow.time = text("30000");
-            QVERIFY(moved(bench, {order(first, "500"), slow}, how));
-            QCOMPARE(said(bench),
+            QVERIFY(moved(fixture, {order(first, "500"), slow}, how));
+            QCOMPARE(requests(fixture),
                      (QStringList{text("W56:F4 01 00 00"), text("W56:E8 03 30 75"), text("A1"),
                                   text("A2"), text("A1"), text("A2"), text("A1"), text("A2")}));
         }
@@ -544,58 +544,58 @@ void TestFamilyMotion::storedMovesStartTogether()
 
 void TestFamilyMotion::oneStoredMoveStartsAlone()
 {
-    Bench bench{{"LX", 1}, {"LX", 2}};
-    bench.paper(0).poke(text("load"), 1);
-    device::Servo servo = bench.servo(0);
-    QVERIFY(moved(bench, {order(servo, "500")}, MoveHow::Async));
-    QCOMPARE(said(bench),
+    DeviceFixture fixture{{"LX", 1}, {"LX", 2}};
+    fixture.fake(0).poke(text("load"), 1);
+    device::Servo servo = fixture.servo(0);
+    QVERIFY(moved(fixture, {order(servo, "500")}, MoveMethod::Async));
+    QCOMPARE(requests(fixture),
              (QStringList{text("W56:F4 01 00 00"), text("A1"), text("A1"), text("A1")}));
 }
 
 /// An emergency stop before the start: no later start command may find the move.
-void TestFamilyMotion::aMoveThatWasGivenUpIsForgotten()
+void TestFamilyMotion::aCanceledMoveIsCleared()
 {
-    Bench bench{{"LX", 1}, {"LX", 2}};
-    for (paper::Servo& servo : bench.bus.servos) {
+    DeviceFixture fixture{{"LX", 1}, {"LX", 2}};
+    for (fake::Servo& servo : fixture.bus.servos) {
         servo.poke(text("load"), 1);
         servo.poke(text("position"), 300);
     }
-    device::Servo first = bench.servo(0);
-    device::Servo second = bench.servo(1);
-    auto plans = planned(bench, {order(first, "500"), order(second, "600")});
+    device::Servo first = fixture.servo(0);
+    device::Servo second = fixture.servo(1);
+    auto plans = planned(fixture, {order(first, "500"), order(second, "600")});
     QVERIFY(plans);
     bool met = false;
-    bench.bus.onRequest = [&](const protocol::Request& request) {
-        bench.bus.emergencyNow = !met && request.op == Op::Write && request.id == 2;
-        met |= bench.bus.emergencyNow;
+    fixture.bus.onRequest = [&](const protocol::Request& request) {
+        fixture.bus.emergencyPending = !met && request.op == Op::Write && request.id == 2;
+        met |= fixture.bus.emergencyPending;
     };
-    const auto sent = device::sendMoves(bench.context(), *plans, MoveHow::Sync);
+    const auto sent = device::sendMoves(fixture.context(), *plans, MoveMethod::Sync);
     QVERIFY(!sent);
     QCOMPARE(sent.error().code, ErrorCode::Preempted);
-    QVERIFY(said(bench).filter(text("A")).isEmpty());
-    for (const paper::Servo& servo : bench.bus.servos)
+    QVERIFY(requests(fixture).filter(text("A")).isEmpty());
+    for (const fake::Servo& servo : fixture.bus.servos)
         QCOMPARE(servo.raw(text("wait_angle")), std::int64_t(300));
 }
 
-void TestFamilyMotion::aStoredMoveThatIsTornIsStoredAgain()
+void TestFamilyMotion::aTornStoredMoveIsStoredAgain()
 {
-    Bench bench(text("LX"));
-    bench.paper().poke(text("load"), 1);
-    device::Servo servo = bench.servo();
-    auto plans = planned(bench, {order(servo, "500")});
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("load"), 1);
+    device::Servo servo = fixture.servo();
+    auto plans = planned(fixture, {order(servo, "500")});
     QVERIFY(plans);
-    bench.bus.deafWrites = 1;
-    QVERIFY(device::sendMoves(bench.context(), *plans, MoveHow::Async));
-    QCOMPARE(bench.paper().raw(text("wait_angle")), std::int64_t(500));
-    QCOMPARE(bench.noted(NoticeCode::SentAgain), 1);
+    fixture.bus.lostWrites = 1;
+    QVERIFY(device::sendMoves(fixture.context(), *plans, MoveMethod::Async));
+    QCOMPARE(fixture.fake().raw(text("wait_angle")), std::int64_t(500));
+    QCOMPARE(fixture.noticeCount(NoticeCode::Resent), 1);
 }
 
-void TestFamilyMotion::togetherOnlyWhereItExists()
+void TestFamilyMotion::syncMoveOnlyWhereSupported()
 {
-    const std::pair<MoveHow, const char*> ways[]{{MoveHow::Sync, "no-sync"},
-                                                 {MoveHow::Async, "no-async"}};
+    const std::pair<MoveMethod, const char*> ways[]{{MoveMethod::Sync, "no-sync"},
+                                                    {MoveMethod::Async, "no-async"}};
     for (const auto& [how, detail] : ways) {
-        Bench modbus{{"STS", 1}, {"SMSMB", 2}};
+        DeviceFixture modbus{{"STS", 1}, {"SMSMB", 2}};
         device::Servo first = modbus.servo(0);
         device::Servo second = modbus.servo(1);
         const auto sent = moved(modbus, {order(first, "500"), order(second, "500")}, how);
@@ -603,10 +603,10 @@ void TestFamilyMotion::togetherOnlyWhereItExists()
         QCOMPARE(sent.error().code, ErrorCode::NotSupported);
         QCOMPARE(sent.error().detail, text(detail));
         QCOMPARE(sent.error().id, 2);
-        QVERIFY(modbus.bus.said.empty());
+        QVERIFY(modbus.bus.requests.empty());
         // A speed cannot be stored.
-        Bench motor(text("LX"));
-        motor.paper().poke(text("mode"), 1);
+        DeviceFixture motor(text("LX"));
+        motor.fake().poke(text("mode"), 1);
         device::Servo servo = motor.servo();
         const auto stored = moved(motor, {order(servo, "500")}, how);
         QVERIFY(!stored);
@@ -618,26 +618,26 @@ void TestFamilyMotion::togetherOnlyWhereItExists()
 /// One packet a family: neither byte order nor the meaning of 44 may be mixed.
 void TestFamilyMotion::familiesMoveTogether()
 {
-    Bench bench{{"STS", 1}, {"HLS", 2}, {"SMCL", 3}, {"SCS2", 4},
-                {"SCS", 5}, {"STS", 6}, {"LX", 1}};
-    bench.paper(6).poke(text("load"), 1);
+    DeviceFixture fixture{{"STS", 1}, {"HLS", 2}, {"SMCL", 3}, {"SCS2", 4},
+                          {"SCS", 5}, {"STS", 6}, {"LX", 1}};
+    fixture.fake(6).poke(text("load"), 1);
     std::deque<device::Servo> servos;
-    std::vector<MoveOrder> orders;
-    for (std::size_t i = 0; i < bench.bus.servos.size(); ++i) {
-        servos.push_back(bench.servo(i));
+    std::vector<MoveCommand> orders;
+    for (std::size_t i = 0; i < fixture.bus.servos.size(); ++i) {
+        servos.push_back(fixture.servo(i));
         orders.push_back(order(servos.back(), "500"));
     }
-    QVERIFY(moved(bench, orders, MoveHow::Sync));
-    for (paper::Servo& servo : bench.bus.servos)
+    QVERIFY(moved(fixture, orders, MoveMethod::Sync));
+    for (fake::Servo& servo : fixture.bus.servos)
         QCOMPARE(servo.raw(servo.profile
                                ->byRole(servo.has(Role::StoredGoal) ? Role::StoredGoal
                                                                     : Role::GoalPosition)
                                ->key),
                  std::int64_t(500));
-    const QStringList frames = said(bench);
+    const QStringList frames = requests(fixture);
     QCOMPARE(frames.filter(text("S42")).size(), 5);
     QCOMPARE(frames.filter(text("S42x2")).size(), 1);
-    for (const protocol::Request& request : bench.bus.said) {
+    for (const protocol::Request& request : fixture.bus.requests) {
         if (request.op != Op::SyncWrite)
             continue;
         const bool mixes = request.targets.size() > 1 &&
@@ -649,21 +649,22 @@ void TestFamilyMotion::familiesMoveTogether()
 void TestFamilyMotion::lostGoalsAreWrittenAgain()
 {
     for (const char* family : {"HLS", "SMSMB", "LX"}) {
-        Bench bench{{family, 1}};
-        bench.paper().poke(bench.paper().profile->byRole(Role::TorqueSwitch)->key, 1);
-        device::Servo servo = bench.servo();
-        auto plans = planned(bench, {order(servo, "500")});
+        DeviceFixture fixture{{family, 1}};
+        fixture.fake().poke(fixture.fake().profile->byRole(Role::TorqueSwitch)->key, 1);
+        device::Servo servo = fixture.servo();
+        auto plans = planned(fixture, {order(servo, "500")});
         QVERIFY(plans);
-        bench.bus.deafWrites = 1;
-        QVERIFY(device::sendMoves(bench.context(), *plans, MoveHow::Write));
-        QCOMPARE(bench.paper().raw(Role::GoalPosition), std::int64_t(500));
-        QCOMPARE(bench.noted(NoticeCode::SentAgain) + bench.noted(NoticeCode::AnswerLostSentAgain),
+        fixture.bus.lostWrites = 1;
+        QVERIFY(device::sendMoves(fixture.context(), *plans, MoveMethod::Write));
+        QCOMPARE(fixture.fake().raw(Role::GoalPosition), std::int64_t(500));
+        QCOMPARE(fixture.noticeCount(NoticeCode::Resent) +
+                     fixture.noticeCount(NoticeCode::ReplyLostResent),
                  1);
-        Bench lost{{family, 1}};
-        lost.bus.loseAcks = true;
+        DeviceFixture lost{{family, 1}};
+        lost.bus.dropAcknowledgments = true;
         device::Servo other = lost.servo();
         QVERIFY(moved(lost, {order(other, "500")}));
-        QCOMPARE(lost.paper().raw(Role::GoalPosition), std::int64_t(500));
+        QCOMPARE(lost.fake().raw(Role::GoalPosition), std::int64_t(500));
     }
 }
 
@@ -688,59 +689,60 @@ void TestFamilyMotion::haltEndsTheMotion()
     QFETCH(QString, family);
     QFETCH(int, mode);
     QFETCH(QStringList, frames);
-    Bench bench(family);
-    const catalog::Profile& profile = *bench.paper().profile;
-    if (bench.paper().has(Role::OperatingMode))
-        bench.paper().poke(profile.byRole(Role::OperatingMode)->key, mode);
-    bench.paper().poke(profile.byRole(Role::TorqueSwitch)->key, 1);
-    bench.paper().poke(profile.byRole(Role::PresentPosition)->key, 300);
+    DeviceFixture fixture(family);
+    const catalog::Profile& profile = *fixture.fake().profile;
+    if (fixture.fake().has(Role::OperatingMode))
+        fixture.fake().poke(profile.byRole(Role::OperatingMode)->key, mode);
+    fixture.fake().poke(profile.byRole(Role::TorqueSwitch)->key, 1);
+    fixture.fake().poke(profile.byRole(Role::PresentPosition)->key, 300);
     if (mode != 0)
-        bench.paper().poke(bench.servo().profile->byRole(bench.servo().mode()->command)->key, 77);
-    device::Servo servo = bench.servo();
-    QVERIFY(device::halt(bench.context(), servo));
-    QCOMPARE(said(bench), frames);
-    QCOMPARE(bench.paper().raw(Role::TorqueSwitch), std::int64_t(1));
+        fixture.fake().poke(fixture.servo().profile->byRole(fixture.servo().mode()->command)->key,
+                            77);
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::halt(fixture.context(), servo));
+    QCOMPARE(requests(fixture), frames);
+    QCOMPARE(fixture.fake().raw(Role::TorqueSwitch), std::int64_t(1));
 }
 
 /// The stop command is not acknowledged; the shaft shows that it was not heard.
-void TestFamilyMotion::aShaftThatMovesOnIsHeld()
+void TestFamilyMotion::aMovingShaftIsHeld()
 {
-    Bench bench(text("LX"));
-    bench.paper().poke(text("load"), 1);
-    bench.paper().poke(text("move_angle"), 900);
-    device::Servo servo = bench.servo();
-    bench.bus.onRequest = [&](const protocol::Request& request) {
-        const int place = int((bench.bus.time.now() / 1ms) % 1000);
-        if (request.op == Op::Read && bench.paper().raw(text("move_angle")) == 900)
-            bench.paper().poke(text("position"), place);
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("load"), 1);
+    fixture.fake().poke(text("move_angle"), 900);
+    device::Servo servo = fixture.servo();
+    fixture.bus.onRequest = [&](const protocol::Request& request) {
+        const int place = int((fixture.bus.time.now() / 1ms) % 1000);
+        if (request.op == Op::Read && fixture.fake().raw(text("move_angle")) == 900)
+            fixture.fake().poke(text("position"), place);
     };
-    QVERIFY(device::halt(bench.context(), servo));
-    QCOMPARE(bench.paper().raw(text("move_angle")), bench.paper().raw(text("position")));
-    QCOMPARE(bench.noted(NoticeCode::HoldingAt), 1);
+    QVERIFY(device::halt(fixture.context(), servo));
+    QCOMPARE(fixture.fake().raw(text("move_angle")), fixture.fake().raw(text("position")));
+    QCOMPARE(fixture.noticeCount(NoticeCode::HoldingAt), 1);
 }
 
-void TestFamilyMotion::haltOfAnUnloadedServoSaysNothing()
+void TestFamilyMotion::haltOfAnUnloadedServoSendsNothing()
 {
     for (const char* family : {"STS", "SMSMB", "LX"}) {
-        Bench bench{{family, 1}};
-        device::Servo servo = bench.servo();
-        QVERIFY(device::halt(bench.context(), servo));
-        QCOMPARE(bench.bus.writes(), 0);
-        QCOMPARE(bench.noted(NoticeCode::AlreadySo), 1);
+        DeviceFixture fixture{{family, 1}};
+        device::Servo servo = fixture.servo();
+        QVERIFY(device::halt(fixture.context(), servo));
+        QCOMPARE(fixture.bus.writes(), 0);
+        QCOMPARE(fixture.noticeCount(NoticeCode::AlreadySet), 1);
     }
 }
 
-void TestFamilyMotion::haltInStepModeLetsGo()
+void TestFamilyMotion::haltInStepModeReleasesTorque()
 {
-    Bench bench(text("STS"));
-    bench.paper().poke(text("operating_mode"), 3);
-    bench.paper().poke(text("min_angle_limit"), 0);
-    bench.paper().poke(text("max_angle_limit"), 0);
-    bench.paper().poke(text("torque_switch"), 1);
-    device::Servo servo = bench.servo();
-    QVERIFY(device::halt(bench.context(), servo));
-    QCOMPARE(bench.paper().raw(text("torque_switch")), std::int64_t(0));
-    QCOMPARE(bench.noted(NoticeCode::TorqueSwitchedOff), 1);
+    DeviceFixture fixture(text("STS"));
+    fixture.fake().poke(text("operating_mode"), 3);
+    fixture.fake().poke(text("min_angle_limit"), 0);
+    fixture.fake().poke(text("max_angle_limit"), 0);
+    fixture.fake().poke(text("torque_switch"), 1);
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::halt(fixture.context(), servo));
+    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(0));
+    QCOMPARE(fixture.noticeCount(NoticeCode::TorqueSwitchedOff), 1);
 }
 
 void TestFamilyMotion::arrivalWithoutAFlag_data()
@@ -748,7 +750,7 @@ void TestFamilyMotion::arrivalWithoutAFlag_data()
     QTest::addColumn<int>("from");
     QTest::addColumn<int>("to");
     QTest::addColumn<int>("startsAfter"); ///< ms
-    QTest::addColumn<int>("ownTime");     ///< ms; 0: one step a millisecond
+    QTest::addColumn<int>("travelTime");     ///< ms; 0: one step a millisecond
     QTest::addColumn<int>("sticksAt");    ///< −1: nowhere
     QTest::newRow("at once") << 0 << 500 << 0 << 0 << -1;
     QTest::newRow("a slow start") << 0 << 500 << 400 << 0 << -1;
@@ -763,59 +765,59 @@ void TestFamilyMotion::arrivalWithoutAFlag()
     QFETCH(int, from);
     QFETCH(int, to);
     QFETCH(int, startsAfter);
-    QFETCH(int, ownTime);
+    QFETCH(int, travelTime);
     QFETCH(int, sticksAt);
-    Bench bench(text("LX"));
-    bench.paper().poke(text("position"), from);
-    bench.paper().poke(text("load"), 1);
-    bench.paper().poke(text("vin"), 7400);
-    device::Servo servo = bench.servo();
-    MoveOrder go{&servo, QString::number(to)};
-    if (ownTime > 0)
-        go.time = QString::number(ownTime);
-    auto plans = planned(bench, {go});
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("position"), from);
+    fixture.fake().poke(text("load"), 1);
+    fixture.fake().poke(text("vin"), 7400);
+    device::Servo servo = fixture.servo();
+    MoveCommand go{&servo, QString::number(to)};
+    if (travelTime > 0)
+        go.time = QString::number(travelTime);
+    auto plans = planned(fixture, {go});
     QVERIFY(plans);
-    QVERIFY(device::sendMoves(bench.context(), *plans, MoveHow::Write));
-    const base::Duration begin = bench.bus.time.now() + std::chrono::milliseconds(startsAfter);
-    const double whole = ownTime > 0 ? ownTime : std::max(1, std::abs(to - from));
-    bench.bus.onRequest = [&](const protocol::Request&) {
-        const double passed = std::max(0.0, double((bench.bus.time.now() - begin) / 1us) / 1000.0);
+    QVERIFY(device::sendMoves(fixture.context(), *plans, MoveMethod::Write));
+    const base::Duration begin = fixture.bus.time.now() + std::chrono::milliseconds(startsAfter);
+    const double whole = travelTime > 0 ? travelTime : std::max(1, std::abs(to - from));
+    fixture.bus.onRequest = [&](const protocol::Request&) {
+        const double passed =
+            std::max(0.0, double((fixture.bus.time.now() - begin) / 1us) / 1000.0);
         const double share = std::min(1.0, passed / whole);
         const int place = from + int(std::lround((to - from) * share));
-        bench.paper().poke(text("position"), sticksAt >= 0 ? std::min(place, sticksAt) : place);
+        fixture.fake().poke(text("position"), sticksAt >= 0 ? std::min(place, sticksAt) : place);
     };
     bool movedSeen = false;
-    const auto arrived =
-        device::waitForArrival(bench.context(), *plans, 60s, [&](const device::MoveProgress& seen) {
-            movedSeen = movedSeen || seen.moving;
-        });
+    const auto arrived = device::waitForArrival(
+        fixture.context(), *plans, 60s,
+        [&](const device::MoveProgress& seen) { movedSeen = movedSeen || seen.moving; });
     QCOMPARE(arrived.has_value(), sticksAt < 0);
     if (arrived)
-        QCOMPARE(bench.paper().raw(text("position")), std::int64_t(to));
+        QCOMPARE(fixture.fake().raw(text("position")), std::int64_t(to));
     else
         QCOMPARE(arrived.error().detail, QString::number(sticksAt - to));
     QCOMPARE(movedSeen, std::abs(to - from) > 1);
 }
 
-void TestFamilyMotion::stoppingTheWaitSaysWhatIsUnderWay()
+void TestFamilyMotion::cancelingTheWaitReportsPendingMoves()
 {
-    Bench bench(text("LX"));
-    bench.paper().poke(text("load"), 1);
-    device::Servo servo = bench.servo();
-    MoveOrder go = order(servo, "500");
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("load"), 1);
+    device::Servo servo = fixture.servo();
+    MoveCommand go = order(servo, "500");
     go.time = text("30000");
-    auto plans = planned(bench, {go});
+    auto plans = planned(fixture, {go});
     QVERIFY(plans);
-    QVERIFY(device::sendMoves(bench.context(), *plans, MoveHow::Write));
+    QVERIFY(device::sendMoves(fixture.context(), *plans, MoveMethod::Write));
     int samples = 0;
     const auto waited =
-        device::waitForArrival(bench.context(), *plans, 60s, [&](const device::MoveProgress&) {
+        device::waitForArrival(fixture.context(), *plans, 60s, [&](const device::MoveProgress&) {
             if (++samples == 10)
-                bench.stop.request();
+                fixture.stop.request();
         });
     QVERIFY(!waited);
     QCOMPARE(waited.error().code, ErrorCode::Stopped);
-    QCOMPARE(bench.noted(NoticeCode::StillMoving), 1);
+    QCOMPARE(fixture.noticeCount(NoticeCode::StillMoving), 1);
 }
 
 QTEST_GUILESS_MAIN(TestFamilyMotion)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The safe write in every family: what is called kept survives power-off, a neighbour in the same
+// The safe write in every family: what is called kept survives power-off, a neighbor in the same
 // block never changes, the lock ends closed, and what cannot be right is refused before the wire.
 #include "device/writer.h"
 
@@ -13,7 +13,7 @@ using device::LockState;
 using device::NoticeCode;
 using device::WriteItem;
 using device::WriteOutcome;
-using paper::Bench;
+using fake::DeviceFixture;
 
 namespace {
 QString text(const char* word)
@@ -22,17 +22,17 @@ QString text(const char* word)
 }
 
 /// Values written to this register, in order; blocks count by their first register.
-std::vector<int> writtenTo(const Bench& bench, const catalog::Register& reg)
+std::vector<int> hasWriteTo(const DeviceFixture& fixture, const catalog::Register& reg)
 {
     std::vector<int> values;
-    for (const protocol::Request& request : bench.bus.said) {
+    for (const protocol::Request& request : fixture.bus.requests) {
         if (request.op == protocol::Op::Write && request.address == reg.writeOffset)
             values.push_back(request.data.empty() ? -1 : request.data.back());
     }
     return values;
 }
 
-bool lockClosed(const paper::Servo& servo)
+bool lockClosed(const fake::Servo& servo)
 {
     return !servo.has(Role::Lock) || servo.raw(Role::Lock) == 1;
 }
@@ -44,42 +44,42 @@ class TestFamilyWrites : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void keptSurvivesPowerOff_data();
-    void keptSurvivesPowerOff();
-    void lostAcknowledgements_data() { keptSurvivesPowerOff_data(); }
-    void lostAcknowledgements();
+    void savedSurvivesPowerOff_data();
+    void savedSurvivesPowerOff();
+    void lostAcknowledgments_data() { savedSurvivesPowerOff_data(); }
+    void lostAcknowledgments();
     void responseLevelZero_data();
     void responseLevelZero();
-    void writesThatNeverArrive_data() { keptSurvivesPowerOff_data(); }
+    void writesThatNeverArrive_data() { savedSurvivesPowerOff_data(); }
     void writesThatNeverArrive();
-    void linkCutAnywhere_data() { keptSurvivesPowerOff_data(); }
+    void linkCutAnywhere_data() { savedSurvivesPowerOff_data(); }
     void linkCutAnywhere();
     void temporaryIsLost_data();
     void temporaryIsLost();
-    void temporaryWhereEveryWriteIsKept();
-    void persistenceThatNobodyStates();
-    void neighboursInABlockStay_data();
-    void neighboursInABlockStay();
+    void temporaryWhereEveryWriteIsPermanent();
+    void undocumentedPersistence();
+    void neighborsInABlockAreKept_data();
+    void neighborsInABlockAreKept();
     void aBlockGoesInOneFrame();
-    void refusedBeforeTheWire_data();
-    void refusedBeforeTheWire();
+    void refusedBeforeSending_data();
+    void refusedBeforeSending();
     void unusualVoltages();
     void eachAreaHasItsKey();
     void bothAreasInOneWrite();
-    void theLockIsWhereTheMapHasIt_data();
-    void theLockIsWhereTheMapHasIt();
+    void theLockAddressComesFromTheMap_data();
+    void theLockAddressComesFromTheMap();
     void exceptionsAreRefusals();
-    void offsetNeedsConsentEvenToTry();
-    void aMoveThatCannotBeReadIsNotSimplyWritten();
+    void offsetNeedsConsentEvenForATrial();
+    void anUnreadableMoveIsNotWrittenDirectly();
     void switchingTheModeStopsTheMotor();
     void faultResetClearsItself();
     void aLostFaultResetIsNotRefused();
     void anEmergencyEndsTheWrite();
-    void aModeThatWasWrittenIsSettled();
-    void twinsAreNotWritten();
+    void aWrittenModeIsRecovered();
+    void duplicateIdsAreNotWritten();
 };
 
-void TestFamilyWrites::keptSurvivesPowerOff_data()
+void TestFamilyWrites::savedSurvivesPowerOff_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<QString>("key");
@@ -110,44 +110,44 @@ void TestFamilyWrites::keptSurvivesPowerOff_data()
                                           << "angle_offset" << -125;
 }
 
-void TestFamilyWrites::keptSurvivesPowerOff()
+void TestFamilyWrites::savedSurvivesPowerOff()
 {
     QFETCH(QString, family);
     QFETCH(QString, key);
     QFETCH(int, value);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
-    const auto report = device::write(bench.context(), servo, {{key, value}}, {false, true});
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
+    const auto report = device::write(fixture.context(), servo, {{key, value}}, {false, true});
     QVERIFY(report);
     QCOMPARE(report->writes.size(), std::size_t(1));
     QCOMPARE(device::outcomeName(report->writes[0].outcome), text("kept"));
     QCOMPARE(*report->writes[0].readBack, std::int64_t(value));
-    QCOMPARE(report->lock, bench.paper().has(Role::Lock) ? LockState::Closed : LockState::None);
-    QVERIFY(report->allGood());
-    QVERIFY(lockClosed(bench.paper()));
-    QCOMPARE(bench.openIntents(), std::size_t(0));
-    QCOMPARE(bench.noted(NoticeCode::SavedPerSheet), key == text("angle_offset") ? 1 : 0);
-    bench.paper().powerCycle();
-    QCOMPARE(bench.paper().raw(key), std::int64_t(value));
+    QCOMPARE(report->lock, fixture.fake().has(Role::Lock) ? LockState::Closed : LockState::None);
+    QVERIFY(report->isSuccessful());
+    QVERIFY(lockClosed(fixture.fake()));
+    QCOMPARE(fixture.openIntents(), std::size_t(0));
+    QCOMPARE(fixture.noticeCount(NoticeCode::SaveUnverified), key == text("angle_offset") ? 1 : 0);
+    fixture.fake().powerCycle();
+    QCOMPARE(fixture.fake().raw(key), std::int64_t(value));
 }
 
-void TestFamilyWrites::lostAcknowledgements()
+void TestFamilyWrites::lostAcknowledgments()
 {
     QFETCH(QString, family);
     QFETCH(QString, key);
     QFETCH(int, value);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
-    bench.bus.loseAcks = true;
-    const auto report = device::write(bench.context(), servo, {{key, value}}, {false, true});
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
+    fixture.bus.dropAcknowledgments = true;
+    const auto report = device::write(fixture.context(), servo, {{key, value}}, {false, true});
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.paper().keptRaw(key), std::int64_t(value));
-    QVERIFY(lockClosed(bench.paper()));
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.fake().persistentRaw(key), std::int64_t(value));
+    QVERIFY(lockClosed(fixture.fake()));
     // Where nothing is ever acknowledged, nothing is lost.
-    QCOMPARE(bench.noted(NoticeCode::AnswerLostButDone), family == text("LX") ? 0 : 1);
-    QCOMPARE(bench.noted(NoticeCode::AnswerLostSentAgain), 0);
-    QCOMPARE(bench.noted(NoticeCode::SentAgain), 0);
+    QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostButWritten), family == text("LX") ? 0 : 1);
+    QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostResent), 0);
+    QCOMPARE(fixture.noticeCount(NoticeCode::Resent), 0);
 }
 
 void TestFamilyWrites::responseLevelZero_data()
@@ -160,15 +160,16 @@ void TestFamilyWrites::responseLevelZero_data()
 void TestFamilyWrites::responseLevelZero()
 {
     QFETCH(QString, family);
-    Bench bench(family);
-    bench.paper().settle(text("response_level"), 0);
-    device::Servo servo = bench.servo();
-    const auto report = device::write(bench.context(), servo, {{text("max_temperature"), 61}}, {});
+    DeviceFixture fixture(family);
+    fixture.fake().setPersistent(text("response_level"), 0);
+    device::Servo servo = fixture.servo();
+    const auto report =
+        device::write(fixture.context(), servo, {{text("max_temperature"), 61}}, {});
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.paper().keptRaw(text("max_temperature")), std::int64_t(61));
-    QVERIFY(lockClosed(bench.paper()));
-    QVERIFY(bench.notices.empty());
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.fake().persistentRaw(text("max_temperature")), std::int64_t(61));
+    QVERIFY(lockClosed(fixture.fake()));
+    QVERIFY(fixture.notices.empty());
 }
 
 void TestFamilyWrites::writesThatNeverArrive()
@@ -176,25 +177,25 @@ void TestFamilyWrites::writesThatNeverArrive()
     QFETCH(QString, family);
     QFETCH(QString, key);
     QFETCH(int, value);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
     // The very frame that carries the value; the ones around it come through.
-    const int place = bench.paper().reg(key).block ? bench.paper().reg(key).block->writeOffset
-                                                   : bench.paper().reg(key).writeOffset;
+    const int place = fixture.fake().reg(key).block ? fixture.fake().reg(key).block->writeOffset
+                                                    : fixture.fake().reg(key).writeOffset;
     bool lost = false;
-    bench.bus.onRequest = [&](const protocol::Request& request) {
+    fixture.bus.onRequest = [&](const protocol::Request& request) {
         if (request.op != protocol::Op::Write || request.address != place || lost)
             return;
         lost = true;
-        bench.bus.deafWrites = 1;
+        fixture.bus.lostWrites = 1;
     };
-    const auto report = device::write(bench.context(), servo, {{key, value}}, {false, true});
+    const auto report = device::write(fixture.context(), servo, {{key, value}}, {false, true});
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.paper().keptRaw(key), std::int64_t(value));
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.fake().persistentRaw(key), std::int64_t(value));
     const bool lx = family == text("LX");
-    QCOMPARE(bench.noted(NoticeCode::SentAgain), lx ? 1 : 0);
-    QCOMPARE(bench.noted(NoticeCode::AnswerLostSentAgain), lx ? 0 : 1);
+    QCOMPARE(fixture.noticeCount(NoticeCode::Resent), lx ? 1 : 0);
+    QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostResent), lx ? 0 : 1);
 }
 
 /// Whenever the link goes, either nothing has happened or the journal knows that something may
@@ -205,22 +206,22 @@ void TestFamilyWrites::linkCutAnywhere()
     QFETCH(QString, key);
     QFETCH(int, value);
     for (int passed = 0;; ++passed) {
-        Bench bench(family);
-        device::Servo servo = bench.servo();
-        const auto before = bench.paper().raw(key);
-        bench.bus.cutAfter = passed;
-        const auto report = device::write(bench.context(), servo, {{key, value}}, {false, true});
-        const bool done = report && report->allGood();
-        const bool touched = bench.paper().raw(key) != before || !lockClosed(bench.paper());
+        DeviceFixture fixture(family);
+        device::Servo servo = fixture.servo();
+        const auto before = fixture.fake().raw(key);
+        fixture.bus.cutAfter = passed;
+        const auto report = device::write(fixture.context(), servo, {{key, value}}, {false, true});
+        const bool done = report && report->isSuccessful();
+        const bool touched = fixture.fake().raw(key) != before || !lockClosed(fixture.fake());
         if (done) {
-            QCOMPARE(bench.paper().keptRaw(key), std::int64_t(value));
-            QCOMPARE(bench.openIntents(), std::size_t(0));
+            QCOMPARE(fixture.fake().persistentRaw(key), std::int64_t(value));
+            QCOMPARE(fixture.openIntents(), std::size_t(0));
             return;
         }
         if (touched)
-            QCOMPARE(bench.openIntents(), std::size_t(1));
+            QCOMPARE(fixture.openIntents(), std::size_t(1));
         // What the servo is taken for may be unknown, never a closed lock where it is open.
-        QVERIFY(servo.raw(Role::Lock) != 1 || lockClosed(bench.paper()));
+        QVERIFY(servo.raw(Role::Lock) != 1 || lockClosed(fixture.fake()));
         QVERIFY2(passed < 200, "never ends");
     }
 }
@@ -251,47 +252,47 @@ void TestFamilyWrites::temporaryIsLost()
     QFETCH(QString, family);
     QFETCH(QString, key);
     QFETCH(int, value);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
-    const auto before = bench.paper().raw(key);
-    const auto report = device::write(bench.context(), servo, {{key, value}}, {true, true});
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
+    const auto before = fixture.fake().raw(key);
+    const auto report = device::write(fixture.context(), servo, {{key, value}}, {true, true});
     QVERIFY(report);
     QCOMPARE(device::outcomeName(report->writes[0].outcome), text("temporary"));
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.paper().raw(key), std::int64_t(value));
-    QCOMPARE(bench.noted(NoticeCode::SavedPerSheet), 0);
-    bench.paper().powerCycle();
-    QCOMPARE(bench.paper().raw(key), before);
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.fake().raw(key), std::int64_t(value));
+    QCOMPARE(fixture.noticeCount(NoticeCode::SaveUnverified), 0);
+    fixture.fake().powerCycle();
+    QCOMPARE(fixture.fake().raw(key), before);
 }
 
-void TestFamilyWrites::temporaryWhereEveryWriteIsKept()
+void TestFamilyWrites::temporaryWhereEveryWriteIsPermanent()
 {
-    Bench bench(text("LX"));
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(text("LX"));
+    device::Servo servo = fixture.servo();
     const auto report =
-        device::write(bench.context(), servo, {{text("temp_limit"), 71}}, {true, false});
+        device::write(fixture.context(), servo, {{text("temp_limit"), 71}}, {true, false});
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::NotSupported);
     QCOMPARE(report.error().detail, text("always-kept"));
     QCOMPARE(report.error().registerKey, text("temp_limit"));
-    QVERIFY(bench.bus.said.empty());
+    QVERIFY(fixture.bus.requests.empty());
 }
 
-void TestFamilyWrites::persistenceThatNobodyStates()
+void TestFamilyWrites::undocumentedPersistence()
 {
-    Bench bench(text("LX"));
-    device::Servo servo = bench.servo();
-    const auto report = device::write(bench.context(), servo, {{text("led_error"), 7}}, {});
+    DeviceFixture fixture(text("LX"));
+    device::Servo servo = fixture.servo();
+    const auto report = device::write(fixture.context(), servo, {{text("led_error"), 7}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
-    QCOMPARE(bench.noted(NoticeCode::PersistenceNotStated), 1);
+    QCOMPARE(fixture.noticeCount(NoticeCode::PersistenceUndocumented), 1);
 }
 
-void TestFamilyWrites::neighboursInABlockStay_data()
+void TestFamilyWrites::neighborsInABlockAreKept_data()
 {
     QTest::addColumn<QString>("key");
     QTest::addColumn<int>("value");
-    QTest::addColumn<QString>("neighbour");
+    QTest::addColumn<QString>("neighbor");
     QTest::addColumn<int>("stays");
     QTest::newRow("minimum angle") << "angle_limit_min" << 100 << "angle_limit_max" << 900;
     QTest::newRow("maximum angle") << "angle_limit_max" << 800 << "angle_limit_min" << 17;
@@ -302,42 +303,42 @@ void TestFamilyWrites::neighboursInABlockStay_data()
     QTest::newRow("motor speed") << "motor_speed" << -500 << "mode" << 0;
 }
 
-void TestFamilyWrites::neighboursInABlockStay()
+void TestFamilyWrites::neighborsInABlockAreKept()
 {
     QFETCH(QString, key);
     QFETCH(int, value);
-    QFETCH(QString, neighbour);
+    QFETCH(QString, neighbor);
     QFETCH(int, stays);
-    Bench bench(text("LX"));
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(text("LX"));
+    device::Servo servo = fixture.servo();
     // Changed behind the program's back: what counts is what is read for the write.
-    bench.paper().settle(neighbour, stays);
-    const auto report = device::write(bench.context(), servo, {{key, value}}, {});
+    fixture.fake().setPersistent(neighbor, stays);
+    const auto report = device::write(fixture.context(), servo, {{key, value}}, {});
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.paper().raw(key), std::int64_t(value));
-    QCOMPARE(bench.paper().raw(neighbour), std::int64_t(stays));
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.fake().raw(key), std::int64_t(value));
+    QCOMPARE(fixture.fake().raw(neighbor), std::int64_t(stays));
 }
 
 void TestFamilyWrites::aBlockGoesInOneFrame()
 {
-    Bench bench(text("LX"));
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(text("LX"));
+    device::Servo servo = fixture.servo();
     const auto report =
-        device::write(bench.context(), servo,
+        device::write(fixture.context(), servo,
                       {{text("angle_limit_max"), 900}, {text("angle_limit_min"), 100}}, {});
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.bus.writes(), 1);
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.bus.writes(), 1);
     const auto frame = std::find_if(
-        bench.bus.said.begin(), bench.bus.said.end(),
+        fixture.bus.requests.begin(), fixture.bus.requests.end(),
         [](const protocol::Request& request) { return request.op == protocol::Op::Write; });
     // The worked frame of the sheet: angle limits 100–900.
     QCOMPARE(base::toHex(protocol::lxCodec().encode(*frame).value()),
              text("55 55 01 07 14 64 00 84 03 F8"));
 }
 
-void TestFamilyWrites::refusedBeforeTheWire_data()
+void TestFamilyWrites::refusedBeforeSending_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<QString>("items"); ///< key=value, by blanks
@@ -371,33 +372,34 @@ void TestFamilyWrites::refusedBeforeTheWire_data()
     row("SCS-2 offset", "SCS2", "position_offset=128", "position_offset");
 }
 
-void TestFamilyWrites::refusedBeforeTheWire()
+void TestFamilyWrites::refusedBeforeSending()
 {
     QFETCH(QString, family);
     QFETCH(QString, items);
     QFETCH(QString, blamed);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
     std::vector<WriteItem> list;
     for (const QString& item : items.split(QLatin1Char(' ')))
         list.push_back(
             {item.section(QLatin1Char('='), 0, 0), item.section(QLatin1Char('='), 1).toLongLong()});
-    const auto report = device::write(bench.context(), servo, list, {false, true});
+    const auto report = device::write(fixture.context(), servo, list, {false, true});
     QVERIFY(!report);
     QCOMPARE(base::errorName(report.error().code), base::errorName(ErrorCode::OutOfRange));
     QCOMPARE(report.error().registerKey, blamed);
-    QCOMPARE(bench.bus.writes(), 0);
-    QVERIFY(bench.journal.list.empty());
+    QCOMPARE(fixture.bus.writes(), 0);
+    QVERIFY(fixture.journal.list.empty());
 }
 
 void TestFamilyWrites::unusualVoltages()
 {
-    Bench bench(text("LX"));
-    device::Servo servo = bench.servo();
-    const auto report = device::write(bench.context(), servo, {{text("vin_limit_max"), 13000}}, {});
+    DeviceFixture fixture(text("LX"));
+    device::Servo servo = fixture.servo();
+    const auto report =
+        device::write(fixture.context(), servo, {{text("vin_limit_max"), 13000}}, {});
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.noted(NoticeCode::AboveUsual), 1);
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.noticeCount(NoticeCode::AboveRecommended), 1);
 }
 
 /// 0 opens what the EPROM holds, 128 the factory block, 1 closes either.
@@ -405,34 +407,36 @@ void TestFamilyWrites::eachAreaHasItsKey()
 {
     for (const auto& [key, opens] :
          {std::pair{text("position_p"), 0}, std::pair{text("max_temperature"), 128}}) {
-        Bench bench(text("SMSMB"));
-        device::Servo servo = bench.servo();
-        QVERIFY(device::write(bench.context(), servo, {{key, 62}}, {false, true}));
-        QCOMPARE(writtenTo(bench, bench.paper().reg(text("lock"))), (std::vector<int>{opens, 1}));
+        DeviceFixture fixture(text("SMSMB"));
+        device::Servo servo = fixture.servo();
+        QVERIFY(device::write(fixture.context(), servo, {{key, 62}}, {false, true}));
+        QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(text("lock"))),
+                 (std::vector<int>{opens, 1}));
     }
 }
 
 void TestFamilyWrites::bothAreasInOneWrite()
 {
-    Bench bench(text("SMSMB"));
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(text("SMSMB"));
+    device::Servo servo = fixture.servo();
     const auto report = device::write(
-        bench.context(), servo,
+        fixture.context(), servo,
         {{text("max_temperature"), 61}, {text("torque_limit"), 500}, {text("position_p"), 21}},
         {false, true});
     QVERIFY(report);
-    QVERIFY(report->allGood());
+    QVERIFY(report->isSuccessful());
     QCOMPARE(report->lock, LockState::Closed);
-    QCOMPARE(writtenTo(bench, bench.paper().reg(text("lock"))), (std::vector<int>{0, 1, 128, 1}));
-    bench.paper().powerCycle();
-    QCOMPARE(bench.paper().raw(text("max_temperature")), std::int64_t(61));
-    QCOMPARE(bench.paper().raw(text("position_p")), std::int64_t(21));
+    QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(text("lock"))),
+             (std::vector<int>{0, 1, 128, 1}));
+    fixture.fake().powerCycle();
+    QCOMPARE(fixture.fake().raw(text("max_temperature")), std::int64_t(61));
+    QCOMPARE(fixture.fake().raw(text("position_p")), std::int64_t(21));
     for (const device::WriteResult& result : report->writes)
         QCOMPARE(device::outcomeName(result.outcome),
                  result.key == text("torque_limit") ? text("temporary") : text("kept"));
 }
 
-void TestFamilyWrites::theLockIsWhereTheMapHasIt_data()
+void TestFamilyWrites::theLockAddressComesFromTheMap_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<int>("address");
@@ -441,16 +445,16 @@ void TestFamilyWrites::theLockIsWhereTheMapHasIt_data()
     QTest::newRow("SCS-2") << "SCS2" << 48;
 }
 
-void TestFamilyWrites::theLockIsWhereTheMapHasIt()
+void TestFamilyWrites::theLockAddressComesFromTheMap()
 {
     QFETCH(QString, family);
     QFETCH(int, address);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
-    QVERIFY(device::write(bench.context(), servo, {{text("max_temperature"), 61}}, {}));
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::write(fixture.context(), servo, {{text("max_temperature"), 61}}, {}));
     const int other = address == 48 ? 55 : 48;
     int opened = 0;
-    for (const protocol::Request& request : bench.bus.said) {
+    for (const protocol::Request& request : fixture.bus.requests) {
         const bool write = request.op == protocol::Op::Write;
         opened += write && request.address == address ? 1 : 0;
         QVERIFY(!write || request.address != other);
@@ -460,67 +464,67 @@ void TestFamilyWrites::theLockIsWhereTheMapHasIt()
 
 void TestFamilyWrites::exceptionsAreRefusals()
 {
-    Bench bench(text("SMSMB"));
-    device::Servo servo = bench.servo();
-    bench.paper().exceptions[bench.paper().reg(text("position_p")).writeOffset] = 3;
-    const auto report = device::write(bench.context(), servo, {{text("position_p"), 21}}, {});
+    DeviceFixture fixture(text("SMSMB"));
+    device::Servo servo = fixture.servo();
+    fixture.fake().exceptions[fixture.fake().reg(text("position_p")).writeOffset] = 3;
+    const auto report = device::write(fixture.context(), servo, {{text("position_p"), 21}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Refused);
     QCOMPARE(report->writes[0].error->detail, text("illegal-value"));
     QCOMPARE(report->lock, LockState::Closed);
-    QCOMPARE(bench.openIntents(), std::size_t(0));
+    QCOMPARE(fixture.openIntents(), std::size_t(0));
     // In so many words: asking twice changes nothing.
-    QCOMPARE(writtenTo(bench, bench.paper().reg(text("position_p"))).size(), std::size_t(1));
+    QCOMPARE(hasWriteTo(fixture, fixture.fake().reg(text("position_p"))).size(), std::size_t(1));
 }
 
-void TestFamilyWrites::offsetNeedsConsentEvenToTry()
+void TestFamilyWrites::offsetNeedsConsentEvenForATrial()
 {
     for (const bool temporary : {false, true}) {
-        Bench bench(text("LX"));
-        device::Servo servo = bench.servo();
-        const auto report =
-            device::write(bench.context(), servo, {{text("angle_offset"), 20}}, {temporary, false});
+        DeviceFixture fixture(text("LX"));
+        device::Servo servo = fixture.servo();
+        const auto report = device::write(fixture.context(), servo, {{text("angle_offset"), 20}},
+                                          {temporary, false});
         QVERIFY(!report);
         QCOMPARE(report.error().code, ErrorCode::NeedsConsent);
-        QVERIFY(bench.bus.said.empty());
+        QVERIFY(fixture.bus.requests.empty());
     }
 }
 
-void TestFamilyWrites::aMoveThatCannotBeReadIsNotSimplyWritten()
+void TestFamilyWrites::anUnreadableMoveIsNotWrittenDirectly()
 {
-    Bench bench(text("LX"));
-    bench.paper().tellsStored = false;
-    device::Servo servo = bench.servo();
-    const auto stored = device::write(bench.context(), servo, {{text("wait_angle"), 500}}, {});
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().repliesStoredMove = false;
+    device::Servo servo = fixture.servo();
+    const auto stored = device::write(fixture.context(), servo, {{text("wait_angle"), 500}}, {});
     QVERIFY(!stored);
     QCOMPARE(stored.error().code, ErrorCode::NotSupported);
     QCOMPARE(stored.error().detail, text("not-readable"));
-    QCOMPARE(bench.bus.writes(), 0);
+    QCOMPARE(fixture.bus.writes(), 0);
     // A time alone would repeat the latest move.
-    const auto timed = device::write(bench.context(), servo, {{text("move_time"), 500}}, {});
+    const auto timed = device::write(fixture.context(), servo, {{text("move_time"), 500}}, {});
     QVERIFY(!timed);
     QCOMPARE(timed.error().detail, text("with-goal"));
 }
 
 void TestFamilyWrites::switchingTheModeStopsTheMotor()
 {
-    Bench bench(text("LX"));
-    bench.paper().poke(text("motor_speed"), 400);
-    bench.paper().poke(text("load"), 1);
-    device::Servo servo = bench.servo();
-    const auto both =
-        device::write(bench.context(), servo, {{text("mode"), 1}, {text("motor_speed"), 300}}, {});
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("motor_speed"), 400);
+    fixture.fake().poke(text("load"), 1);
+    device::Servo servo = fixture.servo();
+    const auto both = device::write(fixture.context(), servo,
+                                    {{text("mode"), 1}, {text("motor_speed"), 300}}, {});
     QVERIFY(!both);
     QCOMPARE(both.error().detail, text("mode-first"));
-    QCOMPARE(bench.bus.writes(), 0);
-    const auto report = device::write(bench.context(), servo, {{text("mode"), 1}}, {});
+    QCOMPARE(fixture.bus.writes(), 0);
+    const auto report = device::write(fixture.context(), servo, {{text("mode"), 1}}, {});
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.paper().raw(text("mode")), std::int64_t(1));
-    QCOMPARE(bench.paper().raw(text("motor_speed")), std::int64_t(0));
-    QCOMPARE(bench.paper().raw(text("load")), std::int64_t(0));
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.fake().raw(text("mode")), std::int64_t(1));
+    QCOMPARE(fixture.fake().raw(text("motor_speed")), std::int64_t(0));
+    QCOMPARE(fixture.fake().raw(text("load")), std::int64_t(0));
     // Never for a moment in motor mode with a speed.
-    for (const protocol::Request& request : bench.bus.said) {
+    for (const protocol::Request& request : fixture.bus.requests) {
         if (request.op == protocol::Op::Write && request.address == 8 * 29)
             QCOMPARE(base::toHex(request.data), text("01 00 00 00"));
     }
@@ -528,27 +532,27 @@ void TestFamilyWrites::switchingTheModeStopsTheMotor()
 
 void TestFamilyWrites::faultResetClearsItself()
 {
-    Bench bench(text("SMSMB"));
-    device::Servo servo = bench.servo();
-    const auto report = device::write(bench.context(), servo, {{text("fault_reset"), 1}}, {});
+    DeviceFixture fixture(text("SMSMB"));
+    device::Servo servo = fixture.servo();
+    const auto report = device::write(fixture.context(), servo, {{text("fault_reset"), 1}}, {});
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Temporary);
-    QVERIFY(report->allGood());
-    const auto centre = device::write(bench.context(), servo, {{text("fault_reset"), 5}}, {});
-    QVERIFY(!centre);
-    QCOMPARE(centre.error().detail, text("center"));
+    QVERIFY(report->isSuccessful());
+    const auto center = device::write(fixture.context(), servo, {{text("fault_reset"), 5}}, {});
+    QVERIFY(!center);
+    QCOMPARE(center.error().detail, text("center"));
 }
 
 void TestFamilyWrites::aLostFaultResetIsNotRefused()
 {
-    Bench bench(text("SMSMB"));
-    device::Servo servo = bench.servo();
-    bench.bus.loseAcks = true;
-    const auto report = device::write(bench.context(), servo, {{text("fault_reset"), 1}}, {});
+    DeviceFixture fixture(text("SMSMB"));
+    device::Servo servo = fixture.servo();
+    fixture.bus.dropAcknowledgments = true;
+    const auto report = device::write(fixture.context(), servo, {{text("fault_reset"), 1}}, {});
     QVERIFY(report);
     QCOMPARE(device::outcomeName(report->writes[0].outcome), text("unknown"));
     QCOMPARE(base::errorName(report->writes[0].error->code), base::errorName(ErrorCode::Uncertain));
-    QCOMPARE(bench.noted(NoticeCode::AnswerLostSentAgain), 0);
+    QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostResent), 0);
 }
 
 /// A change of mode, with an emergency stop at every request: the lock is closed again, and
@@ -556,81 +560,81 @@ void TestFamilyWrites::aLostFaultResetIsNotRefused()
 void TestFamilyWrites::anEmergencyEndsTheWrite()
 {
     for (int passed = 0;; ++passed) {
-        Bench bench(text("STS"));
-        bench.paper().poke(text("goal_speed"), 500);
-        bench.paper().poke(text("torque_switch"), 1);
-        device::Servo servo = bench.servo();
+        DeviceFixture fixture(text("STS"));
+        fixture.fake().poke(text("goal_speed"), 500);
+        fixture.fake().poke(text("torque_switch"), 1);
+        device::Servo servo = fixture.servo();
         int left = passed;
         bool met = false;
         QStringList after;
-        bench.bus.onRequest = [&](const protocol::Request& request) {
+        fixture.bus.onRequest = [&](const protocol::Request& request) {
             if (met && request.op == protocol::Op::Write)
                 after << QString::number(request.address);
-            bench.bus.emergencyNow = !met && left-- == 0;
-            met |= bench.bus.emergencyNow;
+            fixture.bus.emergencyPending = !met && left-- == 0;
+            met |= fixture.bus.emergencyPending;
         };
         const auto report = device::write(
-            bench.context(), servo, {{text("max_temperature"), 61}, {text("operating_mode"), 1}},
+            fixture.context(), servo, {{text("max_temperature"), 61}, {text("operating_mode"), 1}},
             {false, true});
         if (!met) {
-            QVERIFY(report && report->allGood());
+            QVERIFY(report && report->isSuccessful());
             return;
         }
-        QVERIFY(lockClosed(bench.paper()));
-        if (report && report->allGood())
+        QVERIFY(lockClosed(fixture.fake()));
+        if (report && report->isSuccessful())
             continue;
-        after.removeAll(QString::number(bench.paper().reg(text("lock")).writeOffset));
+        after.removeAll(QString::number(fixture.fake().reg(text("lock")).writeOffset));
         QCOMPARE(after, QStringList());
-        const bool unsettled = bench.paper().raw(text("operating_mode")) == 1 &&
-                               bench.paper().raw(text("goal_speed")) != 0;
-        QVERIFY(!unsettled || bench.openIntents() == 1);
+        const bool unsettled = fixture.fake().raw(text("operating_mode")) == 1 &&
+                               fixture.fake().raw(text("goal_speed")) != 0;
+        QVERIFY(!unsettled || fixture.openIntents() == 1);
     }
 }
 
 /// Stopped, or refused, after the mode had been written: the new mode's command is not left
 /// standing.
-void TestFamilyWrites::aModeThatWasWrittenIsSettled()
+void TestFamilyWrites::aWrittenModeIsRecovered()
 {
     for (const bool stopped : {true, false}) {
-        Bench bench(text("SMSMB"));
-        bench.paper().poke(text("goal_speed"), 500);
-        device::Servo servo = bench.servo();
-        const catalog::Register& mode = bench.paper().reg(text("operating_mode"));
-        const int factory = bench.paper().reg(text("lock")).writeOffset;
-        bench.bus.onRequest = [&](const protocol::Request& request) {
+        DeviceFixture fixture(text("SMSMB"));
+        fixture.fake().poke(text("goal_speed"), 500);
+        device::Servo servo = fixture.servo();
+        const catalog::Register& mode = fixture.fake().reg(text("operating_mode"));
+        const int factory = fixture.fake().reg(text("lock")).writeOffset;
+        fixture.bus.onRequest = [&](const protocol::Request& request) {
             if (request.op != protocol::Op::Write)
                 return;
             if (stopped && request.address == mode.writeOffset)
-                bench.stop.request();
+                fixture.stop.request();
             // The key of the second area is not taken.
             if (!stopped && request.address == factory && request.data.back() == 128)
-                bench.paper().exceptions[factory] = 3;
+                fixture.fake().exceptions[factory] = 3;
             else
-                bench.paper().exceptions.clear();
+                fixture.fake().exceptions.clear();
         };
         const auto report = device::write(
-            bench.context(), servo, {{text("operating_mode"), 1}, {text("max_temperature"), 61}},
+            fixture.context(), servo, {{text("operating_mode"), 1}, {text("max_temperature"), 61}},
             {false, true});
         QVERIFY(report);
-        QVERIFY(!report->allGood());
-        QCOMPARE(bench.paper().raw(text("operating_mode")), std::int64_t(1));
-        QCOMPARE(bench.paper().raw(text("goal_speed")), std::int64_t(0));
-        QVERIFY(lockClosed(bench.paper()));
+        QVERIFY(!report->isSuccessful());
+        QCOMPARE(fixture.fake().raw(text("operating_mode")), std::int64_t(1));
+        QCOMPARE(fixture.fake().raw(text("goal_speed")), std::int64_t(0));
+        QVERIFY(lockClosed(fixture.fake()));
     }
 }
 
-void TestFamilyWrites::twinsAreNotWritten()
+void TestFamilyWrites::duplicateIdsAreNotWritten()
 {
     for (const char* family : {"STS", "SMSMB", "LX"}) {
-        Bench bench{{family, 1}, {family, 1}};
-        device::Servo servo = bench.servo();
-        bench.paper(1).poke(text(bench.paper().has(Role::PositionP) ? "position_p" : "temp_limit"),
-                            77);
-        const auto key = bench.paper().has(Role::PositionP) ? text("position_d") : text("led");
-        const auto report = device::write(bench.context(), servo, {{key, 1}}, {});
+        DeviceFixture fixture{{family, 1}, {family, 1}};
+        device::Servo servo = fixture.servo();
+        fixture.fake(1).poke(
+            text(fixture.fake().has(Role::PositionP) ? "position_p" : "temp_limit"), 77);
+        const auto key = fixture.fake().has(Role::PositionP) ? text("position_d") : text("led");
+        const auto report = device::write(fixture.context(), servo, {{key, 1}}, {});
         QVERIFY(!report);
         QCOMPARE(report.error().code, ErrorCode::Garbled);
-        QCOMPARE(bench.bus.writes(), 0);
+        QCOMPARE(fixture.bus.writes(), 0);
     }
 }
 

@@ -9,7 +9,7 @@
 
 using catalog::Role;
 using device::NoticeCode;
-using paper::Bench;
+using fake::DeviceFixture;
 using protocol::Op;
 using namespace std::chrono_literals;
 
@@ -21,24 +21,24 @@ QString text(const char* word)
 
 /// A servo in speed mode whose shaft goes on after its command is 0, at this many steps a second at
 /// so many seconds after that.
-class Wheel {
+class CoastingServo {
 public:
-    Wheel(Bench& bench, std::function<double(double)> speed, bool showsIt = true)
-        : m_bench(bench)
+    CoastingServo(DeviceFixture& fixture, std::function<double(double)> speed, bool showsIt = true)
+        : m_fixture(fixture)
         , m_speed(std::move(speed))
         , m_showsIt(showsIt)
     {
-        bench.paper().poke(text("operating_mode"), 1);
-        bench.paper().poke(text("torque_switch"), 1);
-        bench.paper().poke(text("goal_speed"), 500);
-        bench.bus.onRequest = [this](const protocol::Request&) { turn(); };
+        fixture.fake().poke(text("operating_mode"), 1);
+        fixture.fake().poke(text("torque_switch"), 1);
+        fixture.fake().poke(text("goal_speed"), 500);
+        fixture.bus.onRequest = [this](const protocol::Request&) { turn(); };
     }
 
 private:
     void turn()
     {
-        paper::Servo& servo = m_bench.paper();
-        const base::Duration now = m_bench.bus.time.now();
+        fake::Servo& servo = m_fixture.fake();
+        const base::Duration now = m_fixture.bus.time.now();
         if (servo.raw(text("goal_speed")) != 0)
             m_haltedAt = now;
         const double elapsed = std::chrono::duration<double>(now - m_haltedAt).count();
@@ -51,7 +51,7 @@ private:
         servo.poke(text("moving"), m_showsIt && speed > 0 ? 1 : 0);
     }
 
-    Bench& m_bench;
+    DeviceFixture& m_fixture;
     std::function<double(double)> m_speed;
     bool m_showsIt;
     double m_place = 1000;
@@ -66,17 +66,17 @@ class TestHalt : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void aWheelThatKeepsTurningLosesItsTorque_data();
-    void aWheelThatKeepsTurningLosesItsTorque();
+    void aTurningWheelIsReleased_data();
+    void aTurningWheelIsReleased();
     void aBrakingWheelIsWaitedFor_data();
     void aBrakingWheelIsWaitedFor();
-    void aBlockedWheelLosesItsTorque();
+    void aBlockedWheelIsReleased();
     void aSwingingServoHolds();
-    void aServoThatStopsAnsweringLosesItsTorque();
+    void aServoThatStopsAnsweringIsReleased();
     void severalAreCommandedFirst();
 };
 
-void TestHalt::aWheelThatKeepsTurningLosesItsTorque_data()
+void TestHalt::aTurningWheelIsReleased_data()
 {
     QTest::addColumn<double>("speed");
     QTest::addColumn<bool>("showsIt");
@@ -85,20 +85,20 @@ void TestHalt::aWheelThatKeepsTurningLosesItsTorque_data()
     QTest::newRow("only its position tells") << 2900.0 << false;
 }
 
-void TestHalt::aWheelThatKeepsTurningLosesItsTorque()
+void TestHalt::aTurningWheelIsReleased()
 {
     QFETCH(double, speed);
     QFETCH(bool, showsIt);
-    Bench bench(text("STS"));
-    const Wheel wheel(
-        bench, [speed](double) { return speed; }, showsIt);
-    device::Servo servo = bench.servo();
-    QVERIFY(device::halt(bench.context(), servo));
-    QCOMPARE(bench.paper().raw(text("goal_speed")), std::int64_t(0));
-    QCOMPARE(bench.paper().raw(text("torque_switch")), std::int64_t(0));
-    QCOMPARE(bench.noted(NoticeCode::TorqueSwitchedOff), 1);
-    QCOMPARE(bench.noted(NoticeCode::HoldingAt), 0);
-    QVERIFY(bench.bus.time.now() < 3s);
+    DeviceFixture fixture(text("STS"));
+    const CoastingServo wheel(
+        fixture, [speed](double) { return speed; }, showsIt);
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::halt(fixture.context(), servo));
+    QCOMPARE(fixture.fake().raw(text("goal_speed")), std::int64_t(0));
+    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(0));
+    QCOMPARE(fixture.noticeCount(NoticeCode::TorqueSwitchedOff), 1);
+    QCOMPARE(fixture.noticeCount(NoticeCode::HoldingAt), 0);
+    QVERIFY(fixture.bus.time.now() < 3s);
 }
 
 void TestHalt::aBrakingWheelIsWaitedFor_data()
@@ -112,92 +112,93 @@ void TestHalt::aBrakingWheelIsWaitedFor_data()
 void TestHalt::aBrakingWheelIsWaitedFor()
 {
     QFETCH(double, braking);
-    Bench bench(text("STS"));
-    const Wheel wheel(
-        bench, [braking](double elapsed) { return std::max(0.0, 2900 - braking * elapsed); });
-    device::Servo servo = bench.servo();
-    QVERIFY(device::halt(bench.context(), servo));
-    QCOMPARE(bench.paper().raw(text("torque_switch")), std::int64_t(1));
-    QCOMPARE(bench.paper().raw(text("present_speed")), std::int64_t(0));
-    QCOMPARE(bench.noted(NoticeCode::TorqueSwitchedOff), 0);
-    QCOMPARE(bench.noted(NoticeCode::HoldingAt), 1);
+    DeviceFixture fixture(text("STS"));
+    const CoastingServo wheel(
+        fixture, [braking](double elapsed) { return std::max(0.0, 2900 - braking * elapsed); });
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::halt(fixture.context(), servo));
+    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(1));
+    QCOMPARE(fixture.fake().raw(text("present_speed")), std::int64_t(0));
+    QCOMPARE(fixture.noticeCount(NoticeCode::TorqueSwitchedOff), 0);
+    QCOMPARE(fixture.noticeCount(NoticeCode::HoldingAt), 1);
 }
 
 /// It would go on as soon as what blocks it is gone.
-void TestHalt::aBlockedWheelLosesItsTorque()
+void TestHalt::aBlockedWheelIsReleased()
 {
-    Bench bench(text("STS"));
-    bench.paper().poke(text("operating_mode"), 1);
-    bench.paper().poke(text("torque_switch"), 1);
-    bench.paper().poke(text("moving"), 1);
-    device::Servo servo = bench.servo();
-    QVERIFY(device::halt(bench.context(), servo));
-    QCOMPARE(bench.paper().raw(text("torque_switch")), std::int64_t(0));
-    QCOMPARE(bench.noted(NoticeCode::TorqueSwitchedOff), 1);
+    DeviceFixture fixture(text("STS"));
+    fixture.fake().poke(text("operating_mode"), 1);
+    fixture.fake().poke(text("torque_switch"), 1);
+    fixture.fake().poke(text("moving"), 1);
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::halt(fixture.context(), servo));
+    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(0));
+    QCOMPARE(fixture.noticeCount(NoticeCode::TorqueSwitchedOff), 1);
 }
 
 /// A soft loop never shows two equal places; near its goal that is rest.
 void TestHalt::aSwingingServoHolds()
 {
-    Bench bench(text("STS"));
-    bench.paper().poke(text("torque_switch"), 1);
-    bench.paper().poke(text("moving"), 1);
-    bench.bus.onRequest = [&](const protocol::Request&) {
-        const double seconds = std::chrono::duration<double>(bench.bus.time.now()).count();
-        bench.paper().poke(text("present_position"),
-                           2048 + std::lround(20 * std::sin(9 * seconds)));
+    DeviceFixture fixture(text("STS"));
+    fixture.fake().poke(text("torque_switch"), 1);
+    fixture.fake().poke(text("moving"), 1);
+    fixture.bus.onRequest = [&](const protocol::Request&) {
+        const double seconds = std::chrono::duration<double>(fixture.bus.time.now()).count();
+        fixture.fake().poke(text("present_position"),
+                            2048 + std::lround(20 * std::sin(9 * seconds)));
     };
-    device::Servo servo = bench.servo();
-    QVERIFY(device::halt(bench.context(), servo));
-    QCOMPARE(bench.paper().raw(text("torque_switch")), std::int64_t(1));
-    QCOMPARE(bench.noted(NoticeCode::HoldingAt), 1);
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::halt(fixture.context(), servo));
+    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(1));
+    QCOMPARE(fixture.noticeCount(NoticeCode::HoldingAt), 1);
 }
 
-void TestHalt::aServoThatStopsAnsweringLosesItsTorque()
+void TestHalt::aServoThatStopsAnsweringIsReleased()
 {
-    Bench bench(text("STS"));
-    bench.paper().poke(text("operating_mode"), 1);
-    bench.paper().poke(text("torque_switch"), 1);
-    bench.paper().poke(text("goal_speed"), 500);
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(text("STS"));
+    fixture.fake().poke(text("operating_mode"), 1);
+    fixture.fake().poke(text("torque_switch"), 1);
+    fixture.fake().poke(text("goal_speed"), 500);
+    device::Servo servo = fixture.servo();
     bool commanded = false;
-    bench.bus.onRequest = [&](const protocol::Request& request) {
-        const int speed = bench.paper().reg(text("present_speed")).offset;
-        commanded = commanded || bench.paper().raw(text("goal_speed")) == 0;
+    fixture.bus.onRequest = [&](const protocol::Request& request) {
+        const int speed = fixture.fake().reg(text("present_speed")).offset;
+        commanded = commanded || fixture.fake().raw(text("goal_speed")) == 0;
         const bool covers = request.op == Op::Read && request.address <= speed &&
                             request.address + request.count > speed;
-        bench.paper().baud = commanded && covers ? 1 : 115'200; // this one goes unanswered
+        fixture.fake().baud = commanded && covers ? 1 : 115'200; // this one goes unanswered
     };
-    QVERIFY(device::halt(bench.context(), servo)); // reading shows torque off
-    QCOMPARE(bench.paper().raw(text("torque_switch")), std::int64_t(0));
-    QCOMPARE(bench.noted(NoticeCode::HoldingAt), 0);
-    QCOMPARE(bench.noted(NoticeCode::TorqueSwitchedOff), 1);
+    QVERIFY(device::halt(fixture.context(), servo)); // reading shows torque off
+    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(0));
+    QCOMPARE(fixture.noticeCount(NoticeCode::HoldingAt), 0);
+    QCOMPARE(fixture.noticeCount(NoticeCode::TorqueSwitchedOff), 1);
 }
 
 /// The second one does not run on while the first one brakes.
 void TestHalt::severalAreCommandedFirst()
 {
-    Bench bench({{"STS", 1}, {"STS", 2}});
-    const Wheel wheel(bench, [](double elapsed) { return std::max(0.0, 2900 - 1000 * elapsed); });
-    const auto turning = bench.bus.onRequest;
-    bench.paper(1).poke(text("torque_switch"), 1);
-    bench.paper(1).poke(text("operating_mode"), 1);
-    bench.paper(1).poke(text("goal_speed"), 500);
-    device::Servo first = bench.servo(0);
-    device::Servo second = bench.servo(1);
-    const base::Duration begin = bench.bus.time.now();
+    DeviceFixture fixture({{"STS", 1}, {"STS", 2}});
+    const CoastingServo wheel(fixture,
+                              [](double elapsed) { return std::max(0.0, 2900 - 1000 * elapsed); });
+    const auto turning = fixture.bus.onRequest;
+    fixture.fake(1).poke(text("torque_switch"), 1);
+    fixture.fake(1).poke(text("operating_mode"), 1);
+    fixture.fake(1).poke(text("goal_speed"), 500);
+    device::Servo first = fixture.servo(0);
+    device::Servo second = fixture.servo(1);
+    const base::Duration begin = fixture.bus.time.now();
     base::Duration commanded{};
-    bench.bus.onRequest = [&](const protocol::Request& request) {
+    fixture.bus.onRequest = [&](const protocol::Request& request) {
         turning(request);
         if (request.op == Op::Write && request.id == 2)
-            commanded = bench.bus.time.now() - begin;
+            commanded = fixture.bus.time.now() - begin;
     };
-    const auto halted = device::haltAll(bench.context(), {&first, &second});
+    const auto halted = device::haltAll(fixture.context(), {&first, &second});
     QCOMPARE(halted.size(), std::size_t(2));
     QVERIFY(halted[0] && halted[1]);
     QVERIFY(commanded > 0ms && commanded < 100ms);
-    QCOMPARE(bench.paper(0).raw(text("torque_switch")), std::int64_t(1));
-    QCOMPARE(bench.paper(1).raw(text("torque_switch")), std::int64_t(1));
+    QCOMPARE(fixture.fake(0).raw(text("torque_switch")), std::int64_t(1));
+    QCOMPARE(fixture.fake(1).raw(text("torque_switch")), std::int64_t(1));
 }
 
 QTEST_GUILESS_MAIN(TestHalt)

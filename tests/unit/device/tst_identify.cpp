@@ -11,7 +11,7 @@ using base::ErrorCode;
 using base::Protocol;
 using catalog::Role;
 using device::NoticeCode;
-using paper::Bench;
+using fake::DeviceFixture;
 
 namespace {
 const std::vector<Protocol> all(base::allProtocols.begin(), base::allProtocols.end());
@@ -28,25 +28,25 @@ class TestIdentify : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void everyFamilyIsKnown_data();
-    void everyFamilyIsKnown();
-    void nobodyAnswers();
-    void twoLanguagesUnderOneId();
-    void othersTroubleDoesNotHideAServo();
+    void everyFamilyIsIdentified_data();
+    void everyFamilyIsIdentified();
+    void noServoAnswers();
+    void twoProtocolsUnderOneId();
+    void otherErrorsDoNotHideAServo();
     void garbledIsNotSilent();
-    void theLinkEndsTheQuestion();
-    void idsThatALanguageLacks();
+    void aLostLinkEndsTheRequest();
+    void idsUnsupportedByAProtocol();
     void wholeTable_data();
     void wholeTable();
-    void aSilentStoredMoveFailsNothing();
-    void askedForItASilentReadIsTold();
+    void aSilentStoredMoveIsNoError();
+    void requestedSilentReadIsReported();
     void statusComesFromItsRegister();
     void derivedAlarms_data();
     void derivedAlarms();
-    void stopFramesInEachLanguage();
+    void stopFramesInEachProtocol();
 };
 
-void TestIdentify::everyFamilyIsKnown_data()
+void TestIdentify::everyFamilyIsIdentified_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<QString>("map");
@@ -68,128 +68,128 @@ void TestIdentify::everyFamilyIsKnown_data()
                         << "lx";
 }
 
-void TestIdentify::everyFamilyIsKnown()
+void TestIdentify::everyFamilyIsIdentified()
 {
     QFETCH(QString, family);
     QFETCH(QString, map);
-    Bench bench(family, 7);
-    const auto servo = device::identifyAmong(bench.context(), 7, all);
+    DeviceFixture fixture(family, 7);
+    const auto servo = device::identifyAmong(fixture.context(), 7, all);
     QVERIFY(servo);
     QCOMPARE(servo->profile->mapKey, map);
-    QCOMPARE(servo->protocol, bench.paper().profile->protocol);
+    QCOMPARE(servo->protocol, fixture.fake().profile->protocol);
     QCOMPARE(servo->identity().protocol, servo->protocol);
     QVERIFY(servo->profile->writable);
-    QCOMPARE(bench.bus.writes(), 0);
+    QCOMPARE(fixture.bus.writes(), 0);
 }
 
-void TestIdentify::nobodyAnswers()
+void TestIdentify::noServoAnswers()
 {
-    Bench bench(text("LX"), 7);
-    const auto servo = device::identifyAmong(bench.context(), 8, all);
+    DeviceFixture fixture(text("LX"), 7);
+    const auto servo = device::identifyAmong(fixture.context(), 8, all);
     QVERIFY(!servo);
-    QCOMPARE(servo.error().code, ErrorCode::NoAnswer);
+    QCOMPARE(servo.error().code, ErrorCode::NoReply);
     QCOMPARE(servo.error().id, 8);
 }
 
-void TestIdentify::twoLanguagesUnderOneId()
+void TestIdentify::twoProtocolsUnderOneId()
 {
-    Bench bench{{"SMSMB", 3}, {"LX", 3}};
-    const auto servo = device::identifyAmong(bench.context(), 3, all);
+    DeviceFixture fixture{{"SMSMB", 3}, {"LX", 3}};
+    const auto servo = device::identifyAmong(fixture.context(), 3, all);
     QVERIFY(!servo);
-    QCOMPARE(servo.error().code, ErrorCode::SeveralProtocols);
+    QCOMPARE(servo.error().code, ErrorCode::AmbiguousProtocol);
     QCOMPARE(servo.error().detail, text("modbus, lx"));
     // Said which, each is its own.
-    QCOMPARE(device::identifyAmong(bench.context(), 3, {Protocol::Lx})->profile->series,
+    QCOMPARE(device::identifyAmong(fixture.context(), 3, {Protocol::Lx})->profile->series,
              text("LX"));
-    QCOMPARE(device::identifyAmong(bench.context(), 3, {Protocol::Modbus})->profile->series,
+    QCOMPARE(device::identifyAmong(fixture.context(), 3, {Protocol::Modbus})->profile->series,
              text("SMSMB"));
 }
 
-void TestIdentify::othersTroubleDoesNotHideAServo()
+void TestIdentify::otherErrorsDoNotHideAServo()
 {
     // Two stations disagree about themselves; the LX servo of that number is sound.
-    Bench bench{{"SMSMB", 3}, {"SMSMB", 3}, {"LX", 3}};
-    bench.paper(1).poke(text("servo_version"), 99);
-    const auto servo = device::identifyAmong(bench.context(), 3, all);
+    DeviceFixture fixture{{"SMSMB", 3}, {"SMSMB", 3}, {"LX", 3}};
+    fixture.fake(1).poke(text("servo_version"), 99);
+    const auto servo = device::identifyAmong(fixture.context(), 3, all);
     QVERIFY(servo);
     QCOMPARE(servo->protocol, Protocol::Lx);
 }
 
 void TestIdentify::garbledIsNotSilent()
 {
-    Bench bench{{"SMSMB", 3}, {"SMSMB", 3}};
-    bench.paper(1).poke(text("servo_version"), 99);
-    const auto servo = device::identifyAmong(bench.context(), 3, all);
+    DeviceFixture fixture{{"SMSMB", 3}, {"SMSMB", 3}};
+    fixture.fake(1).poke(text("servo_version"), 99);
+    const auto servo = device::identifyAmong(fixture.context(), 3, all);
     QVERIFY(!servo);
     QCOMPARE(servo.error().code, ErrorCode::Garbled);
 }
 
-void TestIdentify::theLinkEndsTheQuestion()
+void TestIdentify::aLostLinkEndsTheRequest()
 {
-    Bench bench{{"LX", 3}};
-    bench.bus.cutAfter = 1;
-    const auto servo = device::identifyAmong(bench.context(), 3, all);
+    DeviceFixture fixture{{"LX", 3}};
+    fixture.bus.cutAfter = 1;
+    const auto servo = device::identifyAmong(fixture.context(), 3, all);
     QVERIFY(!servo);
     QCOMPARE(servo.error().code, ErrorCode::LinkLost);
 }
 
 /// Modbus stations end at 247 and begin at 1; that others have no such ID is no failure.
-void TestIdentify::idsThatALanguageLacks()
+void TestIdentify::idsUnsupportedByAProtocol()
 {
     for (const int id : {0, 250}) {
-        Bench bench(text("LX"), id);
-        const auto servo = device::identifyAmong(bench.context(), id, all);
+        DeviceFixture fixture(text("LX"), id);
+        const auto servo = device::identifyAmong(fixture.context(), id, all);
         QVERIFY(servo);
         QCOMPARE(servo->protocol, Protocol::Lx);
-        for (const protocol::Request& request : bench.bus.said)
+        for (const protocol::Request& request : fixture.bus.requests)
             QVERIFY(request.protocol != Protocol::Modbus);
     }
 }
 
 void TestIdentify::wholeTable_data()
 {
-    everyFamilyIsKnown_data();
+    everyFamilyIsIdentified_data();
 }
 
 void TestIdentify::wholeTable()
 {
     QFETCH(QString, family);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
     servo.image.clear();
-    QVERIFY(device::readAll(bench.context(), servo));
+    QVERIFY(device::readAll(fixture.context(), servo));
     for (const catalog::Register& reg : servo.profile->registers)
-        QCOMPARE(servo.raw(reg), std::optional(bench.paper().raw(reg.key)));
-    for (const protocol::Request& request : bench.bus.said)
+        QCOMPARE(servo.raw(reg), std::optional(fixture.fake().raw(reg.key)));
+    for (const protocol::Request& request : fixture.bus.requests)
         QVERIFY(request.count <= servo.profile->maxRead);
 }
 
-void TestIdentify::aSilentStoredMoveFailsNothing()
+void TestIdentify::aSilentStoredMoveIsNoError()
 {
-    Bench bench(text("LX"));
-    bench.paper().tellsStored = false;
-    device::Servo servo = bench.servo();
-    QVERIFY(device::readAll(bench.context(), servo));
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().repliesStoredMove = false;
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::readAll(fixture.context(), servo));
     QVERIFY(!servo.raw(text("wait_angle")));
     QVERIFY(!servo.raw(text("wait_time")));
     QCOMPARE(servo.raw(text("angle_limit_max")), std::optional<std::int64_t>(1000));
     int asked = 0;
-    for (const protocol::Request& request : bench.bus.said)
+    for (const protocol::Request& request : fixture.bus.requests)
         asked += request.address == 8 * 8 ? 1 : 0;
     QCOMPARE(asked, 1);
     // Settings are read often, and never wait for it.
-    bench.bus.said.clear();
-    QVERIFY(device::readSettings(bench.context(), servo));
-    for (const protocol::Request& request : bench.bus.said)
+    fixture.bus.requests.clear();
+    QVERIFY(device::readSettings(fixture.context(), servo));
+    for (const protocol::Request& request : fixture.bus.requests)
         QVERIFY(request.address != 8 * 8);
 }
 
-void TestIdentify::askedForItASilentReadIsTold()
+void TestIdentify::requestedSilentReadIsReported()
 {
-    Bench bench(text("LX"));
-    bench.paper().tellsStored = false;
-    device::Servo servo = bench.servo();
-    const auto read = device::readKeys(bench.context(), servo, {text("wait_time")});
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().repliesStoredMove = false;
+    device::Servo servo = fixture.servo();
+    const auto read = device::readKeys(fixture.context(), servo, {text("wait_time")});
     QVERIFY(!read);
     QCOMPARE(read.error().code, ErrorCode::NotSupported);
     QCOMPARE(read.error().detail, text("not-readable"));
@@ -198,20 +198,20 @@ void TestIdentify::askedForItASilentReadIsTold()
 /// Bit 4 says that torque is on, which is no fault.
 void TestIdentify::statusComesFromItsRegister()
 {
-    Bench bench(text("SMSMB"));
-    device::Servo servo = bench.servo();
-    bench.paper().poke(text("servo_status"), 0x10);
-    device::noteAlarms(bench.context(), servo);
+    DeviceFixture fixture(text("SMSMB"));
+    device::Servo servo = fixture.servo();
+    fixture.fake().poke(text("servo_status"), 0x10);
+    device::addAlarmNotices(fixture.context(), servo);
     QCOMPARE(int(servo.status), 0);
-    QVERIFY(bench.notices.empty());
-    bench.paper().poke(text("servo_status"), 0x10 | 0x20 | 0x04);
-    device::noteAlarms(bench.context(), servo);
+    QVERIFY(fixture.notices.empty());
+    fixture.fake().poke(text("servo_status"), 0x10 | 0x20 | 0x04);
+    device::addAlarmNotices(fixture.context(), servo);
     QCOMPARE(int(servo.status), 0x24);
-    QCOMPARE(bench.noted(NoticeCode::OverloadHolds), 1);
-    QCOMPARE(bench.noted(NoticeCode::TemperatureHolds), 1);
-    QCOMPARE(bench.notices.size(), std::size_t(2));
+    QCOMPARE(fixture.noticeCount(NoticeCode::OverloadActive), 1);
+    QCOMPARE(fixture.noticeCount(NoticeCode::TemperatureAlarmActive), 1);
+    QCOMPARE(fixture.notices.size(), std::size_t(2));
     // Other reads do not wipe it.
-    QVERIFY(device::readKeys(bench.context(), servo, {text("present_position")}));
+    QVERIFY(device::readKeys(fixture.context(), servo, {text("present_position")}));
     QCOMPARE(int(servo.status), 0x24);
     QVERIFY(device::derivedAlarms(servo).empty());
 }
@@ -236,24 +236,24 @@ void TestIdentify::derivedAlarms()
     QFETCH(int, millivolts);
     QFETCH(int, hot);
     QFETCH(int, voltage);
-    Bench bench(text("LX"));
-    bench.paper().poke(text("temperature"), celsius);
-    bench.paper().poke(text("vin"), millivolts);
-    auto servo = device::identify(bench.context(), 1, Protocol::Lx);
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().poke(text("temperature"), celsius);
+    fixture.fake().poke(text("vin"), millivolts);
+    auto servo = device::identify(fixture.context(), 1, Protocol::Lx);
     QVERIFY(servo);
     QVERIFY(device::derivedAlarms(*servo).empty()); // nothing read, nothing derived
-    device::noteAlarms(bench.context(), *servo);
-    QCOMPARE(bench.noted(NoticeCode::DerivedTemperature), hot);
-    QCOMPARE(bench.noted(NoticeCode::DerivedVoltage), voltage);
+    device::addAlarmNotices(fixture.context(), *servo);
+    QCOMPARE(fixture.noticeCount(NoticeCode::DerivedTemperature), hot);
+    QCOMPARE(fixture.noticeCount(NoticeCode::DerivedVoltage), voltage);
     QCOMPARE(int(device::derivedAlarms(*servo).size()), hot + voltage);
     QCOMPARE(int(servo->status), 0);
 }
 
-void TestIdentify::stopFramesInEachLanguage()
+void TestIdentify::stopFramesInEachProtocol()
 {
-    Bench bench{{"LX", 1}, {"SMSMB", 1}, {"SCS2", 4}};
+    DeviceFixture fixture{{"LX", 1}, {"SMSMB", 1}, {"SCS2", 4}};
     const auto frames = device::stopFrames({Protocol::Feetech, Protocol::Modbus, Protocol::Lx},
-                                           {bench.servo(0), bench.servo(1), bench.servo(2)});
+                                           {fixture.servo(0), fixture.servo(1), fixture.servo(2)});
     QStringList shown;
     std::vector<Protocol> languages;
     for (const bus::StopFrame& frame : frames) {

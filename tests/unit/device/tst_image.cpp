@@ -14,7 +14,7 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     /// A poll of before the write is fetched after the write's read-back.
-    void aLateBlockDoesNotUndoWhatWasReadAfterIt()
+    void aLateBlockDoesNotOverwriteNewerValues()
     {
         device::Image image;
         image.store(21, base::Bytes{32}, 2s);
@@ -26,27 +26,27 @@ private Q_SLOTS:
         QCOMPARE(*image.bytes(21, 1), (base::Bytes{40}));
     }
 
-    void whatWasForgottenIsTakenFromAnyReading()
+    void clearedValuesAreTakenFromAnyReading()
     {
         device::Image image;
         image.store(5, base::Bytes{1}, 2s);
-        image.forget(5, 1);
+        image.invalidate(5, 1);
         QVERIFY(!image.readAt(5));
         image.store(5, base::Bytes{3}, 1s);
         QCOMPARE(*image.bytes(5, 1), (base::Bytes{3}));
     }
 
     /// What was read before a write without a read-back is not brought back by another reader.
-    void whatIsVoidIsTakenFromLaterReadingsOnly()
+    void invalidatedValuesAreTakenFromLaterReadingsOnly()
     {
         device::Image polled;
         polled.store(5, base::Bytes{1}, 2s);
         device::Image image = polled;
-        image.forget(5, 1, 3s);
-        image.takeNewer(polled, 1s);
+        image.invalidate(5, 1, 3s);
+        image.mergeNewer(polled, 1s);
         QVERIFY(!image.readAt(5));
         polled.store(5, base::Bytes{0}, 4s);
-        image.takeNewer(polled, 1s);
+        image.mergeNewer(polled, 1s);
         QCOMPARE(*image.bytes(5, 1), (base::Bytes{0}));
     }
 };

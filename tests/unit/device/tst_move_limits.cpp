@@ -10,9 +10,9 @@
 using catalog::Role;
 using device::GoalKind;
 using device::MoveFieldSet;
-using device::MoveHow;
+using device::MoveMethod;
 using device::ZeroSpeed;
-using paper::Bench;
+using fake::DeviceFixture;
 using protocol::Op;
 
 namespace {
@@ -21,17 +21,17 @@ QString text(const char* word)
     return QString::fromLatin1(word);
 }
 
-bool wroteNothing(const Bench& bench)
+bool hasNoWrites(const DeviceFixture& fixture)
 {
     return std::all_of(
-        bench.bus.said.begin(), bench.bus.said.end(),
+        fixture.bus.requests.begin(), fixture.bus.requests.end(),
         [](const protocol::Request& one) { return one.op == Op::Read || one.op == Op::Ping; });
 }
 
-device::Servo inMode(Bench& bench, const QString& mode)
+device::Servo inMode(DeviceFixture& fixture, const QString& mode)
 {
-    device::Servo servo = bench.servo();
-    if (!device::switchMode(bench.context(), servo, mode))
+    device::Servo servo = fixture.servo();
+    if (!device::switchMode(fixture.context(), servo, mode))
         qFatal("no mode %s", qPrintable(mode));
     return servo;
 }
@@ -47,9 +47,9 @@ private Q_SLOTS:
     void fieldsOfAMode();
     void zeroSpeedFollowsThePhase();
     void spans();
-    void stepsRunOut();
-    void exactTextComesBack_data();
-    void exactTextComesBack();
+    void stepModeLimit();
+    void exactTextRoundTrips_data();
+    void exactTextRoundTrips();
     void planningAModeWritesNothing();
     void knownSettingsAreNotReadAgain();
     void anotherModeIsRefused();
@@ -90,8 +90,8 @@ void TestMoveLimits::fieldsOfAMode()
     QFETCH(QString, mode);
     QFETCH(int, kind);
     QFETCH(QString, fields);
-    Bench bench(family);
-    const device::Servo servo = inMode(bench, mode);
+    DeviceFixture fixture(family);
+    const device::Servo servo = inMode(fixture, mode);
     QCOMPARE(int(device::goalKind(servo).value()), kind);
     const MoveFieldSet set = device::moveFields(servo);
     QString has;
@@ -105,46 +105,46 @@ void TestMoveLimits::fieldsOfAMode()
 void TestMoveLimits::zeroSpeedFollowsThePhase()
 {
     constexpr int zeroIsMaximum = 8;
-    Bench bench(text("STS"));
-    bench.paper().poke(text("phase"), 4);
-    QCOMPARE(device::zeroSpeed(bench.servo()), ZeroSpeed::Stops);
-    bench.paper().poke(text("phase"), 4 | zeroIsMaximum);
-    QCOMPARE(device::zeroSpeed(bench.servo()), ZeroSpeed::Fastest);
-    Bench hls(text("HLS"));
+    DeviceFixture fixture(text("STS"));
+    fixture.fake().poke(text("phase"), 4);
+    QCOMPARE(device::zeroSpeed(fixture.servo()), ZeroSpeed::Stops);
+    fixture.fake().poke(text("phase"), 4 | zeroIsMaximum);
+    QCOMPARE(device::zeroSpeed(fixture.servo()), ZeroSpeed::Fastest);
+    DeviceFixture hls(text("HLS"));
     QCOMPARE(device::zeroSpeed(hls.servo()), ZeroSpeed::Stops);
-    Bench scs(text("SCS"));
-    scs.paper().poke(text("goal_time"), 1000);
+    DeviceFixture scs(text("SCS"));
+    scs.fake().poke(text("goal_time"), 1000);
     QCOMPARE(device::zeroSpeed(scs.servo()), ZeroSpeed::ByTime);
 }
 
 void TestMoveLimits::spans()
 {
-    Bench bench(text("STS"));
-    bench.paper().poke(text("min_angle_limit"), 1001);
-    bench.paper().poke(text("max_angle_limit"), 3001);
-    bench.paper().poke(text("angle_resolution"), 2);
-    device::Servo servo = bench.servo();
-    QCOMPARE(device::goalSpan(servo)->min, std::int64_t(501)); // whole counts inside
-    QCOMPARE(device::goalSpan(servo)->max, std::int64_t(1500));
-    QCOMPARE(device::goalScale(servo)->max, std::int64_t(2047));
-    servo = inMode(bench, text("multiturn"));
-    QCOMPARE(device::goalSpan(servo)->min, std::int64_t(-30719));
-    QCOMPARE(device::goalSpan(servo)->max, std::int64_t(30719));
-    servo = inMode(bench, text("pwm"));
-    QCOMPARE(device::goalSpan(servo)->max, std::int64_t(1000));
-    Bench lx(text("LX"));
-    QCOMPARE(device::goalScale(lx.servo())->max, std::int64_t(1000));
+    DeviceFixture fixture(text("STS"));
+    fixture.fake().poke(text("min_angle_limit"), 1001);
+    fixture.fake().poke(text("max_angle_limit"), 3001);
+    fixture.fake().poke(text("angle_resolution"), 2);
+    device::Servo servo = fixture.servo();
+    QCOMPARE(device::goalSliderRange(servo)->min, std::int64_t(501)); // whole counts inside
+    QCOMPARE(device::goalSliderRange(servo)->max, std::int64_t(1500));
+    QCOMPARE(device::goalScaleRange(servo)->max, std::int64_t(2047));
+    servo = inMode(fixture, text("multiturn"));
+    QCOMPARE(device::goalSliderRange(servo)->min, std::int64_t(-30719));
+    QCOMPARE(device::goalSliderRange(servo)->max, std::int64_t(30719));
+    servo = inMode(fixture, text("pwm"));
+    QCOMPARE(device::goalSliderRange(servo)->max, std::int64_t(1000));
+    DeviceFixture lx(text("LX"));
+    QCOMPARE(device::goalScaleRange(lx.servo())->max, std::int64_t(1000));
 }
 
-void TestMoveLimits::stepsRunOut()
+void TestMoveLimits::stepModeLimit()
 {
-    QCOMPARE(device::stepsLeft(0, true), std::int64_t(30719));
-    QCOMPARE(device::stepsLeft(30000, true), std::int64_t(719));
-    QCOMPARE(device::stepsLeft(30000, false), std::int64_t(60719));
-    QCOMPARE(device::stepsLeft(31000, true), std::int64_t(0));
+    QCOMPARE(device::remainingSteps(0, true), std::int64_t(30719));
+    QCOMPARE(device::remainingSteps(30000, true), std::int64_t(719));
+    QCOMPARE(device::remainingSteps(30000, false), std::int64_t(60719));
+    QCOMPARE(device::remainingSteps(31000, true), std::int64_t(0));
 }
 
-void TestMoveLimits::exactTextComesBack_data()
+void TestMoveLimits::exactTextRoundTrips_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<int>("role");
@@ -154,16 +154,16 @@ void TestMoveLimits::exactTextComesBack_data()
     }
 }
 
-void TestMoveLimits::exactTextComesBack()
+void TestMoveLimits::exactTextRoundTrips()
 {
     QFETCH(QString, family);
     QFETCH(int, role);
-    Bench bench(family);
-    const device::Servo servo = bench.servo();
+    DeviceFixture fixture(family);
+    const device::Servo servo = fixture.servo();
     const catalog::Register& reg = *servo.profile->byRole(Role(role));
-    const catalog::Meaning meaning = servo.meaning(reg);
+    const catalog::ValueFormat meaning = servo.meaning(reg);
     for (std::int64_t raw = -1000; raw <= 1000; ++raw) {
-        const auto back = catalog::parseValue(device::exactText(raw, meaning), reg, meaning);
+        const auto back = catalog::parseValue(device::exactValueText(raw, meaning), reg, meaning);
         QVERIFY(back.has_value());
         QCOMPARE(*back, raw);
     }
@@ -171,53 +171,53 @@ void TestMoveLimits::exactTextComesBack()
 
 void TestMoveLimits::planningAModeWritesNothing()
 {
-    Bench bench(text("STS"));
-    bench.paper().poke(text("min_angle_limit"), 300);
-    bench.paper().poke(text("max_angle_limit"), 3333);
-    bench.paper().poke(text("torque_switch"), 1);
-    device::Servo servo = bench.servo();
-    bench.bus.said.clear();
-    const auto plan = device::planMode(bench.context(), servo, text("step"));
+    DeviceFixture fixture(text("STS"));
+    fixture.fake().poke(text("min_angle_limit"), 300);
+    fixture.fake().poke(text("max_angle_limit"), 3333);
+    fixture.fake().poke(text("torque_switch"), 1);
+    device::Servo servo = fixture.servo();
+    fixture.bus.requests.clear();
+    const auto plan = device::planMode(fixture.context(), servo, text("step"));
     QVERIFY(plan.has_value());
-    QVERIFY(wroteNothing(bench));
+    QVERIFY(hasNoWrites(fixture));
     QCOMPARE(plan->from, text("position"));
     QCOMPARE(plan->to, text("step"));
-    QVERIFY(plan->torqueGoesOff && plan->limitsKept);
+    QVERIFY(plan->torqueGoesOff && plan->limitsSaved);
     QCOMPARE(plan->writes.size(), std::size_t(3));
     QCOMPARE(plan->writes[0].oldRaw, std::int64_t(300));
     QCOMPARE(plan->writes[1].newRaw, std::int64_t(0));
     QCOMPARE(plan->writes[2].key, text("operating_mode"));
     // And it is what is done, and how one gets back.
-    QVERIFY(device::switchMode(bench.context(), servo, text("step")));
-    const auto back = device::planMode(bench.context(), servo, text("position"));
+    QVERIFY(device::switchMode(fixture.context(), servo, text("step")));
+    const auto back = device::planMode(fixture.context(), servo, text("position"));
     QVERIFY(back && back->limitsRestored && !back->torqueGoesOff);
     QCOMPARE(back->writes[1].newRaw, std::int64_t(3333));
-    const auto speed = device::planMode(bench.context(), servo, text("speed"));
+    const auto speed = device::planMode(fixture.context(), servo, text("speed"));
     QCOMPARE(speed->zeroed, text("goal_speed"));
 }
 
 void TestMoveLimits::knownSettingsAreNotReadAgain()
 {
-    Bench bench(text("STS"));
-    device::Servo servo = bench.servo();
-    QVERIFY(device::readSettings(bench.context(), servo));
-    bench.bus.said.clear();
-    device::MoveOrder order{&servo, text("2000")};
-    order.settingsMayBe = std::chrono::seconds(1);
-    QVERIFY(device::planMove(bench.context(), order));
-    QVERIFY(bench.bus.said.empty());
-    order.settingsMayBe = {};
-    QVERIFY(device::planMove(bench.context(), order));
-    QVERIFY(!bench.bus.said.empty());
+    DeviceFixture fixture(text("STS"));
+    device::Servo servo = fixture.servo();
+    QVERIFY(device::readSettings(fixture.context(), servo));
+    fixture.bus.requests.clear();
+    device::MoveCommand order{&servo, text("2000")};
+    order.maxSettingsAge = std::chrono::seconds(1);
+    QVERIFY(device::planMove(fixture.context(), order));
+    QVERIFY(fixture.bus.requests.empty());
+    order.maxSettingsAge = {};
+    QVERIFY(device::planMove(fixture.context(), order));
+    QVERIFY(!fixture.bus.requests.empty());
 }
 
 void TestMoveLimits::anotherModeIsRefused()
 {
-    Bench bench(text("STS"));
-    device::Servo servo = inMode(bench, text("step"));
-    device::MoveOrder order{&servo, text("2000")};
+    DeviceFixture fixture(text("STS"));
+    device::Servo servo = inMode(fixture, text("step"));
+    device::MoveCommand order{&servo, text("2000")};
     order.mode = text("position");
-    const auto plan = device::planMove(bench.context(), order);
+    const auto plan = device::planMove(fixture.context(), order);
     QVERIFY(!plan);
     QCOMPARE(plan.error().code, base::ErrorCode::Refused);
     QCOMPARE(plan.error().detail, text("mode-changed"));
@@ -225,21 +225,21 @@ void TestMoveLimits::anotherModeIsRefused()
 
 void TestMoveLimits::currentOfAMove()
 {
-    Bench bench(text("HLS"));
-    device::Servo servo = bench.servo();
-    device::MoveOrder order{&servo, text("2000")};
+    DeviceFixture fixture(text("HLS"));
+    device::Servo servo = fixture.servo();
+    device::MoveCommand order{&servo, text("2000")};
     order.current = text("80");
     std::vector<device::MovePlan> plans;
-    auto plan = device::planMove(bench.context(), order);
+    auto plan = device::planMove(fixture.context(), order);
     QVERIFY(plan.has_value());
     plans.push_back(*plan);
-    QVERIFY(device::sendMoves(bench.context(), plans, MoveHow::Write));
-    QCOMPARE(bench.paper().raw(Role::GoalCurrent), std::int64_t(80));
+    QVERIFY(device::sendMoves(fixture.context(), plans, MoveMethod::Write));
+    QCOMPARE(fixture.fake().raw(Role::GoalCurrent), std::int64_t(80));
     order.current = text("-80");
-    plan = device::planMove(bench.context(), order);
+    plan = device::planMove(fixture.context(), order);
     QVERIFY(!plan);
     QCOMPARE(plan.error().code, base::ErrorCode::OutOfRange);
-    Bench sts(text("STS"));
+    DeviceFixture sts(text("STS"));
     device::Servo other = sts.servo();
     order.servo = &other;
     plan = device::planMove(sts.context(), order);
@@ -250,7 +250,7 @@ void TestMoveLimits::currentOfAMove()
 void TestMoveLimits::torqueLimits()
 {
     const auto of = [](const char* family) {
-        return device::torqueLimit(*Bench(text(family)).paper().profile);
+        return device::torqueLimit(*DeviceFixture(text(family)).fake().profile);
     };
     QVERIFY(of("STS").reg != nullptr && !of("STS").temporary);
     QVERIFY(of("SCS").reg != nullptr && of("SCS").temporary);

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <random>
 
-namespace ride {
+namespace simulated_leg {
 using Motion = std::function<double(double seconds)>;
 
 inline base::Duration fromSeconds(double seconds)
@@ -42,7 +42,7 @@ inline Motion secondOrder(double start, double target, double frequency, double 
 }
 
 /// Comes near ever more slowly.
-inline Motion creep(double start, double target, double constant)
+inline Motion exponentialApproach(double start, double target, double constant)
 {
     return [=](double t) {
         return t <= 0 ? start : target - (target - start) * std::exp(-t / constant);
@@ -89,15 +89,15 @@ template <typename Take>
 void read(const Motion& motion, double until, const Reading& how, Take take)
 {
     std::mt19937 random(how.seed);
-    const auto dice = [&] { return double(random()) / 4294967296.0; };
+    const auto uniform = [&] { return double(random()) / 4294967296.0; };
     for (int i = 1;; ++i) {
-        const double at = (i + 0.1 * (dice() - 0.5)) / how.rate;
+        const double at = (i + 0.1 * (uniform() - 0.5)) / how.rate;
         if (at > until)
             return;
         jobs::SweepSample sample;
         sample.at = fromSeconds(at);
-        sample.answered = dice() >= how.lost;
-        const double noise = how.noise * (2 * dice() - 1);
+        sample.answered = uniform() >= how.lost;
+        const double noise = how.noise * (2 * uniform() - 1);
         if (sample.answered)
             sample.position = std::round(motion(at - how.delay) + noise);
         take(sample);
@@ -130,7 +130,7 @@ struct Truth {
     double settling = -1;
 };
 
-inline Truth truthOf(const Motion& motion, double target, double tolerance, double until)
+inline Truth groundTruth(const Motion& motion, double target, double tolerance, double until)
 {
     Truth truth;
     double settled = 0;
@@ -150,12 +150,13 @@ inline bool near(std::optional<double> value, double truth, double by)
     return value && std::abs(*value - truth) <= by;
 }
 
-inline QByteArray say(std::optional<double> value, double truth)
+inline QByteArray mismatchText(std::optional<double> value, double truth)
 {
     return (value ? QByteArray::number(*value) : QByteArray("nothing")) + " instead of " +
            QByteArray::number(truth);
 }
-} // namespace ride
+} // namespace simulated_leg
 
 #define VERIFY_NEAR(value, truth, by)                                                              \
-    QVERIFY2(ride::near(value, truth, by), ride::say(value, truth).constData())
+    QVERIFY2(simulated_leg::near(value, truth, by),                                                \
+             simulated_leg::mismatchText(value, truth).constData())

@@ -15,7 +15,7 @@ using catalog::Role;
 using device::LockState;
 using device::NoticeCode;
 using device::WriteOutcome;
-using paper::Bench;
+using fake::DeviceFixture;
 using protocol::Op;
 
 namespace {
@@ -24,7 +24,7 @@ QString text(const char* word)
     return QString::fromLatin1(word);
 }
 
-bool lockClosed(const paper::Servo& servo)
+bool lockClosed(const fake::Servo& servo)
 {
     return !servo.has(Role::Lock) || servo.raw(Role::Lock) == 1;
 }
@@ -36,164 +36,164 @@ class TestFamilyChanges : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void newIdIsKept_data();
-    void newIdIsKept();
-    void newIdSurvivesLostAnswers_data() { newIdIsKept_data(); }
-    void newIdSurvivesLostAnswers();
-    void newIdThatNeverArrives_data() { newIdIsKept_data(); }
+    void newIdIsSaved_data();
+    void newIdIsSaved();
+    void newIdSurvivesLostReplies_data() { newIdIsSaved_data(); }
+    void newIdSurvivesLostReplies();
+    void newIdThatNeverArrives_data() { newIdIsSaved_data(); }
     void newIdThatNeverArrives();
     void newIdThatIsIgnored();
-    void restoreThatNothingShows();
-    void newIdWithTheLinkCut_data() { newIdIsKept_data(); }
+    void factoryResetWithoutVisibleEffect();
+    void newIdWithTheLinkCut_data() { newIdIsSaved_data(); }
     void newIdWithTheLinkCut();
-    void idsThatCannotBe_data();
-    void idsThatCannotBe();
+    void invalidIds_data();
+    void invalidIds();
     void idInUse_data();
     void idInUse();
     void newRate();
     void newRateAfterARestart();
     void onlyOneRate();
-    void centre_data();
-    void centre();
-    void centreWhereThereIsNone_data();
-    void centreWhereThereIsNone();
+    void centering_data();
+    void centering();
+    void centerUnsupported_data();
+    void centerUnsupported();
     void restart();
     void notInThisFamily_data();
     void notInThisFamily();
     void recovery_data();
     void recovery();
     void recoveryClosesEitherLock();
-    void recoveryOfATriedOffset();
-    void recoveryAsksInTheRightLanguage();
-    void undoTakesWhatTheServoHad();
-    void anyLanguageBehindABridge();
+    void recoveryOfATrialOffset();
+    void recoveryUsesTheRightProtocol();
+    void undoRestoresTheServosValue();
+    void anyProtocolBehindABridge();
     void snapshots_data();
     void snapshots();
 };
 
-void TestFamilyChanges::newIdIsKept_data()
+void TestFamilyChanges::newIdIsSaved_data()
 {
     QTest::addColumn<QString>("family");
     for (const char* family : {"STS", "SCS", "HLS", "SMCL", "SCS2", "SMSMB", "LX"})
         QTest::newRow(family) << family;
 }
 
-void TestFamilyChanges::newIdIsKept()
+void TestFamilyChanges::newIdIsSaved()
 {
     QFETCH(QString, family);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
-    const auto report = jobs::changeId(bench.context(), servo, 9);
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
+    const auto report = jobs::changeId(fixture.context(), servo, 9);
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Kept);
-    QCOMPARE(report->lock, bench.paper().has(Role::Lock) ? LockState::Closed : LockState::None);
-    QVERIFY(report->allGood());
+    QCOMPARE(report->lock, fixture.fake().has(Role::Lock) ? LockState::Closed : LockState::None);
+    QVERIFY(report->isSuccessful());
     QCOMPARE(servo.id, 9);
-    QCOMPARE(bench.noted(NoticeCode::IdChanged), 1);
-    QVERIFY(lockClosed(bench.paper()));
-    QCOMPARE(bench.openIntents(), std::size_t(0));
-    bench.paper().powerCycle();
-    QCOMPARE(bench.paper().id, 9);
+    QCOMPARE(fixture.noticeCount(NoticeCode::IdChanged), 1);
+    QVERIFY(lockClosed(fixture.fake()));
+    QCOMPARE(fixture.openIntents(), std::size_t(0));
+    fixture.fake().powerCycle();
+    QCOMPARE(fixture.fake().id, 9);
 }
 
-void TestFamilyChanges::newIdSurvivesLostAnswers()
+void TestFamilyChanges::newIdSurvivesLostReplies()
 {
     QFETCH(QString, family);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
-    bench.bus.loseAcks = true;
-    const auto report = jobs::changeId(bench.context(), servo, 9);
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
+    fixture.bus.dropAcknowledgments = true;
+    const auto report = jobs::changeId(fixture.context(), servo, 9);
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QVERIFY(lockClosed(bench.paper()));
-    bench.paper().powerCycle();
-    QCOMPARE(bench.paper().id, 9);
+    QVERIFY(report->isSuccessful());
+    QVERIFY(lockClosed(fixture.fake()));
+    fixture.fake().powerCycle();
+    QCOMPARE(fixture.fake().id, 9);
 }
 
 void TestFamilyChanges::newIdThatNeverArrives()
 {
     QFETCH(QString, family);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
     const int place = servo.profile->byRole(Role::Id)->writeOffset;
     bool lost = false;
-    bench.bus.onRequest = [&](const protocol::Request& request) {
+    fixture.bus.onRequest = [&](const protocol::Request& request) {
         if (request.op == Op::Write && request.address == place && !lost) {
             lost = true;
-            bench.bus.deafWrites = 1;
+            fixture.bus.lostWrites = 1;
         }
     };
-    const auto report = jobs::changeId(bench.context(), servo, 9);
+    const auto report = jobs::changeId(fixture.context(), servo, 9);
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.paper().id, 9);
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.fake().id, 9);
     const bool lx = family == text("LX");
-    QCOMPARE(bench.noted(NoticeCode::SentAgain), lx ? 1 : 0);
-    QCOMPARE(bench.noted(NoticeCode::AnswerLostSentAgain), lx ? 0 : 1);
+    QCOMPARE(fixture.noticeCount(NoticeCode::Resent), lx ? 1 : 0);
+    QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostResent), lx ? 0 : 1);
 }
 
 /// Acknowledged, so no acknowledgement was lost.
 void TestFamilyChanges::newIdThatIsIgnored()
 {
-    Bench bench(text("STS"));
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(text("STS"));
+    device::Servo servo = fixture.servo();
     const int place = servo.profile->byRole(Role::Id)->writeOffset;
-    bench.bus.onRequest = [&](const protocol::Request& request) {
+    fixture.bus.onRequest = [&](const protocol::Request& request) {
         if (request.op == Op::Write && request.address == place)
-            bench.bus.ignoredWrites = 1;
+            fixture.bus.ignoredWrites = 1;
     };
-    const auto report = jobs::changeId(bench.context(), servo, 9);
+    const auto report = jobs::changeId(fixture.context(), servo, 9);
     QVERIFY(report);
     QCOMPARE(report->writes[0].outcome, WriteOutcome::Refused);
-    QCOMPARE(bench.noted(NoticeCode::SentAgain), 1);
-    QCOMPARE(bench.noted(NoticeCode::AnswerLostSentAgain), 0);
+    QCOMPARE(fixture.noticeCount(NoticeCode::Resent), 1);
+    QCOMPARE(fixture.noticeCount(NoticeCode::ReplyLostResent), 0);
 }
 
-void TestFamilyChanges::restoreThatNothingShows()
+void TestFamilyChanges::factoryResetWithoutVisibleEffect()
 {
-    Bench bench(text("STS"));
-    bench.paper().settle(text("position_p"), 60);
-    device::Servo servo = bench.servo();
-    bench.bus.onRequest = [&](const protocol::Request& request) {
+    DeviceFixture fixture(text("STS"));
+    fixture.fake().setPersistent(text("position_p"), 60);
+    device::Servo servo = fixture.servo();
+    fixture.bus.onRequest = [&](const protocol::Request& request) {
         if (request.op == Op::Restore)
-            bench.bus.deafWrites = 1;
+            fixture.bus.lostWrites = 1;
     };
-    const auto report = jobs::restoreDefaults(bench.context(), servo);
+    const auto report = jobs::restoreDefaults(fixture.context(), servo);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::Uncertain);
     QCOMPARE(report.error().detail, text("nothing-changed"));
-    QVERIFY(lockClosed(bench.paper()));
-    QCOMPARE(bench.openIntents(), std::size_t(1));
+    QVERIFY(lockClosed(fixture.fake()));
+    QCOMPARE(fixture.openIntents(), std::size_t(1));
 }
 
 void TestFamilyChanges::newIdWithTheLinkCut()
 {
     QFETCH(QString, family);
     for (int passed = 0;; ++passed) {
-        Bench bench(family);
-        device::Servo servo = bench.servo();
-        bench.bus.cutAfter = passed;
-        const auto report = jobs::changeId(bench.context(), servo, 9);
-        if (report && report->allGood())
+        DeviceFixture fixture(family);
+        device::Servo servo = fixture.servo();
+        fixture.bus.cutAfter = passed;
+        const auto report = jobs::changeId(fixture.context(), servo, 9);
+        if (report && report->isSuccessful())
             return;
-        if (bench.paper().id != 1 || !lockClosed(bench.paper()))
-            QCOMPARE(bench.openIntents(), std::size_t(1));
-        if (bench.openIntents() == 1) {
+        if (fixture.fake().id != 1 || !lockClosed(fixture.fake()))
+            QCOMPARE(fixture.openIntents(), std::size_t(1));
+        if (fixture.openIntents() == 1) {
             // The cable is back: what was begun can be finished.
-            bench.bus.cutAfter = -1;
-            const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Finish);
+            fixture.bus.cutAfter = -1;
+            const auto recovered = jobs::recover(fixture.context(), jobs::RecoveryAction::Finish);
             QVERIFY(recovered);
             QVERIFY(recovered->at(0).done);
-            QCOMPARE(bench.openIntents(), std::size_t(0));
-            QVERIFY(lockClosed(bench.paper()));
-            bench.paper().powerCycle();
-            QCOMPARE(bench.paper().id, 9);
+            QCOMPARE(fixture.openIntents(), std::size_t(0));
+            QVERIFY(lockClosed(fixture.fake()));
+            fixture.fake().powerCycle();
+            QCOMPARE(fixture.fake().id, 9);
         }
         QVERIFY2(passed < 200, "never ends");
     }
 }
 
-void TestFamilyChanges::idsThatCannotBe_data()
+void TestFamilyChanges::invalidIds_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<int>("id");
@@ -205,80 +205,81 @@ void TestFamilyChanges::idsThatCannotBe_data()
     QTest::newRow("negative") << "LX" << -1 << QStringLiteral("0 … 253");
 }
 
-void TestFamilyChanges::idsThatCannotBe()
+void TestFamilyChanges::invalidIds()
 {
     QFETCH(QString, family);
     QFETCH(int, id);
     QFETCH(QString, range);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
-    const auto report = jobs::changeId(bench.context(), servo, id);
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
+    const auto report = jobs::changeId(fixture.context(), servo, id);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::OutOfRange);
     QCOMPARE(report.error().detail, range);
     QCOMPARE(report.error().registerKey, text("id"));
-    QVERIFY(bench.bus.said.empty());
+    QVERIFY(fixture.bus.requests.empty());
 }
 
 void TestFamilyChanges::idInUse_data()
 {
-    newIdIsKept_data();
+    newIdIsSaved_data();
 }
 
 void TestFamilyChanges::idInUse()
 {
     QFETCH(QString, family);
     const QByteArray name = family.toLatin1();
-    Bench bench{{name.constData(), 1}, {name.constData(), 9}};
-    device::Servo servo = bench.servo();
-    const auto report = jobs::changeId(bench.context(), servo, 9);
+    DeviceFixture fixture{{name.constData(), 1}, {name.constData(), 9}};
+    device::Servo servo = fixture.servo();
+    const auto report = jobs::changeId(fixture.context(), servo, 9);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::IdInUse);
-    QCOMPARE(bench.bus.writes(), 0);
+    QCOMPARE(fixture.bus.writes(), 0);
 }
 
 void TestFamilyChanges::newRate()
 {
-    Bench bench(text("SMSMB"));
-    device::Servo servo = bench.servo();
-    const auto report = jobs::changeBaud(bench.context(), servo, 256'000);
+    DeviceFixture fixture(text("SMSMB"));
+    device::Servo servo = fixture.servo();
+    const auto report = jobs::changeBaud(fixture.context(), servo, 256'000);
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.paper().keptRaw(text("baud_rate")), std::int64_t(0)); // its own table of codes
-    QCOMPARE(bench.bus.baud(), 256'000);
-    QCOMPARE(bench.noted(NoticeCode::RateChanged), 1);
-    QVERIFY(lockClosed(bench.paper()));
-    const auto never = jobs::changeBaud(bench.context(), servo, 1'000'000);
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.fake().persistentRaw(text("baud_rate")),
+             std::int64_t(0)); // its own table of codes
+    QCOMPARE(fixture.bus.baud(), 256'000);
+    QCOMPARE(fixture.noticeCount(NoticeCode::RateChanged), 1);
+    QVERIFY(lockClosed(fixture.fake()));
+    const auto never = jobs::changeBaud(fixture.context(), servo, 1'000'000);
     QVERIFY(!never);
     QCOMPARE(never.error().code, ErrorCode::OutOfRange);
 }
 
 void TestFamilyChanges::newRateAfterARestart()
 {
-    Bench bench(text("SMSMB"));
-    bench.paper().ratesAfterRestart = true;
-    device::Servo servo = bench.servo();
-    const auto report = jobs::changeBaud(bench.context(), servo, 9600);
+    DeviceFixture fixture(text("SMSMB"));
+    fixture.fake().baudNeedsRestart = true;
+    device::Servo servo = fixture.servo();
+    const auto report = jobs::changeBaud(fixture.context(), servo, 9600);
     QVERIFY(report);
-    QVERIFY(report->allGood());
-    QCOMPARE(bench.noted(NoticeCode::ActsAfterRestart), 1);
-    QCOMPARE(bench.bus.baud(), 115'200);
-    bench.paper().powerCycle();
-    QCOMPARE(bench.paper().baud, 9600);
+    QVERIFY(report->isSuccessful());
+    QCOMPARE(fixture.noticeCount(NoticeCode::EffectiveAfterRestart), 1);
+    QCOMPARE(fixture.bus.baud(), 115'200);
+    fixture.fake().powerCycle();
+    QCOMPARE(fixture.fake().baud, 9600);
 }
 
 void TestFamilyChanges::onlyOneRate()
 {
-    Bench bench(text("LX"));
-    device::Servo servo = bench.servo();
-    const auto report = jobs::changeBaud(bench.context(), servo, 57'600);
+    DeviceFixture fixture(text("LX"));
+    device::Servo servo = fixture.servo();
+    const auto report = jobs::changeBaud(fixture.context(), servo, 57'600);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::NotSupported);
     QCOMPARE(report.error().detail, text("fixed-rate"));
-    QVERIFY(bench.bus.said.empty());
+    QVERIFY(fixture.bus.requests.empty());
 }
 
-void TestFamilyChanges::centre_data()
+void TestFamilyChanges::centering_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<bool>("acksLost");
@@ -288,26 +289,26 @@ void TestFamilyChanges::centre_data()
     }
 }
 
-void TestFamilyChanges::centre()
+void TestFamilyChanges::centering()
 {
     QFETCH(QString, family);
     QFETCH(bool, acksLost);
-    Bench bench(family);
-    bench.paper().poke(text("present_position"), 1000);
-    bench.paper().poke(text("torque_switch"), 1);
-    device::Servo servo = bench.servo();
-    bench.bus.loseAcks = acksLost;
-    const auto report = jobs::center(bench.context(), servo);
+    DeviceFixture fixture(family);
+    fixture.fake().poke(text("present_position"), 1000);
+    fixture.fake().poke(text("torque_switch"), 1);
+    device::Servo servo = fixture.servo();
+    fixture.bus.dropAcknowledgments = acksLost;
+    const auto report = jobs::center(fixture.context(), servo);
     QVERIFY(report);
     QCOMPARE(*report->positionBefore, std::int64_t(1000));
     QCOMPARE(*report->positionAfter, std::int64_t(2048));
     QCOMPARE(*report->offsetAfter, std::int64_t(1000 - 2048));
     QCOMPARE(report->lock, LockState::Closed);
-    QVERIFY(lockClosed(bench.paper()));
-    QCOMPARE(bench.paper().raw(text("torque_switch")), std::int64_t(0));
+    QVERIFY(lockClosed(fixture.fake()));
+    QCOMPARE(fixture.fake().raw(text("torque_switch")), std::int64_t(0));
     // HLS takes the instruction only, Modbus the fault reset only; nobody gets 128 in its switch.
     int ways = 0;
-    for (const protocol::Request& request : bench.bus.said) {
+    for (const protocol::Request& request : fixture.bus.requests) {
         const bool reset = request.op == Op::Write && request.address == 2 * 134;
         ways += request.op == Op::Calibrate || reset ? 1 : 0;
         if (request.op == Op::Write &&
@@ -315,11 +316,11 @@ void TestFamilyChanges::centre()
             QCOMPARE(int(request.data.back()), 0);
     }
     QCOMPARE(ways, 1);
-    bench.paper().powerCycle();
-    QCOMPARE(bench.paper().raw(text("position_offset")), std::int64_t(1000 - 2048));
+    fixture.fake().powerCycle();
+    QCOMPARE(fixture.fake().raw(text("position_offset")), std::int64_t(1000 - 2048));
 }
 
-void TestFamilyChanges::centreWhereThereIsNone_data()
+void TestFamilyChanges::centerUnsupported_data()
 {
     QTest::addColumn<QString>("family");
     QTest::addColumn<QString>("detail");
@@ -333,29 +334,29 @@ void TestFamilyChanges::centreWhereThereIsNone_data()
                         << "write angle_offset";
 }
 
-void TestFamilyChanges::centreWhereThereIsNone()
+void TestFamilyChanges::centerUnsupported()
 {
     QFETCH(QString, family);
     QFETCH(QString, detail);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
-    const auto report = jobs::center(bench.context(), servo);
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
+    const auto report = jobs::center(fixture.context(), servo);
     QVERIFY(!report);
     QCOMPARE(report.error().code, ErrorCode::NotSupported);
     QCOMPARE(report.error().detail, detail);
-    QVERIFY(bench.bus.said.empty());
+    QVERIFY(fixture.bus.requests.empty());
 }
 
 void TestFamilyChanges::restart()
 {
     for (const char* family : {"HLS", "SMCL", "SMSMB"}) {
-        Bench bench{{family, 1}};
-        bench.paper().poke(bench.paper().profile->byRole(Role::GoalPosition)->key, 77);
-        device::Servo servo = bench.servo();
-        const auto took = jobs::reboot(bench.context(), servo);
+        DeviceFixture fixture{{family, 1}};
+        fixture.fake().poke(fixture.fake().profile->byRole(Role::GoalPosition)->key, 77);
+        device::Servo servo = fixture.servo();
+        const auto took = jobs::reboot(fixture.context(), servo);
         QVERIFY2(took, family);
         QVERIFY(*took >= 700);
-        QCOMPARE(bench.noted(NoticeCode::RebootedAfter), 1);
+        QCOMPARE(fixture.noticeCount(NoticeCode::RebootedAfter), 1);
         QCOMPARE(servo.raw(Role::GoalPosition), std::optional<std::int64_t>(0)); // read again
     }
 }
@@ -375,16 +376,16 @@ void TestFamilyChanges::notInThisFamily()
     QFETCH(QString, family);
     QFETCH(bool, restore);
     QFETCH(QString, detail);
-    Bench bench(family);
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(family);
+    device::Servo servo = fixture.servo();
     base::Error error;
     if (restore)
-        error = jobs::restoreDefaults(bench.context(), servo).error();
+        error = jobs::restoreDefaults(fixture.context(), servo).error();
     else
-        error = jobs::reboot(bench.context(), servo).error();
+        error = jobs::reboot(fixture.context(), servo).error();
     QCOMPARE(error.code, ErrorCode::NotSupported);
     QCOMPARE(error.detail, detail);
-    QVERIFY(bench.bus.said.empty());
+    QVERIFY(fixture.bus.requests.empty());
 }
 
 void TestFamilyChanges::recovery_data()
@@ -420,26 +421,27 @@ void TestFamilyChanges::recovery()
     int interrupted = 0;
     for (const bool finish : {true, false}) {
         for (int passed = 0;; ++passed) {
-            Bench bench(family);
-            device::Servo servo = bench.servo();
-            const auto before = bench.paper().raw(key);
-            bench.bus.cutAfter = passed;
+            DeviceFixture fixture(family);
+            device::Servo servo = fixture.servo();
+            const auto before = fixture.fake().raw(key);
+            fixture.bus.cutAfter = passed;
             const auto report =
-                device::write(bench.context(), servo, {{key, value}}, {false, true});
-            bench.bus.cutAfter = -1;
-            if (report && report->allGood())
+                device::write(fixture.context(), servo, {{key, value}}, {false, true});
+            fixture.bus.cutAfter = -1;
+            if (report && report->isSuccessful())
                 break;
-            if (bench.openIntents() == 0)
+            if (fixture.openIntents() == 0)
                 continue;
             ++interrupted;
-            const auto recovered = jobs::recover(
-                bench.context(), finish ? jobs::RecoverAction::Finish : jobs::RecoverAction::Undo);
+            const auto recovered =
+                jobs::recover(fixture.context(),
+                              finish ? jobs::RecoveryAction::Finish : jobs::RecoveryAction::Undo);
             QVERIFY(recovered);
             QVERIFY(recovered->at(0).done);
-            QCOMPARE(bench.openIntents(), std::size_t(0));
-            QVERIFY(lockClosed(bench.paper()));
-            bench.paper().powerCycle();
-            QCOMPARE(bench.paper().raw(key), finish ? std::int64_t(value) : before);
+            QCOMPARE(fixture.openIntents(), std::size_t(0));
+            QVERIFY(lockClosed(fixture.fake()));
+            fixture.fake().powerCycle();
+            QCOMPARE(fixture.fake().raw(key), finish ? std::int64_t(value) : before);
         }
     }
     QVERIFY(interrupted >= 4);
@@ -448,70 +450,70 @@ void TestFamilyChanges::recovery()
 void TestFamilyChanges::recoveryClosesEitherLock()
 {
     for (const int open : {0, 128}) {
-        Bench bench(text("SMSMB"));
-        device::Servo servo = bench.servo();
+        DeviceFixture fixture(text("SMSMB"));
+        device::Servo servo = fixture.servo();
         base::Intent intent;
         intent.servo = servo.identity();
         intent.lockOpened = true;
         intent.items = {{text("position_p"), 17, 0, 21}};
-        QVERIFY(bench.journal.begin(intent));
-        bench.paper().poke(text("lock"), open);
-        const auto looked = jobs::recover(bench.context(), jobs::RecoverAction::Look);
-        QVERIFY(looked);
-        QCOMPARE(looked->at(0).before.lockOpen, std::optional(true));
-        QCOMPARE(bench.bus.writes(), 0);
-        QVERIFY(jobs::recover(bench.context(), jobs::RecoverAction::Undo));
-        QCOMPARE(bench.paper().raw(text("lock")), std::int64_t(1));
+        QVERIFY(fixture.journal.begin(intent));
+        fixture.fake().poke(text("lock"), open);
+        const auto preview = jobs::recover(fixture.context(), jobs::RecoveryAction::Preview);
+        QVERIFY(preview);
+        QCOMPARE(preview->at(0).before.lockOpen, std::optional(true));
+        QCOMPARE(fixture.bus.writes(), 0);
+        QVERIFY(jobs::recover(fixture.context(), jobs::RecoveryAction::Undo));
+        QCOMPARE(fixture.fake().raw(text("lock")), std::int64_t(1));
     }
 }
 
 /// 17 came through, 18 did not: it reads right, and would be gone at power-off.
-void TestFamilyChanges::recoveryOfATriedOffset()
+void TestFamilyChanges::recoveryOfATrialOffset()
 {
-    Bench bench(text("LX"));
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(text("LX"));
+    device::Servo servo = fixture.servo();
     base::Intent intent;
     intent.servo = servo.identity();
     intent.items = {{text("angle_offset"), 19, 0, 20}};
-    QVERIFY(bench.journal.begin(intent));
-    bench.paper().poke(text("angle_offset"), 20);
-    const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Finish);
+    QVERIFY(fixture.journal.begin(intent));
+    fixture.fake().poke(text("angle_offset"), 20);
+    const auto recovered = jobs::recover(fixture.context(), jobs::RecoveryAction::Finish);
     QVERIFY(recovered);
     QVERIFY(recovered->at(0).done);
-    QCOMPARE(bench.noted(NoticeCode::SavedPerSheet), 1);
-    QCOMPARE(bench.paper().keptRaw(text("angle_offset")), std::int64_t(20));
+    QCOMPARE(fixture.noticeCount(NoticeCode::SaveUnverified), 1);
+    QCOMPARE(fixture.fake().persistentRaw(text("angle_offset")), std::int64_t(20));
 }
 
-void TestFamilyChanges::recoveryAsksInTheRightLanguage()
+void TestFamilyChanges::recoveryUsesTheRightProtocol()
 {
-    Bench bench{{"STS", 1}, {"SMSMB", 1}, {"LX", 1}};
-    device::Servo servo = bench.servo(2);
+    DeviceFixture fixture{{"STS", 1}, {"SMSMB", 1}, {"LX", 1}};
+    device::Servo servo = fixture.servo(2);
     base::Intent intent;
     intent.servo = servo.identity();
     intent.items = {{text("temp_limit"), 25, 85, 71}};
-    QVERIFY(bench.journal.begin(intent));
-    const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Finish);
+    QVERIFY(fixture.journal.begin(intent));
+    const auto recovered = jobs::recover(fixture.context(), jobs::RecoveryAction::Finish);
     QVERIFY(recovered);
     QVERIFY(recovered->at(0).done);
-    QCOMPARE(bench.paper(2).keptRaw(text("temp_limit")), std::int64_t(71));
-    for (const protocol::Request& request : bench.bus.said)
+    QCOMPARE(fixture.fake(2).persistentRaw(text("temp_limit")), std::int64_t(71));
+    for (const protocol::Request& request : fixture.bus.requests)
         QCOMPARE(request.protocol, base::Protocol::Lx);
 }
 
 void TestFamilyChanges::snapshots_data()
 {
-    newIdIsKept_data();
+    newIdIsSaved_data();
 }
 
 void TestFamilyChanges::snapshots()
 {
     QFETCH(QString, family);
-    Bench bench(family, 3);
-    bench.paper().tellsStored = false;
-    device::Servo servo = bench.servo();
-    const auto taken = jobs::takeSnapshot(bench.context(), servo, text("test"));
+    DeviceFixture fixture(family, 3);
+    fixture.fake().repliesStoredMove = false;
+    device::Servo servo = fixture.servo();
+    const auto taken = jobs::takeSnapshot(fixture.context(), servo, text("test"));
     QVERIFY(taken);
-    QCOMPARE(bench.bus.writes(), 0);
+    QCOMPARE(fixture.bus.writes(), 0);
     QCOMPARE(taken->servo.map, servo.profile->mapKey);
     QCOMPARE(taken->servo.protocol, base::protocolName(servo.protocol));
     // Through the file's format and back, with addresses as the sheet prints them.
@@ -519,36 +521,36 @@ void TestFamilyChanges::snapshots()
     QVERIFY(read);
     QCOMPARE(read->registers.size(), servo.profile->registers.size());
     for (const record::SnapshotRegister& row : read->registers) {
-        const catalog::Register& reg = bench.paper().reg(row.key);
+        const catalog::Register& reg = fixture.fake().reg(row.key);
         QCOMPARE(row.address, reg.address);
         const bool silent = reg.role == Role::StoredGoal || reg.role == Role::StoredTime;
-        QCOMPARE(row.raw, silent ? std::nullopt : std::optional(bench.paper().raw(row.key)));
+        QCOMPARE(row.raw, silent ? std::nullopt : std::optional(fixture.fake().raw(row.key)));
     }
 }
 
 /// LX: somebody had set 4 V with other software; the program itself would refuse to.
-void TestFamilyChanges::undoTakesWhatTheServoHad()
+void TestFamilyChanges::undoRestoresTheServosValue()
 {
-    Bench bench(text("LX"));
-    bench.paper().settle(text("vin_limit_min"), 5000);
-    device::Servo servo = bench.servo();
+    DeviceFixture fixture(text("LX"));
+    fixture.fake().setPersistent(text("vin_limit_min"), 5000);
+    device::Servo servo = fixture.servo();
     base::Intent intent;
     intent.servo = servo.identity();
     intent.items = {{text("vin_limit_min"), 23, 4000, 5000}};
-    QVERIFY(bench.journal.begin(intent));
-    const auto recovered = jobs::recover(bench.context(), jobs::RecoverAction::Undo);
+    QVERIFY(fixture.journal.begin(intent));
+    const auto recovered = jobs::recover(fixture.context(), jobs::RecoveryAction::Undo);
     QVERIFY(recovered);
     QVERIFY(recovered->at(0).done);
-    QCOMPARE(bench.paper().keptRaw(text("vin_limit_min")), std::int64_t(4000));
-    QCOMPARE(bench.openIntents(), std::size_t(0));
+    QCOMPARE(fixture.fake().persistentRaw(text("vin_limit_min")), std::int64_t(4000));
+    QCOMPARE(fixture.openIntents(), std::size_t(0));
 }
 
-void TestFamilyChanges::anyLanguageBehindABridge()
+void TestFamilyChanges::anyProtocolBehindABridge()
 {
-    Bench bench(text("LX"));
-    QCOMPARE(jobs::languagesAt(bench.context(), {}, 1'000'000).size(), std::size_t(1));
-    bench.bus.bridge = true;
-    QCOMPARE(jobs::languagesAt(bench.context(), {}, 1'000'000).size(), std::size_t(3));
+    DeviceFixture fixture(text("LX"));
+    QCOMPARE(jobs::protocolsToScan(fixture.context(), {}, 1'000'000).size(), std::size_t(1));
+    fixture.bus.bridge = true;
+    QCOMPARE(jobs::protocolsToScan(fixture.context(), {}, 1'000'000).size(), std::size_t(3));
 }
 
 QTEST_GUILESS_MAIN(TestFamilyChanges)

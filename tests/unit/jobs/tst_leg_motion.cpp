@@ -9,38 +9,39 @@ using jobs::LegMeter;
 using jobs::SweepSample;
 using record::SweepAxis;
 using record::SweepLeg;
-using ride::Motion;
-using ride::Reading;
+using simulated_leg::Motion;
+using simulated_leg::Reading;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 namespace {
-SweepAxis told(double speed, std::optional<double> acceleration = {})
+SweepAxis limitsFor(double speed, std::optional<double> acceleration = {})
 {
-    SweepAxis axis = ride::axis();
+    SweepAxis axis = simulated_leg::axis();
     axis.speed = speed;
     axis.acceleration = acceleration;
     return axis;
 }
 
 /// When `question` was first answered yes; -1: never.
-double firstYes(const Motion& motion, LegMeter meter, double until, const Reading& how,
-                const std::function<bool(const LegMeter&)>& question)
+double firstTimeTrue(const Motion& motion, LegMeter meter, double until, const Reading& how,
+                     const std::function<bool(const LegMeter&)>& question)
 {
     double yes = -1;
-    ride::read(motion, until, how, [&](const SweepSample& sample) {
+    simulated_leg::read(motion, until, how, [&](const SweepSample& sample) {
         meter.add(sample);
         if (yes < 0 && question(meter))
-            yes = ride::seconds(sample.at);
+            yes = simulated_leg::seconds(sample.at);
     });
     return yes;
 }
 
-double stallSeen(const SweepAxis& axis, double target, const Motion& motion, double until,
-                 unsigned seed = 1, double rate = 200)
+double detectedStallTime(const SweepAxis& axis, double target, const Motion& motion, double until,
+                         unsigned seed = 1, double rate = 200)
 {
-    return firstYes(motion, ride::meter(axis, 0, target), until, {rate, 2, 0, 0, seed},
-                    [](const LegMeter& meter) { return meter.stalled(milliseconds(500)); });
+    return firstTimeTrue(motion, simulated_leg::meter(axis, 0, target), until,
+                         {rate, 2, 0, 0, seed},
+                         [](const LegMeter& meter) { return meter.isStalled(milliseconds(500)); });
 }
 
 using Flag = std::function<bool(double at)>;
@@ -48,9 +49,9 @@ using Flag = std::function<bool(double at)>;
 std::optional<bool> flagWrong(const SweepAxis& axis, double target, const Motion& motion,
                               const Flag& flag, double rate = 200)
 {
-    LegMeter meter = ride::meter(axis, 0, target);
-    ride::read(motion, 4, {rate, 1}, [&](SweepSample sample) {
-        sample.moving = flag(ride::seconds(sample.at));
+    LegMeter meter = simulated_leg::meter(axis, 0, target);
+    simulated_leg::read(motion, 4, {rate, 1}, [&](SweepSample sample) {
+        sample.moving = flag(simulated_leg::seconds(sample.at));
         meter.add(sample);
     });
     return meter.finish(seconds(4), {}).flagWrong;
@@ -65,9 +66,9 @@ private Q_SLOTS:
 
     void speeds_data();
     void speeds();
-    void meanIsOfTheMiddle();
+    void meanIsTakenFromTheMiddle();
     void noiseIsNoSpeed();
-    void standsNearItsTarget();
+    void stopsNearItsTarget();
     void tooLittleForASpeed();
     void lagsBehindItsPath_data();
     void lagsBehindItsPath();
@@ -102,22 +103,24 @@ void TestLegMotion::speeds()
     QFETCH(double, speed);
     QFETCH(double, rate);
     const double until = 2 * std::abs(way) / speed + 1;
-    const Motion motion = ride::later(ride::trapezoid(0, way, speed, 20 * speed), 0.01);
+    const Motion motion =
+        simulated_leg::later(simulated_leg::trapezoid(0, way, speed, 20 * speed), 0.01);
     for (unsigned seed = 1; seed <= 20; ++seed) {
-        const SweepLeg leg =
-            ride::measure(ride::axis(), 0, way, motion, until, {rate, 0.4, 0, 0, seed});
+        const SweepLeg leg = simulated_leg::measure(simulated_leg::axis(), 0, way, motion, until,
+                                                    {rate, 0.4, 0, 0, seed});
         VERIFY_NEAR(leg.meanSpeed, speed, 0.02 * speed);
         VERIFY_NEAR(leg.topSpeed, speed, 0.02 * speed);
     }
 }
 
 /// A triangle of speed: the middle 80 % of 1000 steps at 2000 steps/s² take √2 − 2·√0.1 s … .
-void TestLegMotion::meanIsOfTheMiddle()
+void TestLegMotion::meanIsTakenFromTheMiddle()
 {
     const double whole = 2 * std::sqrt(1000.0 / 2000);
     const double edge = std::sqrt(2 * 100.0 / 2000);
     const SweepLeg leg =
-        ride::measure(ride::axis(), 0, 1000, ride::trapezoid(0, 1000, 9999, 2000), 3, {300, 0.4});
+        simulated_leg::measure(simulated_leg::axis(), 0, 1000,
+                               simulated_leg::trapezoid(0, 1000, 9999, 2000), 3, {300, 0.4});
     const double mean = 800 / (whole - 2 * edge);
     VERIFY_NEAR(leg.meanSpeed, mean, 0.02 * mean);
     const double top = std::sqrt(1000.0 * 2000);
@@ -128,21 +131,21 @@ void TestLegMotion::meanIsOfTheMiddle()
 void TestLegMotion::noiseIsNoSpeed()
 {
     for (unsigned seed = 1; seed <= 30; ++seed) {
-        const Motion motion = ride::trapezoid(0, 2800, 2050, 50000);
-        const SweepLeg leg =
-            ride::measure(ride::axis(), 0, 2800, motion, 2.5, {350, 2.6, 0, 0, seed});
+        const Motion motion = simulated_leg::trapezoid(0, 2800, 2050, 50000);
+        const SweepLeg leg = simulated_leg::measure(simulated_leg::axis(), 0, 2800, motion, 2.5,
+                                                    {350, 2.6, 0, 0, seed});
         VERIFY_NEAR(leg.topSpeed, 2050, 0.02 * 2050);
     }
 }
 
-void TestLegMotion::standsNearItsTarget()
+void TestLegMotion::stopsNearItsTarget()
 {
     const auto stands = [](double place, double until) {
-        const SweepAxis axis = ride::axis();
-        LegMeter meter = ride::meter(axis, 0, 1000);
-        ride::read(ride::trapezoid(0, place, 2000, 50000), until, {300, 1},
-                   [&](const jobs::SweepSample& sample) { meter.add(sample); });
-        return meter.standsNear(milliseconds(200));
+        const SweepAxis axis = simulated_leg::axis();
+        LegMeter meter = simulated_leg::meter(axis, 0, 1000);
+        simulated_leg::read(simulated_leg::trapezoid(0, place, 2000, 50000), until, {300, 1},
+                            [&](const jobs::SweepSample& sample) { meter.add(sample); });
+        return meter.restsNearTarget(milliseconds(200));
     };
     QVERIFY(stands(1000, 1));
     QVERIFY(stands(980, 1)); // out of tolerance, but by no more than friction may leave
@@ -154,7 +157,8 @@ void TestLegMotion::tooLittleForASpeed()
 {
     const auto measured = [](double way, double rate) {
         const SweepLeg leg =
-            ride::measure(ride::axis(), 0, way, ride::trapezoid(0, way, 2000, 50000), 2, {rate, 1});
+            simulated_leg::measure(simulated_leg::axis(), 0, way,
+                                   simulated_leg::trapezoid(0, way, 2000, 50000), 2, {rate, 1});
         return leg.meanSpeed || leg.topSpeed;
     };
     QVERIFY(!measured(15, 300)); // noise is as large
@@ -181,12 +185,13 @@ void TestLegMotion::lagsBehindItsPath()
     QFETCH(double, lag);
     QFETCH(double, noise);
     QFETCH(double, rate);
-    const SweepAxis axis = told(800, 8000);
+    const SweepAxis axis = limitsFor(800, 8000);
     for (const double target : {2000.0, -2000.0}) {
-        const Motion motion = ride::later(ride::trapezoid(0, target, 800, 8000), lag / 800);
+        const Motion motion =
+            simulated_leg::later(simulated_leg::trapezoid(0, target, 800, 8000), lag / 800);
         // Half a reading's distance and 5 ms at the most are put down to the wire.
         const double wire = 800 * std::min(1 / rate, 0.005);
-        const SweepLeg leg = ride::measure(axis, 0, target, motion, 4, {rate, noise});
+        const SweepLeg leg = simulated_leg::measure(axis, 0, target, motion, 4, {rate, noise});
         QVERIFY(leg.followingError);
         QVERIFY(*leg.followingError <= lag + 2 + noise / 2);
         QVERIFY(*leg.followingError >= lag - wire - 2);
@@ -197,17 +202,18 @@ void TestLegMotion::lagsBehindItsPath()
 void TestLegMotion::theWireIsNoLag()
 {
     for (const double rate : {700.0, 200.0}) {
-        const Motion motion = ride::trapezoid(0, 2000, 3000, 30000);
-        const SweepLeg leg =
-            ride::measure(told(3000, 30000), 0, 2000, motion, 2, {rate, 0.4, 0, 0.8 / rate});
+        const Motion motion = simulated_leg::trapezoid(0, 2000, 3000, 30000);
+        const SweepLeg leg = simulated_leg::measure(limitsFor(3000, 30000), 0, 2000, motion, 2,
+                                                    {rate, 0.4, 0, 0.8 / rate});
         VERIFY_NEAR(leg.followingError, 0, 3);
     }
 }
 
 void TestLegMotion::movingFlag()
 {
-    const SweepAxis axis = told(1000, 10000);
-    const Motion motion = ride::later(ride::trapezoid(0, 1500, 1000, 10000), 0.02); // 1.6 s
+    const SweepAxis axis = limitsFor(1000, 10000);
+    const Motion motion =
+        simulated_leg::later(simulated_leg::trapezoid(0, 1500, 1000, 10000), 0.02); // 1.6 s
     const auto right = [](double at) { return at > 0.02 && at < 1.7; };
     QCOMPARE(flagWrong(axis, 1500, motion, right), std::optional(false));
     // It takes its time to rise and to fall.
@@ -218,16 +224,17 @@ void TestLegMotion::movingFlag()
     const auto early = [](double at) { return at < 1.0; };
     QCOMPARE(flagWrong(axis, 1500, motion, early), std::optional(true));
     // A servo that slowly gets going is on its way.
-    const SweepAxis lazy = told(50, 10);
-    const Motion slow = ride::trapezoid(0, 60, 50, 10);
+    const SweepAxis lazy = limitsFor(50, 10);
+    const Motion slow = simulated_leg::trapezoid(0, 60, 50, 10);
     const auto whole = [](double at) { return at < 5; };
     QCOMPARE(flagWrong(lazy, 60, slow, whole), std::optional(false));
 }
 
 void TestLegMotion::movingFlagAtFewReadings()
 {
-    const SweepAxis axis = told(1000, 10000);
-    const Motion motion = ride::later(ride::trapezoid(0, 1500, 1000, 10000), 0.02);
+    const SweepAxis axis = limitsFor(1000, 10000);
+    const Motion motion =
+        simulated_leg::later(simulated_leg::trapezoid(0, 1500, 1000, 10000), 0.02);
     const auto right = [](double at) { return at > 0.02 && at < 1.7; };
     QCOMPARE(flagWrong(axis, 1500, motion, right, 10), std::optional(false));
     QCOMPARE(flagWrong(
@@ -242,28 +249,31 @@ void TestLegMotion::arrives()
 {
     for (unsigned seed = 1; seed <= 50; ++seed) {
         // 12 steps before 1000 after 1.088 s, 4 before it after 1.096 s; a rest of 0.1 s.
-        const Motion motion = ride::trapezoid(0, 1000, 1000, 10000);
-        const double yes =
-            firstYes(motion, ride::meter(told(1000, 10000), 0, 1000), 3, {200, 2, 0, 0, seed},
-                     [](const LegMeter& meter) { return meter.arrived(milliseconds(100)); });
+        const Motion motion = simulated_leg::trapezoid(0, 1000, 1000, 10000);
+        const double yes = firstTimeTrue(
+            motion, simulated_leg::meter(limitsFor(1000, 10000), 0, 1000), 3, {200, 2, 0, 0, seed},
+            [](const LegMeter& meter) { return meter.arrived(milliseconds(100)); });
         QVERIFY2(yes > 1.14 && yes < 1.25, QByteArray::number(yes).constData());
     }
     // Where it stood already.
-    const double there =
-        firstYes([](double) { return 5; }, ride::meter(told(1000), 0, 5), 1, {200, 1},
-                 [](const LegMeter& meter) { return meter.arrived(milliseconds(100)); });
+    const double there = firstTimeTrue(
+        [](double) { return 5; }, simulated_leg::meter(limitsFor(1000), 0, 5), 1, {200, 1},
+        [](const LegMeter& meter) { return meter.arrived(milliseconds(100)); });
     QVERIFY(there >= 0.1 && there < 0.12);
-    QVERIFY(!ride::meter(told(1000), 0, 5).arrived({}));
+    QVERIFY(!simulated_leg::meter(limitsFor(1000), 0, 5).arrived({}));
 }
 
 void TestLegMotion::doesNotArriveInPassing()
 {
     const auto arrived = [](const LegMeter& meter) { return meter.arrived(milliseconds(100)); };
-    const Motion through = ride::trapezoid(0, 2000, 800, 8000);
-    QCOMPARE(firstYes(through, ride::meter(told(800), 0, 1000), 4, {300, 1}, arrived), -1.0);
-    const Motion ringing = ride::secondOrder(0, 1000, 2, 0.3);
-    const auto truth = ride::truthOf(ringing, 1000, 12, 4);
-    const double yes = firstYes(ringing, ride::meter(told(9999), 0, 1000), 4, {300, 1}, arrived);
+    const Motion through = simulated_leg::trapezoid(0, 2000, 800, 8000);
+    QCOMPARE(
+        firstTimeTrue(through, simulated_leg::meter(limitsFor(800), 0, 1000), 4, {300, 1}, arrived),
+        -1.0);
+    const Motion ringing = simulated_leg::secondOrder(0, 1000, 2, 0.3);
+    const auto truth = simulated_leg::groundTruth(ringing, 1000, 12, 4);
+    const double yes = firstTimeTrue(ringing, simulated_leg::meter(limitsFor(9999), 0, 1000), 4,
+                                     {300, 1}, arrived);
     QVERIFY(yes > truth.arrival + truth.settling);
 }
 
@@ -272,21 +282,21 @@ void TestLegMotion::stalls()
 {
     for (unsigned seed = 1; seed <= 50; ++seed) {
         const Motion halfWay = [](double t) { return std::min(500.0, 1000 * t); };
-        const double seen = stallSeen(told(1000), 1000, halfWay, 3, seed);
+        const double seen = detectedStallTime(limitsFor(1000), 1000, halfWay, 3, seed);
         QVERIFY2(seen >= 0.98 && seen < 1.3, QByteArray::number(seen).constData());
     }
-    const double stuck = stallSeen(
-        told(1000, 100), 1000, [](double) { return 0; }, 3);
+    const double stuck = detectedStallTime(
+        limitsFor(1000, 100), 1000, [](double) { return 0; }, 3);
     QVERIFY2(stuck >= 0.5 && stuck < 0.9, QByteArray::number(stuck).constData());
-    QVERIFY(stallSeen(
-                told(1000), -1000, [](double) { return 0; }, 3) > 0);
+    QVERIFY(detectedStallTime(
+                limitsFor(1000), -1000, [](double) { return 0; }, 3) > 0);
 }
 
 void TestLegMotion::staticErrorIsNoStall()
 {
     for (const double rest : {960.0, 1000.0, 1040.0}) {
-        const Motion motion = ride::trapezoid(0, rest, 1000, 10000);
-        QCOMPARE(stallSeen(told(1000, 10000), 1000, motion, 5), -1.0);
+        const Motion motion = simulated_leg::trapezoid(0, rest, 1000, 10000);
+        QCOMPARE(detectedStallTime(limitsFor(1000, 10000), 1000, motion, 5), -1.0);
     }
 }
 
@@ -294,10 +304,10 @@ void TestLegMotion::slowIsNoStall()
 {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         for (const double rate : {10.0, 200.0}) {
-            const Motion crawl = ride::trapezoid(0, 300, 10, 100);
-            QCOMPARE(stallSeen(told(10, 100), 300, crawl, 25, seed, rate), -1.0);
-            const Motion lazy = ride::trapezoid(0, 3000, 1000, 20);
-            QCOMPARE(stallSeen(told(1000, 20), 3000, lazy, 5, seed, rate), -1.0);
+            const Motion slowMotion = simulated_leg::trapezoid(0, 300, 10, 100);
+            QCOMPARE(detectedStallTime(limitsFor(10, 100), 300, slowMotion, 25, seed, rate), -1.0);
+            const Motion lazy = simulated_leg::trapezoid(0, 3000, 1000, 20);
+            QCOMPARE(detectedStallTime(limitsFor(1000, 20), 3000, lazy, 5, seed, rate), -1.0);
         }
     }
 }
@@ -305,7 +315,7 @@ void TestLegMotion::slowIsNoStall()
 /// Nobody says of a servo that does not answer that it stands still.
 void TestLegMotion::silenceIsNoStall()
 {
-    LegMeter meter = ride::meter(told(1000), 0, 1000);
+    LegMeter meter = simulated_leg::meter(limitsFor(1000), 0, 1000);
     for (int ms = 5; ms < 5000; ms += 5) {
         SweepSample sample;
         sample.at = milliseconds(ms);
@@ -313,7 +323,7 @@ void TestLegMotion::silenceIsNoStall()
         if (sample.answered)
             sample.position = ms;
         meter.add(sample);
-        QVERIFY(!meter.stalled(milliseconds(500)));
+        QVERIFY(!meter.isStalled(milliseconds(500)));
     }
 }
 
@@ -321,14 +331,15 @@ void TestLegMotion::silenceIsNoStall()
 void TestLegMotion::sine()
 {
     const auto goal = [](double t) { return 500 - 500 * std::cos(std::numbers::pi * t); };
-    LegMeter meter = ride::meter(told(3000), 0, 1000);
-    meter.follow([&](base::Duration since) { return goal(ride::seconds(since)); }, seconds(2));
-    ride::read([&](double t) { return goal(t - 0.03); }, 1, {200, 0.4},
-               [&](SweepSample sample) {
-                   sample.moving = true;
-                   meter.add(sample);
-                   QVERIFY(!meter.stalled(milliseconds(200)));
-               });
+    LegMeter meter = simulated_leg::meter(limitsFor(3000), 0, 1000);
+    meter.followPath([&](base::Duration since) { return goal(simulated_leg::seconds(since)); },
+                     seconds(2));
+    simulated_leg::read([&](double t) { return goal(t - 0.03); }, 1, {200, 0.4},
+                        [&](SweepSample sample) {
+                            sample.moving = true;
+                            meter.add(sample);
+                            QVERIFY(!meter.isStalled(milliseconds(200)));
+                        });
     const SweepLeg leg = meter.finish(seconds(1), {});
     const double fastest = 500 * std::numbers::pi;
     VERIFY_NEAR(leg.followingError, 0.025 * fastest, 4); // 5 of the 30 ms may be the wire's

@@ -58,7 +58,7 @@ Grade grade(std::optional<double> value, const SweepLimit& by)
     one.value = value;
     record::SweepServo servo;
     servo.limits.lines = {by};
-    const auto lines = record::judge(servo, {one}, record::SweepShape::Sweep);
+    const auto lines = record::evaluate(servo, {one}, record::SweepShape::Sweep);
     return lines.size() == 1 && (lines[0].value == value || std::isnan(value.value_or(0)))
                ? lines[0].grade
                : Grade::NotMeasured;
@@ -71,22 +71,22 @@ class TestSweepMeter : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void everyMetricIsThereInItsOrder();
-    void nothingMeasuredIsNothing();
-    void theRightLegIsJudged_data();
-    void theRightLegIsJudged();
+    void everyMetricIsPresentInOrder();
+    void noMeasurementsGiveNoMetrics();
+    void theRightLegIsEvaluated_data();
+    void theRightLegIsEvaluated();
     void steadyErrorKeepsItsSign();
-    void hysteresisIsBetweenTheSides();
+    void hysteresisIsTheDifferenceOfBothSides();
     void repeatabilityIsOfOneSide();
     void aTargetIsATenthOfAStep();
     void temperatureRisesFromTheStart();
-    void whatIsCounted();
-    void notANumberIsNeverLost();
-    void limitsGrade();
-    void theWorstLineSays();
+    void counters();
+    void nanIsNeverDropped();
+    void limitsDetermineTheGrade();
+    void theWorstLimitDecides();
 };
 
-void TestSweepMeter::everyMetricIsThereInItsOrder()
+void TestSweepMeter::everyMetricIsPresentInOrder()
 {
     const auto metrics = jobs::sweepMetrics({leg(0, 100, 1)}, {}, {});
     const auto& kinds = record::sweepMetricKinds();
@@ -97,7 +97,7 @@ void TestSweepMeter::everyMetricIsThereInItsOrder()
     }
 }
 
-void TestSweepMeter::nothingMeasuredIsNothing()
+void TestSweepMeter::noMeasurementsGiveNoMetrics()
 {
     for (const auto& legs : {std::vector<SweepLeg>{}, std::vector<SweepLeg>{SweepLeg{}}}) {
         for (const SweepMetric& one : jobs::sweepMetrics(legs, {}, 20)) {
@@ -107,7 +107,7 @@ void TestSweepMeter::nothingMeasuredIsNothing()
     }
 }
 
-void TestSweepMeter::theRightLegIsJudged_data()
+void TestSweepMeter::theRightLegIsEvaluated_data()
 {
     QTest::addColumn<QByteArray>("key");
     QTest::addColumn<double>("judged");
@@ -126,7 +126,7 @@ void TestSweepMeter::theRightLegIsJudged_data()
 }
 
 /// Legs with 1, 2 and 3 (times: 100, 200, 300 ms), and one that measured nothing.
-void TestSweepMeter::theRightLegIsJudged()
+void TestSweepMeter::theRightLegIsEvaluated()
 {
     QFETCH(QByteArray, key);
     QFETCH(double, judged);
@@ -163,7 +163,7 @@ void TestSweepMeter::steadyErrorKeepsItsSign()
 
 /// 12 steps at one target, 4 at another, where noise also moves single legs; the ends, come to from
 /// one side only, have none.
-void TestSweepMeter::hysteresisIsBetweenTheSides()
+void TestSweepMeter::hysteresisIsTheDifferenceOfBothSides()
 {
     std::vector<SweepLeg> legs{
         leg(0, 2000, -7), leg(2000, 4000, -6), leg(4000, 2000, 6), leg(2000, 0, 6),
@@ -230,7 +230,7 @@ void TestSweepMeter::temperatureRisesFromTheStart()
     QCOMPARE(metric(unknown, "temperature_max").value, std::optional(44.0));
 }
 
-void TestSweepMeter::whatIsCounted()
+void TestSweepMeter::counters()
 {
     std::vector<SweepLeg> legs{leg(0, 9, 0), leg(0, 9, 0), leg(0, 9, 0), leg(0, 9, 0)};
     legs[0].flagWrong = false;
@@ -242,8 +242,8 @@ void TestSweepMeter::whatIsCounted()
     legs[3].samples = 0;          // and nothing heard
     SweepErrors errors;
     errors.asked = 1000;
-    errors.timeOuts = 1;
-    errors.badChecks = 2;
+    errors.timeouts = 1;
+    errors.badChecksums = 2;
     errors.foreign = 3;
     errors.late = 4;
     const auto found = jobs::sweepMetrics(legs, errors, {});
@@ -260,7 +260,7 @@ void TestSweepMeter::whatIsCounted()
     QVERIFY(!metric(legs, "moving_flag_errors").value);
 }
 
-void TestSweepMeter::notANumberIsNeverLost()
+void TestSweepMeter::nanIsNeverDropped()
 {
     for (const std::size_t place : {0U, 1U, 2U}) {
         std::vector<SweepLeg> legs{leg(0, 9, 1), leg(0, 9, 1), leg(0, 9, 1)};
@@ -276,7 +276,7 @@ void TestSweepMeter::notANumberIsNeverLost()
     }
 }
 
-void TestSweepMeter::limitsGrade()
+void TestSweepMeter::limitsDetermineTheGrade()
 {
     const SweepLimit both = limit("overshoot", 3, 5);
     QCOMPARE(grade(3, both), Grade::Pass);
@@ -302,16 +302,17 @@ void TestSweepMeter::limitsGrade()
 
     record::SweepServo servo;
     servo.limits.lines = {limit("no_such", {}, 1)};
-    QCOMPARE(record::judge(servo, {}, record::SweepShape::Sweep).front().grade, Grade::NotMeasured);
+    QCOMPARE(record::evaluate(servo, {}, record::SweepShape::Sweep).front().grade,
+             Grade::NotMeasured);
 }
 
-void TestSweepMeter::theWorstLineSays()
+void TestSweepMeter::theWorstLimitDecides()
 {
     const auto of = [](std::vector<Grade> grades) {
         std::vector<record::VerdictLine> lines;
         for (const Grade one : grades)
             lines.push_back({{}, {}, one});
-        return record::worst(lines);
+        return record::worstGrade(lines);
     };
     QCOMPARE(of({}), Grade::NotMeasured);
     QCOMPARE(of({Grade::NotMeasured}), Grade::NotMeasured);

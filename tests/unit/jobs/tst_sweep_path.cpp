@@ -44,7 +44,7 @@ Targets targets(const SweepPath& path, int legs)
 }
 
 /// A motor that speeds up, and brakes when it must, a microsecond after the other.
-struct Mover {
+struct MotorModel {
     double place = 0;
     double speed = 0;
     double at = 0;
@@ -67,18 +67,18 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     void sweepGoesThereAndBack();
-    void stairsGoUpAndDown_data();
-    void stairsGoUpAndDown();
-    void theMiddleIsComeToFromBothSides();
+    void stepsGoUpAndDown_data();
+    void stepsGoUpAndDown();
+    void theMiddleIsApproachedFromBothSides();
     void aListIsDoneOnceACycle();
     void randomTargetsKeepApart_data();
     void randomTargetsKeepApart();
     void randomTargetsAreTheSameEverywhere();
-    void farLegsCostNothing_data();
-    void farLegsCostNothing();
+    void manyLegsAreCheap_data();
+    void manyLegsAreCheap();
     void sineSwingsBetweenTheEnds();
-    void travelTakesAsLongAsTheMotion_data();
-    void travelTakesAsLongAsTheMotion();
+    void travelTimeMatchesTheMotion_data();
+    void travelTimeMatchesTheMotion();
     void withoutSpeedThereIsNoPlan();
 };
 
@@ -91,7 +91,7 @@ void TestSweepPath::sweepGoesThereAndBack()
     QCOMPARE(sweep.leg(3).cycle, 2);
 }
 
-void TestSweepPath::stairsGoUpAndDown_data()
+void TestSweepPath::stepsGoUpAndDown_data()
 {
     QTest::addColumn<double>("from");
     QTest::addColumn<double>("to");
@@ -106,7 +106,7 @@ void TestSweepPath::stairsGoUpAndDown_data()
     QTest::newRow("fractions") << 0.0 << 0.3 << 0.1 << Targets{0, 0.1, 0.2, 0.3, 0.2};
 }
 
-void TestSweepPath::stairsGoUpAndDown()
+void TestSweepPath::stepsGoUpAndDown()
 {
     QFETCH(double, from);
     QFETCH(double, to);
@@ -126,7 +126,7 @@ void TestSweepPath::stairsGoUpAndDown()
     QCOMPARE(stairs.leg(2 * up + 1).cycle, 2);
 }
 
-void TestSweepPath::theMiddleIsComeToFromBothSides()
+void TestSweepPath::theMiddleIsApproachedFromBothSides()
 {
     const SweepPath both = path(SweepShape::BothSides, between(1000, 3000));
     QCOMPARE(targets(both, 5), Targets({1000, 2000, 3000, 2000, 1000, 2000}));
@@ -205,7 +205,7 @@ void TestSweepPath::randomTargetsAreTheSameEverywhere()
     QCOMPARE(targets(one, 6), Targets({0, 1074, 3737, 3353, 803, 1381, 2045}));
 }
 
-void TestSweepPath::farLegsCostNothing_data()
+void TestSweepPath::manyLegsAreCheap_data()
 {
     QTest::addColumn<SweepShape>("shape");
     QTest::newRow("sweep") << SweepShape::Sweep;
@@ -216,7 +216,7 @@ void TestSweepPath::farLegsCostNothing_data()
 }
 
 /// Asked the other way round, and for the last leg there can be: the same, and nobody waits.
-void TestSweepPath::farLegsCostNothing()
+void TestSweepPath::manyLegsAreCheap()
 {
     QFETCH(SweepShape, shape);
     const SweepPath shaped = path(shape, between(0, 4095, 100));
@@ -237,17 +237,17 @@ void TestSweepPath::sineSwingsBetweenTheEnds()
     spec.period = std::chrono::seconds(2);
     const SweepPath sine(spec, between(1000, 3000));
     QCOMPARE(sine.first(), 1000.0);
-    QCOMPARE(sine.wave(Duration(0)), 1000.0);
-    QCOMPARE(sine.wave(milliseconds(500)), 2000.0);
-    QCOMPARE(sine.wave(milliseconds(1000)), 3000.0);
-    QCOMPARE(sine.wave(milliseconds(1500)), 2000.0);
-    QCOMPARE(sine.wave(std::chrono::hours(10) + milliseconds(500)), 2000.0);
+    QCOMPARE(sine.sineTarget(Duration(0)), 1000.0);
+    QCOMPARE(sine.sineTarget(milliseconds(500)), 2000.0);
+    QCOMPARE(sine.sineTarget(milliseconds(1000)), 3000.0);
+    QCOMPARE(sine.sineTarget(milliseconds(1500)), 2000.0);
+    QCOMPARE(sine.sineTarget(std::chrono::hours(10) + milliseconds(500)), 2000.0);
     QCOMPARE(targets(sine, 2), Targets({1000, 3000, 1000}));
     spec.period = {};
-    QCOMPARE(SweepPath(spec, between(1000, 3000)).wave(milliseconds(5)), 1000.0);
+    QCOMPARE(SweepPath(spec, between(1000, 3000)).sineTarget(milliseconds(5)), 1000.0);
 }
 
-void TestSweepPath::travelTakesAsLongAsTheMotion_data()
+void TestSweepPath::travelTimeMatchesTheMotion_data()
 {
     QTest::addColumn<double>("way");
     QTest::addColumn<double>("speed");
@@ -258,7 +258,7 @@ void TestSweepPath::travelTakesAsLongAsTheMotion_data()
     QTest::newRow("several turns") << 28672.0 << 3400.0 << 20000.0;
 }
 
-void TestSweepPath::travelTakesAsLongAsTheMotion()
+void TestSweepPath::travelTimeMatchesTheMotion()
 {
     QFETCH(double, way);
     QFETCH(double, speed);
@@ -266,7 +266,7 @@ void TestSweepPath::travelTakesAsLongAsTheMotion()
     SweepAxis axis;
     axis.speed = speed;
     axis.acceleration = acceleration;
-    Mover mover;
+    MotorModel mover;
     while (mover.place < way && mover.speed >= 0) {
         for (const double sign : {1.0, -1.0}) {
             const auto planned = jobs::plannedPosition(500, 500 + sign * way,

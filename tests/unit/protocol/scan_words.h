@@ -25,7 +25,7 @@ inline QString kindName(protocol::ScanKind kind)
         return QStringLiteral("reply");
     case protocol::ScanKind::Foreign:
         return QStringLiteral("foreign");
-    case protocol::ScanKind::BadCheck:
+    case protocol::ScanKind::BadChecksum:
         return QStringLiteral("bad");
     case protocol::ScanKind::Noise:
         return QStringLiteral("noise");
@@ -34,7 +34,7 @@ inline QString kindName(protocol::ScanKind kind)
 }
 
 /// ID, status byte, data: "1 00 [18 05]"; an exception follows.
-inline QString partWords(const protocol::Part& part)
+inline QString partText(const protocol::Reply& part)
 {
     QString words = QStringLiteral("%1 %2 [%3]")
                         .arg(part.id)
@@ -59,7 +59,7 @@ inline QStringList verdicts(const protocol::Codec& codec, base::Bytes buffer,
         }
         const bool frame = result.kind == ScanKind::Reply || result.kind == ScanKind::Foreign;
         words += kindName(result.kind) + u' ' +
-                 (frame ? partWords(result.part) : QString::number(result.consumed));
+                 (frame ? partText(result.part) : QString::number(result.consumed));
         buffer.erase(buffer.begin(), buffer.begin() + std::ptrdiff_t(result.consumed));
     }
     return words;

@@ -229,11 +229,11 @@ private Q_SLOTS:
         const Request probe = feetechCodec().echoProbe();
         const auto frame = feetechCodec().encode(probe);
         QVERIFY(frame);
-        Expectation anybody;
-        anybody.ids = {broadcastId};
-        anybody.dataBytes = probe.count;
-        anybody.replyBytes = 6 + probe.count;
-        QVERIFY(feetechCodec().scan(*frame, anybody).kind != ScanKind::Reply);
+        Expectation broadcastPing;
+        broadcastPing.ids = {broadcastId};
+        broadcastPing.dataBytes = probe.count;
+        broadcastPing.replyBytes = 6 + probe.count;
+        QVERIFY(feetechCodec().scan(*frame, broadcastPing).kind != ScanKind::Reply);
     }
 
     void explains_data()

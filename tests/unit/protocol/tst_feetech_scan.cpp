@@ -22,7 +22,7 @@ Expectation expectFrom(std::vector<int> ids, int dataBytes)
 }
 
 const auto reply1 = QStringLiteral("FF FF 01 04 00 18 05 DD ");
-const auto reply1Said = QStringLiteral("reply 1 00 [18 05]");
+const auto reply1Text = QStringLiteral("reply 1 00 [18 05]");
 } // namespace
 
 Q_DECLARE_METATYPE(protocol::Expectation)
@@ -48,7 +48,7 @@ private Q_SLOTS:
         const auto text = [](const char* words) { return QString::fromLatin1(words); };
 
         row("ping reply", ack, text("FF FF 01 02 00 FC"), {text("reply 1 00 []")});
-        row("read reply 1304", read2, reply1, {reply1Said});
+        row("read reply 1304", read2, reply1, {reply1Text});
         row("error byte is data", ack, text("FF FF 01 02 20 DC"), {text("reply 1 20 []")});
         row("sync read replies", expectFrom({1, 2}, 8),
             text("FF FF 01 0A 00 00 08 00 00 00 00 79 1E 55 "
@@ -62,34 +62,34 @@ private Q_SLOTS:
 
         row("bad sum", read2, text("FF FF 01 04 00 18 05 DE"), {text("bad 8")});
         row("bad sum, then good", read2, text("FF FF 01 04 00 19 05 DD ") + reply1,
-            {text("bad 8"), reply1Said});
+            {text("bad 8"), reply1Text});
         row("short reply of the same ID", read2, text("FF FF 01 02 00 FC"),
             {text("foreign 1 00 []")});
         row("long reply of the same ID", read2, text("FF FF 01 05 00 18 05 00 DC"),
             {text("foreign 1 00 [18 05 00]")});
         row("foreign ID", read2, text("FF FF 02 04 00 18 05 DC"), {text("foreign 2 00 [18 05]")});
         row("foreign, then the reply", read2, text("FF FF 02 02 00 FB ") + reply1,
-            {text("foreign 2 00 []"), reply1Said});
+            {text("foreign 2 00 []"), reply1Text});
         row("echo of the request first", read2, text("FF FF 01 04 02 38 02 BE "),
             {text("reply 1 02 [38 02]")});
         row("echo of a longer request", expectFrom({1}, 15), text("FF FF 01 04 02 38 0F B1"),
             {text("foreign 1 02 [38 0f]").replace(QLatin1String("0f"), QLatin1String("0F"))});
 
-        row("noise before", read2, text("00 55 AA ") + reply1, {text("noise 3"), reply1Said});
-        row("noise after", read2, reply1 + text("00 55"), {reply1Said, text("noise 2")});
-        row("one FF before", read2, text("FF ") + reply1, {text("noise 1"), reply1Said});
+        row("noise before", read2, text("00 55 AA ") + reply1, {text("noise 3"), reply1Text});
+        row("noise after", read2, reply1 + text("00 55"), {reply1Text, text("noise 2")});
+        row("one FF before", read2, text("FF ") + reply1, {text("noise 1"), reply1Text});
         row("many FF before", read2, text("FF FF FF FF FF ") + reply1,
-            {text("noise 5"), reply1Said});
+            {text("noise 5"), reply1Text});
         row("noise with a false header", read2, text("12 FF FF 01 04 ") + reply1,
-            {text("noise 1"), text("bad 4"), reply1Said});
+            {text("noise 1"), text("bad 4"), reply1Text});
         row("false header of a long frame", read2, text("FF FF 09 F0 11 ") + reply1,
-            {text("noise 5"), reply1Said});
+            {text("noise 5"), reply1Text});
         row("false header, reply not there yet", read2, text("FF FF 09 F0 11 FF FF 01"),
             {text("wait 8")});
         row("LEN too small", read2, text("FF FF 01 01 FD ") + reply1,
-            {text("noise 5"), reply1Said});
+            {text("noise 5"), reply1Text});
         row("LEN over the cap", read2, text("FF FF 01 F7 ") + reply1,
-            {text("noise 4"), reply1Said});
+            {text("noise 4"), reply1Text});
         row("cut short, then the next servo", expectFrom({1, 2}, 2),
             text("FF FF 01 04 00 18 FF FF 02 04 00 19 05 DB"),
             {text("bad 6"), text("reply 2 00 [19 05]")});
@@ -97,7 +97,7 @@ private Q_SLOTS:
             text("FF FF 01 FF FF 02 04 00 19 05 DB"),
             {text("noise 3"), text("reply 2 00 [19 05]")});
         row("two at once", expectFrom({1, 2}, 2), reply1 + text("FF FF 02 04 00 19 05 DB"),
-            {reply1Said, text("reply 2 00 [19 05]")});
+            {reply1Text, text("reply 2 00 [19 05]")});
         row("data that looks like headers", expectFrom({1}, 6),
             text("FF FF 01 08 00 FF FF 01 08 FF FF F1"), {text("reply 1 00 [FF FF 01 08 FF FF]")});
         row("both readings valid: the expected one counts", ack,
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QCOMPARE(verdicts(feetechCodec(), hex(bytes), expected, false), said);
     }
 
-    void atDeadlineNothingIsLeftWaiting_data()
+    void atDeadlineNothingIsPending_data()
     {
         QTest::addColumn<QString>("bytes");
         QTest::addColumn<QStringList>("said");
@@ -137,7 +137,7 @@ private Q_SLOTS:
             << QStringList{QStringLiteral("noise 5"), QStringLiteral("bad 8")};
     }
 
-    void atDeadlineNothingIsLeftWaiting()
+    void atDeadlineNothingIsPending()
     {
         QFETCH(const QString, bytes);
         QFETCH(const QStringList, said);
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QFETCH(const int, from);
         QFETCH(const bool, accepted);
         Request request = Request::write(1, 5, {5}, Repeat::Never);
-        request.answersAs = 5;
+        request.alternateReplyId = 5;
         const Bytes frame = encodeFeetechStatus(from, 0, {});
         const ScanResult result = feetechCodec().scan(frame, feetechCodec().expect(request));
         QCOMPARE(result.kind == ScanKind::Reply, accepted);
@@ -226,7 +226,7 @@ private Q_SLOTS:
             append(encodeFeetechStatus(id, status, data));
 
             Bytes buffer;
-            std::vector<Part> replies;
+            std::vector<Reply> replies;
             for (std::size_t at = 0; at < line.size();) {
                 const std::size_t chunk = std::min<std::size_t>(1 + below(20), line.size() - at);
                 buffer.insert(buffer.end(), line.begin() + std::ptrdiff_t(at),
@@ -250,7 +250,7 @@ private Q_SLOTS:
         }
     }
 
-    void requestsAsAServoHearsThem()
+    void requestsAsAServoReceivesThem()
     {
         Bytes line = hex(QStringLiteral("00 FF FF FF 01 04 02 38 0F B1 FF FF 01 02 0D EF "
                                         "FF FF 01 02 01 FA FF FF 01"));
@@ -268,7 +268,7 @@ private Q_SLOTS:
         const RequestScan unknown = next();
         QCOMPARE(unknown.kind, ScanKind::Reply);
         QCOMPARE(int(unknown.instruction), 0x0D);
-        QCOMPARE(next().kind, ScanKind::BadCheck);
+        QCOMPARE(next().kind, ScanKind::BadChecksum);
         QCOMPARE(next().kind, ScanKind::Incomplete);
         QCOMPARE(line.size(), std::size_t(3));
     }

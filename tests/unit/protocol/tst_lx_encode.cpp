@@ -178,7 +178,7 @@ private Q_SLOTS:
                  QStringList{QStringLiteral("foreign 254 00 []")});
     }
 
-    void noSilenceIsAskedFor() { QCOMPARE(lxCodec().silence(115'200).count(), 0); }
+    void noSilenceIsRequired() { QCOMPARE(lxCodec().silence(115'200).count(), 0); }
 
     void explains_data()
     {

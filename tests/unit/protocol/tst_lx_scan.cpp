@@ -18,7 +18,7 @@ Expectation reading(int id, int code, int count)
 }
 
 const auto reply1 = QStringLiteral("55 55 01 05 1C FD FF E1 ");
-const auto reply1Said = QStringLiteral("reply 1 00 [FD FF]");
+const auto reply1Text = QStringLiteral("reply 1 00 [FD FF]");
 } // namespace
 
 Q_DECLARE_METATYPE(protocol::Expectation)
@@ -40,55 +40,55 @@ private Q_SLOTS:
         };
         const auto text = [](const char* words) { return QString::fromLatin1(words); };
         const Expectation position = reading(1, 28, 2);
-        const Expectation anybody = lxCodec().expect(Request::ping(254));
+        const Expectation broadcastPing = lxCodec().expect(Request::ping(254));
 
-        row("position -3", position, reply1, {reply1Said});
+        row("position -3", position, reply1, {reply1Text});
         row("voltage 7400 mV", reading(1, 27, 2), text("55 55 01 05 1B E8 1C DA"),
             {text("reply 1 00 [E8 1C]")});
         row("offset -125", reading(1, 19, 1), text("55 55 01 04 13 83 64"),
             {text("reply 1 00 [83]")});
-        row("who is there", anybody, text("55 55 07 04 0E 07 DF"), {text("reply 7 00 [07]")});
+        row("who is there", broadcastPing, text("55 55 07 04 0E 07 DF"), {text("reply 7 00 [07]")});
         row("ping", lxCodec().expect(Request::ping(7)), text("55 55 07 04 0E 07 DF"),
             {text("reply 7 00 [07]")});
 
         row("late reply of another command, same length", reading(1, 27, 2), reply1,
             {text("foreign 1 00 [FD FF]")});
         row("late reply, then the answer", position, text("55 55 01 05 1B E8 1C DA ") + reply1,
-            {text("foreign 1 00 [E8 1C]"), reply1Said});
+            {text("foreign 1 00 [E8 1C]"), reply1Text});
         row("short reply", position, text("55 55 01 04 1C FD E1"), {text("foreign 1 00 [FD]")});
         row("long reply", position, text("55 55 01 06 1C FD FF 00 E0"),
             {text("foreign 1 00 [FD FF 00]")});
         row("foreign ID", position, text("55 55 02 05 1C FD FF E0"),
             {text("foreign 2 00 [FD FF]")});
         row("foreign, then the reply", position, text("55 55 02 05 1C FD FF E0 ") + reply1,
-            {text("foreign 2 00 [FD FF]"), reply1Said});
+            {text("foreign 2 00 [FD FF]"), reply1Text});
         row("echo of the request", position, text("55 55 01 03 1C DF ") + reply1,
-            {text("foreign 1 00 []"), reply1Said});
-        row("echo of who is there", anybody, text("55 55 FE 03 0E F0 55 55 07 04 0E 07 DF"),
+            {text("foreign 1 00 []"), reply1Text});
+        row("echo of who is there", broadcastPing, text("55 55 FE 03 0E F0 55 55 07 04 0E 07 DF"),
             {text("foreign 254 00 []"), text("reply 7 00 [07]")});
 
         row("bad sum", position, text("55 55 01 05 1C FD FF E2"), {text("bad 8")});
         row("bad sum, then good", position, text("55 55 01 05 1C FC FF E1 ") + reply1,
-            {text("bad 8"), reply1Said});
+            {text("bad 8"), reply1Text});
         row("bad sum of a foreign frame", position, text("55 55 02 05 1C FD FF E1"),
             {text("noise 8")});
-        row("noise before", position, text("00 AA ") + reply1, {text("noise 2"), reply1Said});
-        row("noise after", position, reply1 + text("00"), {reply1Said, text("noise 1")});
-        row("one 55 before", position, text("55 ") + reply1, {text("noise 1"), reply1Said});
+        row("noise before", position, text("00 AA ") + reply1, {text("noise 2"), reply1Text});
+        row("noise after", position, reply1 + text("00"), {reply1Text, text("noise 1")});
+        row("one 55 before", position, text("55 ") + reply1, {text("noise 1"), reply1Text});
         row("many 55 before", position, text("55 55 55 55 55 ") + reply1,
-            {text("noise 5"), reply1Said});
+            {text("noise 5"), reply1Text});
         row("false header", position, text("55 55 09 07 11 ") + reply1,
-            {text("noise 5"), reply1Said});
+            {text("noise 5"), reply1Text});
         row("false header, reply not there yet", position, text("55 55 09 0B 11 55 55 01"),
             {text("wait 8")});
         row("LEN too small", position, text("55 55 01 02 FC ") + reply1,
-            {text("noise 5"), reply1Said});
+            {text("noise 5"), reply1Text});
         row("LEN too large", position, text("55 55 01 0C ") + reply1,
-            {text("noise 4"), reply1Said});
+            {text("noise 4"), reply1Text});
         row("cut short, then the reply", position, text("55 55 01 05 1C FD ") + reply1,
-            {text("bad 6"), reply1Said});
+            {text("bad 6"), reply1Text});
         row("two at once", position, reply1 + text("55 55 01 05 1B E8 1C DA"),
-            {reply1Said, text("foreign 1 00 [E8 1C]")});
+            {reply1Text, text("foreign 1 00 [E8 1C]")});
         row("data that look like a header", reading(1, 21, 4),
             text("55 55 01 07 15 55 55 01 07 30"), {text("reply 1 00 [55 55 01 07]")});
         row("both readings valid: the expected one counts", lxCodec().expect(Request::ping(1)),
@@ -101,7 +101,7 @@ private Q_SLOTS:
         row("two servos of one ID: collision", position, text("55 55 01 05 1C FF FF E1"),
             {text("bad 8")});
         row("Feetech frame before", position, text("FF FF 01 02 00 FC ") + reply1,
-            {text("noise 6"), reply1Said});
+            {text("noise 6"), reply1Text});
         row("nothing expected: frames are foreign", Expectation{}, reply1 + text("00"),
             {text("foreign 1 00 [FD FF]"), text("noise 1")});
         row("half a frame", position, text("55 55 01 05 1C"), {text("wait 5")});
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QCOMPARE(verdicts(lxCodec(), hex(bytes), expected, false), said);
     }
 
-    void atDeadlineNothingIsLeftWaiting_data()
+    void atDeadlineNothingIsPending_data()
     {
         QTest::addColumn<QString>("bytes");
         QTest::addColumn<QStringList>("said");
@@ -132,7 +132,7 @@ private Q_SLOTS:
             << QStringList{QStringLiteral("foreign 2 00 [00 87]")};
     }
 
-    void atDeadlineNothingIsLeftWaiting()
+    void atDeadlineNothingIsPending()
     {
         QFETCH(const QString, bytes);
         QFETCH(const QStringList, said);
@@ -190,7 +190,7 @@ private Q_SLOTS:
 
             const Expectation expected = reading(id, code, int(data.size()));
             Bytes buffer;
-            std::vector<Part> replies;
+            std::vector<Reply> replies;
             for (std::size_t at = 0; at < line.size();) {
                 const std::size_t chunk = std::min<std::size_t>(1 + below(20), line.size() - at);
                 const auto from = line.begin() + std::ptrdiff_t(at);
@@ -212,7 +212,7 @@ private Q_SLOTS:
         }
     }
 
-    void requestsAsAServoHearsThem()
+    void requestsAsAServoReceivesThem()
     {
         Bytes line = hex("00 55 55 55 01 07 01 F4 01 E8 03 16 55 55 FE 03 0B F3 "
                          "55 55 01 03 1C DE 55 55 01");
@@ -232,7 +232,7 @@ private Q_SLOTS:
         const RequestScan start = next();
         QCOMPARE(start.kind, ScanKind::Reply);
         QCOMPARE(start.id, 254);
-        QCOMPARE(next().kind, ScanKind::BadCheck);
+        QCOMPARE(next().kind, ScanKind::BadChecksum);
         QCOMPARE(next().kind, ScanKind::Incomplete);
         QCOMPARE(line.size(), std::size_t(3));
     }

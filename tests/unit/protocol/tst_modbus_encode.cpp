@@ -193,7 +193,7 @@ private Q_SLOTS:
     }
 
     // 248 to 255 are reserved, and to a read of station 0 nobody answers.
-    void echoProbeAddressesNobody()
+    void echoProbeAddressesNoServo()
     {
         const auto frame = modbusCodec().encode(modbusCodec().echoProbe());
         QVERIFY(frame);

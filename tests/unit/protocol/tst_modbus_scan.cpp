@@ -14,8 +14,8 @@ using base::Bytes;
 namespace {
 const Request feedback = Request::read(1, 2 * 256, 16);
 const Request torqueOn = Request::write(1, 2 * 129, {0, 1}, Repeat::Safe);
-const Request moveFour = Request::write(1, 2 * 128, Bytes(8), Repeat::Safe);
-const Request whoIsThere = Request::ping(254);
+const Request writeFourRegisters = Request::write(1, 2 * 128, Bytes(8), Repeat::Safe);
+const Request pingRequest = Request::ping(254);
 
 Expectation expectFor(const Request& request)
 {
@@ -38,7 +38,7 @@ QString feedbackReply(int station = 1)
         station, 3, hex(QStringLiteral("10 ") + QString::fromLatin1(feedbackData))));
 }
 
-const auto feedbackSaid = QStringLiteral("reply 1 00 [%1]").arg(QString::fromLatin1(feedbackData));
+const auto feedbackText = QStringLiteral("reply 1 00 [%1]").arg(QString::fromLatin1(feedbackData));
 } // namespace
 
 Q_DECLARE_METATYPE(protocol::Expectation)
@@ -61,17 +61,17 @@ private Q_SLOTS:
         const auto text = [](const char* words) { return QString::fromLatin1(words); };
         const Expectation read = expectFor(feedback);
         const Expectation one = expectFor(torqueOn);
-        const Expectation four = expectFor(moveFour);
-        const Expectation anybody = expectFor(whoIsThere);
+        const Expectation four = expectFor(writeFourRegisters);
+        const Expectation broadcastPing = expectFor(pingRequest);
         const QString reply = feedbackReply();
 
         row("write of one", one, text("01 06 00 81 00 01 18 22"), {text("reply 1 00 []")});
         row("write of four", four, text("01 10 00 80 00 04 C0 22"), {text("reply 1 00 []")});
-        row("who is there", anybody, text("01 11 03 01 00 00 AC 4D"),
+        row("who is there", broadcastPing, text("01 11 03 01 00 00 AC 4D"),
             {text("reply 1 00 [01 00 00]")});
-        row("who is there, function as the vendor's table prints it", anybody,
+        row("who is there, function as the vendor's table prints it", broadcastPing,
             framed("01 17 03 01 00 00"), {text("reply 1 00 [01 00 00]")});
-        row("feedback", read, reply, {feedbackSaid});
+        row("feedback", read, reply, {feedbackText});
         row("exception", read, text("01 83 02 C0 F1"), {text("reply 1 00 [] exception 2")});
         row("exception to a write of one", one, framed("01 86 03"),
             {text("reply 1 00 [] exception 3")});
@@ -101,25 +101,25 @@ private Q_SLOTS:
         row("the reply may have begun inside another station's", read, feedbackReply(2),
             {text("wait 21")});
         row("another station, then the reply", read, framed("02 03 02 00 01") + u' ' + reply,
-            {text("foreign 2 00 [02 00 01]"), feedbackSaid});
+            {text("foreign 2 00 [02 00 01]"), feedbackText});
         row("echo of the read", read, text("01 03 01 00 00 08 45 F0 ") + reply,
-            {text("foreign 1 00 [01 00 00 08]"), feedbackSaid});
+            {text("foreign 1 00 [01 00 00 08]"), feedbackText});
         row("another master's broadcast", read, text("00 41 C1 80 ") + reply,
-            {text("foreign 254 00 []"), feedbackSaid});
+            {text("foreign 254 00 []"), feedbackText});
         row("Feetech frame before", read, text("FF FF 01 02 00 FC ") + reply,
-            {text("noise 6"), feedbackSaid});
+            {text("noise 6"), feedbackText});
 
         row("bad CRC", one, text("01 06 00 81 00 01 18 23"), {text("bad 8")});
         row("CRC high byte first", one, text("01 06 00 81 00 01 22 18"), {text("bad 8")});
         row("bad CRC, then good", one, text("01 06 00 81 00 01 18 23 01 06 00 81 00 01 18 22"),
             {text("bad 8"), text("reply 1 00 []")});
-        row("noise before", read, text("00 FE 55 ") + reply, {text("noise 3"), feedbackSaid});
-        row("noise after", read, reply + text(" FE"), {feedbackSaid, text("noise 1")});
-        row("station twice", read, text("01 ") + reply, {text("noise 1"), feedbackSaid});
+        row("noise before", read, text("00 FE 55 ") + reply, {text("noise 3"), feedbackText});
+        row("noise after", read, reply + text(" FE"), {feedbackText, text("noise 1")});
+        row("station twice", read, text("01 ") + reply, {text("noise 1"), feedbackText});
         row("cut short, then the reply", read, text("01 03 10 00 01 ") + reply,
-            {text("bad 5"), feedbackSaid});
+            {text("bad 5"), feedbackText});
         row("false beginning of a long frame", read, text("09 03 F0 11 ") + reply,
-            {text("noise 4"), feedbackSaid});
+            {text("noise 4"), feedbackText});
         row("false beginning, reply not there yet", read, text("09 03 F0 11 01 03 10 00"),
             {text("wait 8")});
         row("two frames at once", one,
@@ -129,8 +129,8 @@ private Q_SLOTS:
             {text("foreign 1 00 [] exception 2"), text("noise 1")});
         row("half a reply", read, text("01 03 10 00"), {text("wait 4")});
         row("reason 0 is no exception", read, framed("01 83 00") + u' ' + reply,
-            {text("noise 5"), feedbackSaid});
-        row("station 0 does not answer", anybody, framed("00 11 03 00 00 00"),
+            {text("noise 5"), feedbackText});
+        row("station 0 does not answer", broadcastPing, framed("00 11 03 00 00 00"),
             {text("noise 1"), text("wait 7")});
     }
 
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QCOMPARE(verdicts(modbusCodec(), hex(bytes), expected, false), said);
     }
 
-    void atDeadlineNothingIsLeftWaiting_data()
+    void atDeadlineNothingIsPending_data()
     {
         QTest::addColumn<QString>("bytes");
         QTest::addColumn<QStringList>("said");
@@ -155,7 +155,7 @@ private Q_SLOTS:
             << QStringList{QStringLiteral("noise 4"), QStringLiteral("reply 1 00 [] exception 2")};
     }
 
-    void atDeadlineNothingIsLeftWaiting()
+    void atDeadlineNothingIsPending()
     {
         QFETCH(const QString, bytes);
         QFETCH(const QStringList, said);
@@ -170,7 +170,7 @@ private Q_SLOTS:
         QTest::newRow("write") << expectFor(torqueOn) << QStringLiteral("01 06 00 81 00 01 18 22");
         QTest::newRow("exception") << expectFor(feedback) << QStringLiteral("01 83 02 C0 F1");
         QTest::newRow("who is there")
-            << expectFor(whoIsThere) << QStringLiteral("01 11 03 01 00 00 AC 4D");
+            << expectFor(pingRequest) << QStringLiteral("01 11 03 01 00 00 AC 4D");
     }
 
     void splitAtEveryByte()
@@ -199,7 +199,7 @@ private Q_SLOTS:
         QFETCH(const int, from);
         QFETCH(const ScanKind, kind);
         Request request = Request::write(1, 2 * 10, {0, 5}, Repeat::Never);
-        request.answersAs = 5;
+        request.alternateReplyId = 5;
         const Bytes frame = encodeModbusReply(from, 6, hex("00 0A 00 05"));
         const ScanResult result = modbusCodec().scan(frame, expectFor(request));
         QCOMPARE(result.kind, kind);
@@ -244,7 +244,7 @@ private Q_SLOTS:
 
             const Expectation expected = expectFor(Request::read(station, 0, count));
             Bytes buffer;
-            std::vector<Part> replies;
+            std::vector<Reply> replies;
             for (std::size_t at = 0; at < line.size();) {
                 const std::size_t chunk = std::min<std::size_t>(1 + below(20), line.size() - at);
                 const auto from = line.begin() + std::ptrdiff_t(at);
@@ -268,7 +268,7 @@ private Q_SLOTS:
         }
     }
 
-    void requestsAsAStationHearsThem_data()
+    void requestsAsAStationReceivesThem_data()
     {
         QTest::addColumn<QString>("bytes");
         QTest::addColumn<QString>("said");
@@ -293,7 +293,7 @@ private Q_SLOTS:
         row("Feetech", text("FF FF 01 02 01 FB"), "1: noise");
     }
 
-    void requestsAsAStationHearsThem()
+    void requestsAsAStationReceivesThem()
     {
         QFETCH(const QString, bytes);
         QFETCH(const QString, said);

@@ -7,28 +7,28 @@
 #include <QtTest>
 
 namespace intent_example {
-inline base::ServoIdentity someServo(int id = 1)
+inline base::ServoIdentity exampleServo(int id = 1)
 {
     return {id, 9, 3, 3, 10, QStringLiteral("sts-sms"), QStringLiteral("/dev/ttyUSB0"), 1000000};
 }
 
-inline base::Intent someIntent(int id = 1)
+inline base::Intent exampleIntent(int id = 1)
 {
     base::Intent intent;
     intent.lockOpened = true;
-    intent.servo = someServo(id);
+    intent.servo = exampleServo(id);
     intent.items = {{QStringLiteral("min_angle"), 9, -12, 100},
                     {QStringLiteral("position_offset"), 31, 2047, -2047}};
     return intent;
 }
 
-inline void verifySame(const base::Intent& found, const base::Intent& written)
+inline void compareIntents(const base::Intent& found, const base::Intent& written)
 {
     QCOMPARE(int(found.kind), int(written.kind));
     QCOMPARE(found.temporary, written.temporary);
     QCOMPARE(found.lockOpened, written.lockOpened);
     QCOMPARE(found.servo.id, written.servo.id);
-    QVERIFY(found.servo.sameKind(written.servo));
+    QVERIFY(found.servo.isSameKind(written.servo));
     QCOMPARE(found.servo.port, written.servo.port);
     QCOMPARE(found.servo.baud, written.servo.baud);
     QCOMPARE(found.servo.protocol, written.servo.protocol);

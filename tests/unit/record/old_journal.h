@@ -13,9 +13,9 @@
 #include <QUuid>
 
 namespace support {
-class OldJournal {
+class LegacyJournal {
 public:
-    explicit OldJournal(QString path)
+    explicit LegacyJournal(QString path)
         : m_path(std::move(path))
     {}
 
@@ -30,7 +30,7 @@ private:
     QString m_path;
 };
 
-namespace old_journal_detail {
+namespace legacy_journal_detail {
 constexpr int formatVersion = 1;
 
 inline QJsonObject toJson(const base::ServoIdentity& servo)
@@ -77,7 +77,7 @@ inline void write(const record::EndLine& line, QJsonObject& object)
     object.insert(QStringLiteral("detail"), line.end.detail);
 }
 
-inline void write(const record::KeepLine& line, QJsonObject& object)
+inline void write(const record::FactLine& line, QJsonObject& object)
 {
     QJsonArray values;
     for (const std::int64_t value : line.values)
@@ -98,28 +98,28 @@ QByteArray encoded(const Line& line)
     write(line, object);
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
-} // namespace old_journal_detail
+} // namespace legacy_journal_detail
 
-inline QString OldJournal::begin(const base::Intent& intent)
+inline QString LegacyJournal::begin(const base::Intent& intent)
 {
     record::BeginLine line{intent};
     line.intent.uuid = QUuid::createUuid().toString(QUuid::WithoutBraces);
-    append(old_journal_detail::encoded(line));
+    append(legacy_journal_detail::encoded(line));
     return line.intent.uuid;
 }
 
-inline void OldJournal::end(const QString& uuid, const QString& outcome, const QString& detail)
+inline void LegacyJournal::end(const QString& uuid, const QString& outcome, const QString& detail)
 {
-    append(old_journal_detail::encoded(record::EndLine{uuid, {outcome, detail}, {}}));
+    append(legacy_journal_detail::encoded(record::EndLine{uuid, {outcome, detail}, {}}));
 }
 
-inline void OldJournal::keep(const base::ServoIdentity& servo, const QString& name,
-                             const std::vector<std::int64_t>& values)
+inline void LegacyJournal::keep(const base::ServoIdentity& servo, const QString& name,
+                                const std::vector<std::int64_t>& values)
 {
-    append(old_journal_detail::encoded(record::KeepLine{servo, name, values, {}}));
+    append(legacy_journal_detail::encoded(record::FactLine{servo, name, values, {}}));
 }
 
-inline void OldJournal::append(const QByteArray& line)
+inline void LegacyJournal::append(const QByteArray& line)
 {
     record::FileHandle file(m_path, record::FileHandle::Mode::Append);
     if (!file.isOpen() || !file.lock(record::FileHandle::Lock::Exclusive) ||

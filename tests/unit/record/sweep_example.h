@@ -63,7 +63,7 @@ inline record::SweepLeg missedLeg(int number)
 }
 
 /// How well goals are followed, which the first version did not measure.
-inline bool isLaterMetric(const QString& key)
+inline bool isMetricAddedLater(const QString& key)
 {
     return key == QLatin1StringView("following_error_relative") ||
            key == QLatin1StringView("phase_lag") || key == QLatin1StringView("readings_per_period");
@@ -75,7 +75,7 @@ inline std::vector<record::SweepMetric> metrics(bool measured, bool later = true
     std::vector<record::SweepMetric> metrics;
     double value = 1.0625;
     for (const record::SweepMetricKind& kind : record::sweepMetricKinds()) {
-        if (!later && isLaterMetric(kind.key))
+        if (!later && isMetricAddedLater(kind.key))
             continue;
         record::SweepMetric metric{kind.key, kind.unit};
         if (measured) {
@@ -198,19 +198,20 @@ inline record::SweepRun finishedRun(int legs = 6)
     record::SweepRun run = sweep_example::run(legs);
     run.end = record::SweepEnd::Finished;
     run.endedBy = -1;
-    record::giveVerdicts(run);
+    record::assignVerdicts(run);
     return run;
 }
 
 /// run() as the first version kept it.
-inline record::SweepRun formerRun()
+inline record::SweepRun firstVersionRun()
 {
     record::SweepRun run = sweep_example::run();
     run.servos[0].metrics = metrics(true, false);
     run.servos[1].metrics = metrics(false, false);
     for (record::SweepServo& servo : run.servos)
-        std::erase_if(servo.limits.lines,
-                      [](const record::SweepLimit& line) { return isLaterMetric(line.metric); });
+        std::erase_if(servo.limits.lines, [](const record::SweepLimit& line) {
+            return isMetricAddedLater(line.metric);
+        });
     return run;
 }
 } // namespace sweep_example

@@ -60,7 +60,7 @@ class TestBundle : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void savedIsLoaded()
+    void saveAndLoadRoundTrip()
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath(text("arm.bundle.json"));
@@ -68,7 +68,7 @@ private Q_SLOTS:
         QCOMPARE(record::loadBundle(path).value(), bundle());
     }
 
-    void theTextIsStableAndHasOneRegisterALine()
+    void theTextIsStableWithOneRegisterPerLine()
     {
         Bundle shuffled = bundle();
         std::reverse(shuffled.servos.begin(), shuffled.servos.end());
@@ -77,7 +77,7 @@ private Q_SLOTS:
             QVERIFY(line.count("\"key\"") <= 1);
     }
 
-    void spoiltBundlesAreRefusedWithThePlace_data()
+    void corruptBundlesAreRefusedWithThePosition_data()
     {
         QTest::addColumn<QByteArray>("old");
         QTest::addColumn<QByteArray>("changed");
@@ -99,7 +99,7 @@ private Q_SLOTS:
         row("servos a number", "\"servos\": [", "\"servos\": 5, \"x\": [", "servos: ");
         row("not UTF-8", "关节", "\xff\xfe", "line ");
     }
-    void spoiltBundlesAreRefusedWithThePlace()
+    void corruptBundlesAreRefusedWithThePosition()
     {
         QFETCH(const QByteArray, old);
         QFETCH(const QByteArray, changed);
@@ -113,14 +113,14 @@ private Q_SLOTS:
         QVERIFY2(loaded.error().detail.startsWith(place), qPrintable(loaded.error().detail));
     }
 
-    void aCutBundleIsRefused()
+    void aTruncatedBundleIsRefused()
     {
         const QByteArray content = record::encodeBundle(bundle()).trimmed();
         for (qsizetype length = 0; length < content.size(); ++length)
             QVERIFY(!record::decodeBundle(content.left(length)));
     }
 
-    void aNameTwiceInASnapshotIsNamed()
+    void aDuplicateNameInASnapshotIsReported()
     {
         const QByteArray content = record::encodeSnapshot(snapshot(1));
         QVERIFY(record::decodeSnapshot(content)); // the note only looks like it
@@ -131,7 +131,7 @@ private Q_SLOTS:
         QCOMPARE(loaded.error().detail, text("line 10: \"baud\" is there twice"));
     }
 
-    void aTemplateHasTheChosenRowsOnly()
+    void aTemplateHasTheSelectedRowsOnly()
     {
         const auto chosen =
             record::makeTemplate(snapshot(3), {text("position_p"), text("position_p")});
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QVERIFY(!record::encodeSnapshot(snapshot(3)).contains("template"));
     }
 
-    void aTemplateRefusesWhatCollides_data()
+    void aTemplateRefusesConflicts_data()
     {
         QTest::addColumn<QString>("key");
         QTest::addColumn<int>("code");
@@ -155,7 +155,7 @@ private Q_SLOTS:
                                   << text("no-value");
         QTest::newRow("unknown") << text("mood") << int(ErrorCode::UnknownRegister) << QString();
     }
-    void aTemplateRefusesWhatCollides()
+    void aTemplateRefusesConflicts()
     {
         QFETCH(const QString, key);
         QFETCH(const int, code);
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(!record::makeTemplate(snapshot(3), {}));
     }
 
-    void identityKeysAreThoseOfTheMaps()
+    void identityKeysMatchTheMaps()
     {
         const auto loaded = catalog::Catalog::load();
         for (const catalog::ModelEntry& model : loaded.catalog.models()) {
@@ -179,7 +179,7 @@ private Q_SLOTS:
         }
     }
 
-    void aResultIsJsonAndCsv()
+    void aResultIsSavedAsJsonAndCsv()
     {
         record::RestoreResult result;
         result.program = text("p");

@@ -7,7 +7,7 @@ class TestCsvText : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aLineHasAsManyCellsAsItWasGiven_data()
+    void aLineHasAllItsCells_data()
     {
         QTest::addColumn<QStringList>("cells");
         QTest::addColumn<QByteArray>("line");
@@ -21,7 +21,7 @@ private Q_SLOTS:
         QTest::newRow("no formula") << QStringList{QStringLiteral("=1+1"), QStringLiteral("-5")}
                                     << QByteArray("'=1+1,-5\n");
     }
-    void aLineHasAsManyCellsAsItWasGiven()
+    void aLineHasAllItsCells()
     {
         QFETCH(QStringList, cells);
         QTEST(record::csvLine(cells), "line");

@@ -42,7 +42,7 @@ private Q_SLOTS:
         m_path = m_folder->filePath(QStringLiteral("run.csv"));
     }
 
-    void timeCountsFromTheFirstReading()
+    void timeStartsAtTheFirstReading()
     {
         const auto writer = CsvWriter::create(m_path, columns).value();
         QVERIFY(writer->write(Duration(5000000), 1, Row{90.0, 31.0, 0.0}));
@@ -54,7 +54,7 @@ private Q_SLOTS:
                                              "3600020001,1,0.087890625,31,0\n");
     }
 
-    void whatWasNotMeasuredIsEmpty()
+    void unmeasuredIsEmpty()
     {
         const auto writer = CsvWriter::create(m_path, columns).value();
         const double notANumber = std::numeric_limits<double>::quiet_NaN();
@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(m_path), header);
     }
 
-    void everyRowIsThereAtOnce()
+    void everyRowIsWrittenAtOnce()
     {
         const auto writer = CsvWriter::create(m_path, columns).value();
         QByteArray expected = header;
@@ -129,14 +129,14 @@ private Q_SLOTS:
         QVERIFY(writer.error().detail.contains(QStringLiteral("/dev/full")));
     }
 
-    void anImpossiblePlaceIsNamed_data()
+    void anInvalidPathIsReported_data()
     {
         QTest::addColumn<QString>("below");
         QTest::newRow("folder") << QStringLiteral("/");
         QTest::newRow("missing folder") << QStringLiteral("/no/run.csv");
         QTest::newRow("no name") << QString();
     }
-    void anImpossiblePlaceIsNamed()
+    void anInvalidPathIsReported()
     {
         QFETCH(const QString, below);
         const QString path = below.isEmpty() ? below : m_folder->path() + below;

@@ -54,7 +54,7 @@ void write(const QString& path, const QByteArray& bytes)
 }
 
 /// The one file beside the history.
-SweepRun leftBeside(const QTemporaryDir& dir, const QString& path)
+SweepRun restTolerance(const QTemporaryDir& dir, const QString& path)
 {
     [&] { QCOMPARE(QFileInfo(path).absolutePath(), QDir(dir.path()).absolutePath()); }();
     const auto run = record::loadSweepRun(path);
@@ -83,26 +83,26 @@ private Q_SLOTS:
         m_path = m_dir->filePath(text("sub/folder/history.sqlite"));
     }
 
-    void whatWasPutInComesBack();
-    void aLongRunIsKeptInPieces();
+    void runsRoundTrip();
+    void aLongRunIsStoredInChunks();
     void runsAreFound();
     void labelsAndNotesBelongToTheRun();
     void oneReferenceAModel();
-    void removedIsGoneAndItsNumberIsNotGivenAgain();
-    void whatIsNotThereIsSaid();
+    void removedRunsAreGoneAndNumbersAreNotReused();
+    void missingRunsAreReported();
     void twoWritersLoseNothing();
-    void aFileOfANewerProgramIsLeftAlone();
+    void aFileOfANewerVersionIsNotChanged();
     void noDatabase_data();
     void noDatabase();
     void aDamagedDatabaseIsAnError();
     void aDatabaseWithOtherTablesIsAnError();
     void aDamagedRunIsAnError();
-    void aLockedDatabaseCostsPatienceAndNotTheRun();
-    void aFolderThatCannotBe();
+    void aLockedDatabaseDelaysButKeepsTheRun();
+    void anInvalidFolder();
     void closedConnectionsLeaveNothing();
 };
 
-void TestHistory::whatWasPutInComesBack()
+void TestHistory::runsRoundTrip()
 {
     const SweepRun run = sweep_example::run();
     std::int64_t number = 0;
@@ -139,7 +139,7 @@ void TestHistory::whatWasPutInComesBack()
     QCOMPARE(history->text(number).value(), record::encodeSweepRun(run));
 }
 
-void TestHistory::aLongRunIsKeptInPieces()
+void TestHistory::aLongRunIsStoredInChunks()
 {
     const SweepRun run = sweep_example::run(10000); // some MB of text
     const auto history = open();
@@ -151,11 +151,11 @@ void TestHistory::aLongRunIsKeptInPieces()
 void TestHistory::runsAreFound()
 {
     const auto history = open();
-    SweepRun labelled = runOf("SCS15", 2, 2);
-    labelled.servos[0].parameters.label = text("左膝 100%_x");
-    labelled.spec.operatorName = text("Anna");
+    SweepRun labeled = runOf("SCS15", 2, 2);
+    labeled.servos[0].parameters.label = text("左膝 100%_x");
+    labeled.spec.operatorName = text("Anna");
     const auto first = history->add(runOf("STS3215", 1, 1)).value();
-    const auto second = history->add(labelled).value();
+    const auto second = history->add(labeled).value();
     const auto early = history->add(runOf("STS3215", 2, -1)).value();
     using Numbers = std::vector<std::int64_t>;
     QVERIFY(numbers(*history, {}) == (Numbers{second, first, early})); // newest first
@@ -168,7 +168,7 @@ void TestHistory::runsAreFound()
     QVERIFY(numbers(*history, {.text = text("anna")}) == Numbers{second});
     QVERIFY(numbers(*history, {.text = text("'; DROP TABLE runs; --")}).empty());
     QVERIFY(numbers(*history, {.kind = text("step")}).empty());
-    QVERIFY(numbers(*history, {.most = 1}) == Numbers{second});
+    QVERIFY(numbers(*history, {.limit = 1}) == Numbers{second});
 }
 
 void TestHistory::labelsAndNotesBelongToTheRun()
@@ -206,7 +206,7 @@ void TestHistory::oneReferenceAModel()
     QVERIFY(!history->reference(text("STS3215")).value());
 }
 
-void TestHistory::removedIsGoneAndItsNumberIsNotGivenAgain()
+void TestHistory::removedRunsAreGoneAndNumbersAreNotReused()
 {
     const auto history = open();
     const auto number = history->add(sweep_example::run(), {text("/tmp/x.csv")}).value();
@@ -224,7 +224,7 @@ void TestHistory::removedIsGoneAndItsNumberIsNotGivenAgain()
     }
 }
 
-void TestHistory::whatIsNotThereIsSaid()
+void TestHistory::missingRunsAreReported()
 {
     const auto history = open();
     const auto code = [](const auto& result) { return result.error().code; };
@@ -272,7 +272,7 @@ void TestHistory::twoWritersLoseNothing()
     QCOMPARE(mode.rows[0][0].toString(), text("wal"));
 }
 
-void TestHistory::aFileOfANewerProgramIsLeftAlone()
+void TestHistory::aFileOfANewerVersionIsNotChanged()
 {
     open()->add(sweep_example::run()).value();
     record::HistoryFile::open(m_path, 1s).value()->run(text("PRAGMA user_version = 4711")).value();
@@ -282,7 +282,7 @@ void TestHistory::aFileOfANewerProgramIsLeftAlone()
     QVERIFY2(history.error().detail.contains(text("newer version")),
              qPrintable(history.error().detail));
     QVERIFY(history.error().detail.startsWith(m_path));
-    const auto kept = record::keepRun(m_path, sweep_example::run());
+    const auto kept = record::saveRun(m_path, sweep_example::run());
     QCOMPARE(kept.number, 0);
     QVERIFY(record::loadSweepRun(kept.file).value() == sweep_example::run());
 }
@@ -300,13 +300,13 @@ void TestHistory::noDatabase()
     QFETCH(QByteArray, bytes);
     m_path = m_dir->filePath(text("history.sqlite"));
     write(m_path, bytes);
-    const auto kept = record::keepRun(m_path, sweep_example::run());
+    const auto kept = record::saveRun(m_path, sweep_example::run());
     QCOMPARE(kept.number, 0);
     QVERIFY(kept.trouble);
     QCOMPARE(kept.trouble->code, ErrorCode::FileFormat);
-    QVERIFY(leftBeside(*m_dir, kept.file) == sweep_example::run());
+    QVERIFY(restTolerance(*m_dir, kept.file) == sweep_example::run());
     // The same again takes no name that is taken.
-    const auto again = record::keepRun(m_path, sweep_example::run());
+    const auto again = record::saveRun(m_path, sweep_example::run());
     QVERIFY(again.file != kept.file);
     QVERIFY(QFile::exists(kept.file) && QFile::exists(again.file));
     QFile file(m_path); // for whoever can mend it
@@ -326,7 +326,7 @@ void TestHistory::aDamagedDatabaseIsAnError()
     file.write(QByteArray(int(file.size() - first), '\x5a'));
     file.close();
     QCOMPARE(History::open(m_path).error().code, ErrorCode::FileFormat);
-    const auto kept = record::keepRun(m_path, sweep_example::run());
+    const auto kept = record::saveRun(m_path, sweep_example::run());
     QCOMPARE(kept.trouble->code, ErrorCode::FileFormat);
     QVERIFY(record::loadSweepRun(kept.file).value() == sweep_example::run());
 }
@@ -360,34 +360,34 @@ void TestHistory::aDamagedRunIsAnError()
     QCOMPARE(history->sweep(number).error().code, ErrorCode::FileFormat);
 }
 
-void TestHistory::aLockedDatabaseCostsPatienceAndNotTheRun()
+void TestHistory::aLockedDatabaseDelaysButKeepsTheRun()
 {
     const auto before = open()->add(sweep_example::run()).value();
     const auto holder = record::HistoryFile::open(m_path, 1s).value();
     holder->run(text("BEGIN EXCLUSIVE")).value();
-    const auto kept = record::keepRun(m_path, sweep_example::run(), {}, 50ms);
+    const auto kept = record::saveRun(m_path, sweep_example::run(), {}, 50ms);
     QCOMPARE(kept.number, 0);
     QCOMPARE(kept.trouble->code, ErrorCode::FileUnwritable);
     QVERIFY2(kept.trouble->detail.contains(text("locked")), qPrintable(kept.trouble->detail));
     QVERIFY(record::loadSweepRun(kept.file).value() == sweep_example::run());
     QVERIFY(open()->sweep(before)); // reading goes on meanwhile
     holder->run(text("COMMIT")).value();
-    QVERIFY(record::keepRun(m_path, sweep_example::run(), {}, 50ms).number > before);
+    QVERIFY(record::saveRun(m_path, sweep_example::run(), {}, 50ms).number > before);
 }
 
-void TestHistory::aFolderThatCannotBe()
+void TestHistory::anInvalidFolder()
 {
     write(m_dir->filePath(text("file")), "x");
     m_path = m_dir->filePath(text("file/history.sqlite"));
-    const auto kept = record::keepRun(m_path, sweep_example::run());
+    const auto kept = record::saveRun(m_path, sweep_example::run());
     QCOMPARE(kept.trouble->code, ErrorCode::FileUnwritable);
     QVERIFY(kept.file.isEmpty()); // it says that there is none
     // A folder in the place of the file.
     m_path = m_dir->filePath(text("history.sqlite"));
     QVERIFY(QDir().mkpath(m_path));
-    const auto beside = record::keepRun(m_path, sweep_example::run());
+    const auto beside = record::saveRun(m_path, sweep_example::run());
     QCOMPARE(beside.trouble->code, ErrorCode::FileUnwritable);
-    QVERIFY(leftBeside(*m_dir, beside.file) == sweep_example::run());
+    QVERIFY(restTolerance(*m_dir, beside.file) == sweep_example::run());
 }
 
 void TestHistory::closedConnectionsLeaveNothing()

@@ -20,8 +20,8 @@
 
 using base::ErrorCode;
 using base::Intent;
-using intent_example::someIntent;
-using intent_example::someServo;
+using intent_example::exampleIntent;
+using intent_example::exampleServo;
 using record::HistoryJournal;
 using namespace std::chrono_literals;
 
@@ -40,7 +40,7 @@ int appendIntents(const QString& path, int count)
 {
     HistoryJournal journal(path, program, 5s); // several of them write without a pause
     for (int i = 0; i < count; ++i) {
-        const auto uuid = journal.begin(someIntent(i % 254));
+        const auto uuid = journal.begin(exampleIntent(i % 254));
         if (!uuid)
             return 1;
         std::puts(qPrintable(*uuid));
@@ -52,10 +52,10 @@ int appendIntents(const QString& path, int count)
 }
 
 /// Until it is killed.
-int holdAnIntent(const QString& path)
+int beginIntentAndWait(const QString& path)
 {
     HistoryJournal journal(path, program, 5s);
-    const auto uuid = journal.begin(someIntent());
+    const auto uuid = journal.begin(exampleIntent());
     if (!uuid)
         return 1;
     std::puts(qPrintable(*uuid));
@@ -65,12 +65,12 @@ int holdAnIntent(const QString& path)
 }
 
 /// Without root's rights. Prints the error.
-int beRefused(const QString& path)
+int verifyRefused(const QString& path)
 {
-    constexpr uid_t nobody = 65534;
-    if (::geteuid() == 0 && ::setuid(nobody) != 0)
+    constexpr uid_t nobodyUid = 65534;
+    if (::geteuid() == 0 && ::setuid(nobodyUid) != 0)
         return 2;
-    const auto begun = HistoryJournal(path, program).begin(someIntent());
+    const auto begun = HistoryJournal(path, program).begin(exampleIntent());
     if (begun)
         return 1;
     std::puts(
@@ -100,33 +100,33 @@ private Q_SLOTS:
         m_path = m_folder->filePath(QStringLiteral("history.sqlite"));
     }
 
-    void lookingMakesNoFile()
+    void readingCreatesNoFile()
     {
         const HistoryJournal journal(m_path, program);
         QVERIFY(journal.entries().value().empty());
         QVERIFY(journal.open().value().empty());
-        QVERIFY(journal.entriesOf(someServo(), 10).value().empty());
-        QVERIFY(!journal.kept(someServo(), QStringLiteral("limits")).value());
+        QVERIFY(journal.entriesFor(exampleServo(), 10).value().empty());
+        QVERIFY(!journal.servoValues(exampleServo(), QStringLiteral("limits")).value());
         QVERIFY(!QFile::exists(m_path));
     }
 
     /// Until it ends it, or its job is over, or it is gone itself.
-    void whatAProgramHasUnderWayIsItsOwn()
+    void intentsInProgressBelongToTheirProgram()
     {
-        const HistoryJournal onlooker(m_path, program);
-        const auto isUnderWay = [&] { return onlooker.open()->front().underWayElsewhere; };
+        const HistoryJournal viewer(m_path, program);
+        const auto isUnderWay = [&] { return viewer.open()->front().isActiveElsewhere; };
         auto owner = std::make_unique<HistoryJournal>(m_path, program);
-        const QString first = owner->begin(someIntent()).value();
+        const QString first = owner->begin(exampleIntent()).value();
         QVERIFY(isUnderWay());
         QVERIFY(isUnderWay()); // looking changes nothing
-        QVERIFY(!owner->open()->front().underWayElsewhere);
+        QVERIFY(!owner->open()->front().isActiveElsewhere);
         owner->release();
         QVERIFY(!isUnderWay());
         QVERIFY(owner->end(first, {QStringLiteral("done"), {}}));
-        const QString second = owner->begin(someIntent()).value();
+        const QString second = owner->begin(exampleIntent()).value();
         QVERIFY(isUnderWay());
         QVERIFY(owner->end(second, {QStringLiteral("done"), {}}));
-        QVERIFY(owner->begin(someIntent()));
+        QVERIFY(owner->begin(exampleIntent()));
         owner.reset();
         QVERIFY(!isUnderWay());
         const QDir locks(m_folder->filePath(QStringLiteral("running")));
@@ -134,28 +134,28 @@ private Q_SLOTS:
     }
 
     /// Not even a program that is killed keeps it.
-    void aKilledProgramHasNothingUnderWay()
+    void aKilledProgramHasNothingInProgress()
     {
         QProcess other;
         other.start(QCoreApplication::applicationFilePath(), {QStringLiteral("hold"), m_path});
         QVERIFY(other.waitForStarted());
         QTRY_VERIFY_WITH_TIMEOUT(other.canReadLine(), 30'000);
-        const HistoryJournal onlooker(m_path, program);
-        QVERIFY(onlooker.open()->front().underWayElsewhere);
+        const HistoryJournal viewer(m_path, program);
+        QVERIFY(viewer.open()->front().isActiveElsewhere);
         other.kill();
         QVERIFY(other.waitForFinished());
-        QVERIFY(!onlooker.open()->front().underWayElsewhere);
+        QVERIFY(!viewer.open()->front().isActiveElsewhere);
         QVERIFY(QDir(m_folder->filePath(QStringLiteral("running"))).isEmpty());
     }
 
-    void everyLanguageSurvivesReopening()
+    void everyProtocolSurvivesReopening()
     {
         for (const base::Protocol protocol : base::allProtocols) {
-            Intent intent = someIntent();
+            Intent intent = exampleIntent();
             intent.servo.protocol = protocol;
             intent.servo.modelMajor = -1; // an LX servo says nothing of itself
             QVERIFY(HistoryJournal(m_path, program).begin(intent));
-            intent_example::verifySame(HistoryJournal(m_path, program).open()->back(), intent);
+            intent_example::compareIntents(HistoryJournal(m_path, program).open()->back(), intent);
         }
     }
 
@@ -175,7 +175,7 @@ private Q_SLOTS:
     {
         QFETCH(const int, kind);
         QFETCH(const bool, temporary);
-        Intent intent = someIntent(253);
+        Intent intent = exampleIntent(253);
         intent.kind = base::IntentKind(kind);
         intent.temporary = temporary;
         intent.lockOpened = !temporary;
@@ -188,14 +188,14 @@ private Q_SLOTS:
         QCOMPARE(open[0].uuid, uuid);
         QVERIFY(open[0].at.isValid());
         QCOMPARE(open[0].at.timeSpec(), Qt::UTC);
-        intent_example::verifySame(open[0], intent);
+        intent_example::compareIntents(open[0], intent);
     }
 
     void anEndedIntentIsNotOpen()
     {
         HistoryJournal journal(m_path, program);
-        const QString first = journal.begin(someIntent(1)).value();
-        const QString second = journal.begin(someIntent(2)).value();
+        const QString first = journal.begin(exampleIntent(1)).value();
+        const QString second = journal.begin(exampleIntent(2)).value();
         QVERIFY(first != second);
         QVERIFY(journal.end(first, {QStringLiteral("done"), QStringLiteral("all kept")}));
 
@@ -211,7 +211,7 @@ private Q_SLOTS:
     void eachRegisterHasItsOutcome()
     {
         HistoryJournal journal(m_path, program);
-        const QString uuid = journal.begin(someIntent(1)).value();
+        const QString uuid = journal.begin(exampleIntent(1)).value();
         QVERIFY(journal.end(
             uuid, {QStringLiteral("failed"),
                    {},
@@ -225,7 +225,7 @@ private Q_SLOTS:
             QCOMPARE(write.readBack.value(), offset ? -2046 : 100);
             QCOMPARE(write.oldRaw, offset ? 2047 : -12);
             QCOMPARE(write.newRaw, offset ? -2047 : 100);
-            QCOMPARE(write.good(), !offset);
+            QCOMPARE(write.isGood(), !offset);
             QCOMPARE(write.port, QStringLiteral("/dev/ttyUSB0"));
             QCOMPARE(write.baud, 1000000);
             QCOMPARE(write.program, program);
@@ -238,16 +238,16 @@ private Q_SLOTS:
     void theLatestEndCounts()
     {
         HistoryJournal journal(m_path, program);
-        const QString uuid = journal.begin(someIntent()).value();
+        const QString uuid = journal.begin(exampleIntent()).value();
         QVERIFY(journal.end(uuid, {QStringLiteral("failed"), {}}));
         QVERIFY(journal.end(uuid, {QStringLiteral("undone"), {}}));
         QCOMPARE(journal.entries().value().at(0).end.value().outcome, QStringLiteral("undone"));
     }
 
-    void anEndWithoutABeginningIsAnError()
+    void anEndWithoutAStartIsAnError()
     {
         HistoryJournal journal(m_path, program);
-        QVERIFY(journal.begin(someIntent()));
+        QVERIFY(journal.begin(exampleIntent()));
         const auto ended = journal.end(QStringLiteral("nobody"), {QStringLiteral("done"), {}});
         QVERIFY(!ended);
         QCOMPARE(int(ended.error().code), int(ErrorCode::BadArgument));
@@ -257,12 +257,12 @@ private Q_SLOTS:
     {
         HistoryJournal journal(m_path, program);
         for (int n = 0; n < 5; ++n) {
-            Intent intent = someIntent(1);
+            Intent intent = exampleIntent(1);
             intent.items[0].newRaw = n;
             journal.begin(intent).value();
         }
-        journal.begin(someIntent(2)).value();
-        Intent comes = someIntent(7);
+        journal.begin(exampleIntent(2)).value();
+        Intent comes = exampleIntent(7);
         comes.kind = base::IntentKind::SetId;
         comes.items = {{QStringLiteral("id"), 5, 7, 1}};
         journal.begin(comes).value();
@@ -270,82 +270,82 @@ private Q_SLOTS:
         goesElsewhere.items[0].newRaw = 8;
         journal.begin(goesElsewhere).value();
 
-        const auto all = journal.entriesOf(someServo(1), 100).value();
+        const auto all = journal.entriesFor(exampleServo(1), 100).value();
         QCOMPARE(all.size(), std::size_t(6));
         QCOMPARE(all.front().intent.items[0].newRaw, 0);
         QCOMPARE(int(all.back().intent.kind), int(base::IntentKind::SetId));
-        const auto latest = journal.entriesOf(someServo(1), 3).value();
+        const auto latest = journal.entriesFor(exampleServo(1), 3).value();
         QCOMPARE(latest.size(), std::size_t(3));
         QCOMPARE(latest.front().intent.items[0].newRaw, 3);
-        QVERIFY(journal.entriesOf(someServo(3), 100).value().empty());
+        QVERIFY(journal.entriesFor(exampleServo(3), 100).value().empty());
     }
 
-    void keptFactsBelongToKindAndId()
+    void storedValuesBelongToTypeAndId()
     {
         const QString limits = QStringLiteral("limits");
         HistoryJournal journal(m_path, program);
-        QVERIFY(journal.keep(someServo(), limits, {100, 4000}));
+        QVERIFY(journal.saveServoValues(exampleServo(), limits, {100, 4000}));
         const std::int64_t large = 9007199254740993; // more than a double can hold
-        QVERIFY(journal.keep(someServo(), limits, {-5, large}));
+        QVERIFY(journal.saveServoValues(exampleServo(), limits, {-5, large}));
 
-        base::ServoIdentity moved = someServo();
+        base::ServoIdentity moved = exampleServo();
         moved.port = QStringLiteral("/dev/ttyUSB7");
         moved.baud = 500000;
-        base::ServoIdentity otherFirmware = someServo();
+        base::ServoIdentity otherFirmware = exampleServo();
         otherFirmware.firmwareMinor = 11;
-        base::ServoIdentity otherModel = someServo();
+        base::ServoIdentity otherModel = exampleServo();
         otherModel.modelMinor = 4;
-        base::ServoIdentity otherMap = someServo();
+        base::ServoIdentity otherMap = exampleServo();
         otherMap.map = QStringLiteral("scs");
 
         const HistoryJournal reopened(m_path, program);
         const std::vector<std::int64_t> latest{-5, large};
-        QCOMPARE(reopened.kept(someServo(), limits).value(), latest);
-        QCOMPARE(reopened.kept(moved, limits).value(), latest);
-        QVERIFY(!reopened.kept(someServo(2), limits).value());
-        QVERIFY(!reopened.kept(otherFirmware, limits).value());
-        QVERIFY(!reopened.kept(otherModel, limits).value());
-        QVERIFY(!reopened.kept(otherMap, limits).value());
-        QVERIFY(!reopened.kept(someServo(), QStringLiteral("speed")).value());
+        QCOMPARE(reopened.servoValues(exampleServo(), limits).value(), latest);
+        QCOMPARE(reopened.servoValues(moved, limits).value(), latest);
+        QVERIFY(!reopened.servoValues(exampleServo(2), limits).value());
+        QVERIFY(!reopened.servoValues(otherFirmware, limits).value());
+        QVERIFY(!reopened.servoValues(otherModel, limits).value());
+        QVERIFY(!reopened.servoValues(otherMap, limits).value());
+        QVERIFY(!reopened.servoValues(exampleServo(), QStringLiteral("speed")).value());
     }
 
-    void missingFoldersAreMade()
+    void missingFoldersAreCreated()
     {
         m_path = m_folder->filePath(QStringLiteral("a/b c/history.sqlite"));
-        QVERIFY(HistoryJournal(m_path, program).begin(someIntent()));
+        QVERIFY(HistoryJournal(m_path, program).begin(exampleIntent()));
         QCOMPARE(HistoryJournal(m_path, program).open().value().size(), 1U);
     }
 
-    void whatAnotherProgramAppendsIsSeen()
+    void entriesOfAnotherProgramAreSeen()
     {
         HistoryJournal here(m_path, program);
         HistoryJournal there(m_path, program);
-        const QString first = here.begin(someIntent(1)).value();
+        const QString first = here.begin(exampleIntent(1)).value();
         QCOMPARE(there.open().value().size(), 1U);
         QVERIFY(there.end(first, {QStringLiteral("done"), {}}));
-        there.begin(someIntent(2)).value();
+        there.begin(exampleIntent(2)).value();
         const auto entries = here.entries().value();
         QCOMPARE(entries.size(), 2U);
         QVERIFY(entries[0].end);
     }
 
     /// What is written after the file was moved away must not vanish with it.
-    void aReplacedFileIsReadAnew()
+    void aReplacedFileIsReread()
     {
         HistoryJournal journal(m_path, program);
-        journal.begin(someIntent(1)).value();
+        journal.begin(exampleIntent(1)).value();
         const QString other = m_folder->filePath(QStringLiteral("other"));
         {
             HistoryJournal restored(other, program);
             for (int id = 10; id < 15; ++id)
-                restored.begin(someIntent(id)).value();
+                restored.begin(exampleIntent(id)).value();
         }
         QVERIFY(QFile::remove(m_path));
         for (const char* side : {"-wal", "-shm"})
             (void)QFile::remove(m_path + QLatin1String(side));
         QVERIFY(QFile::rename(other, m_path));
         QCOMPARE(journal.entries().value().size(), 5U);
-        QVERIFY(journal.begin(someIntent(99)));
+        QVERIFY(journal.begin(exampleIntent(99)));
         QCOMPARE(HistoryJournal(m_path, program).entries().value().size(), 6U);
     }
 
@@ -361,7 +361,7 @@ private Q_SLOTS:
                 HistoryJournal own(m_path, program);
                 HistoryJournal& journal = i % 2 == 0 ? own : shared;
                 for (int n = 0; n < each; ++n) {
-                    const auto uuid = journal.begin(someIntent(n));
+                    const auto uuid = journal.begin(exampleIntent(n));
                     if (!uuid || !journal.end(*uuid, {QStringLiteral("done"), {}}))
                         ++failures;
                 }
@@ -384,20 +384,20 @@ private Q_SLOTS:
             programs.back()->start(QCoreApplication::applicationFilePath(),
                                    {QStringLiteral("append"), m_path, QString::number(each)});
         }
-        QSet<QString> promised;
+        QSet<QString> confirmedUuids;
         for (const auto& one : programs) {
             QVERIFY(one->waitForFinished());
             QCOMPARE(one->exitCode(), 0);
             for (const QByteArray& line : one->readAllStandardOutput().trimmed().split('\n'))
-                promised.insert(QString::fromLatin1(line));
+                confirmedUuids.insert(QString::fromLatin1(line));
         }
         const HistoryJournal journal(m_path, program);
-        QCOMPARE(uuidsIn(journal), promised);
-        QCOMPARE(promised.size(), qsizetype(programs.size()) * each);
+        QCOMPARE(uuidsIn(journal), confirmedUuids);
+        QCOMPARE(confirmedUuids.size(), qsizetype(programs.size()) * each);
         QCOMPARE(journal.open().value().size(), std::size_t(programs.size()) * each / 2);
     }
 
-    void whatWasPromisedSurvivesBeingKilled()
+    void confirmedEntriesSurviveAKill()
     {
         for (int round = 0; round < 5; ++round) {
             QProcess other;
@@ -419,7 +419,7 @@ private Q_SLOTS:
             const auto all = journal.entries().value();
             for (const base::JournalEntry& entry : all)
                 QCOMPARE(entry.intent.items.size(), std::size_t(2)); // whole or not at all
-            QVERIFY(journal.begin(someIntent()));
+            QVERIFY(journal.begin(exampleIntent()));
         }
     }
 
@@ -427,28 +427,28 @@ private Q_SLOTS:
     void aFullDiskRefusesTheWrite()
     {
         HistoryJournal journal(m_path, program);
-        const QString first = journal.begin(someIntent(1)).value();
+        const QString first = journal.begin(exampleIntent(1)).value();
         {
             const FileSizeLimit limit(QFileInfo(m_path + QStringLiteral("-wal")).size());
             for (int n = 0; n < 20; ++n) {
-                const auto begun = journal.begin(someIntent(2));
+                const auto begun = journal.begin(exampleIntent(2));
                 QVERIFY(!begun);
                 QVERIFY(begun.error().detail.contains(m_path));
                 QCOMPARE(journal.entries().value().size(), 1U);
             }
         }
-        QVERIFY(journal.begin(someIntent(2)));
+        QVERIFY(journal.begin(exampleIntent(2)));
         QVERIFY(journal.end(first, {QStringLiteral("done"), {}}));
         QCOMPARE(journal.open().value().size(), 1U);
     }
 
-    void whatIsNoDatabaseIsNeverReplaced_data()
+    void otherFilesAreNeverReplaced_data()
     {
         QTest::addColumn<QString>("kind");
         for (const char* kind : {"folder", "pipe", "text", "newer", "damaged"})
             QTest::newRow(kind) << QString::fromLatin1(kind);
     }
-    void whatIsNoDatabaseIsNeverReplaced()
+    void otherFilesAreNeverReplaced()
     {
         QFETCH(const QString, kind);
         if (kind == QLatin1String("folder")) {
@@ -461,7 +461,7 @@ private Q_SLOTS:
             {
                 HistoryJournal journal(m_path, program);
                 for (int i = 0; i < 200; ++i)
-                    journal.begin(someIntent(i)).value();
+                    journal.begin(exampleIntent(i)).value();
             }
             if (kind == QLatin1String("newer")) {
                 const auto file = record::HistoryFile::open(m_path, 5s).value();
@@ -475,7 +475,7 @@ private Q_SLOTS:
         }
         const auto sizeBefore = QFileInfo(m_path).size();
         HistoryJournal journal(m_path, program);
-        const auto begun = journal.begin(someIntent());
+        const auto begun = journal.begin(exampleIntent());
         QVERIFY(!begun);
         QVERIFY(begun.error().detail.contains(m_path));
         const bool format = kind == QLatin1String("text") || kind == QLatin1String("newer") ||
@@ -483,7 +483,7 @@ private Q_SLOTS:
         QCOMPARE(int(begun.error().code),
                  int(format ? ErrorCode::FileFormat : ErrorCode::FileUnwritable));
         QVERIFY(!journal.open());
-        QVERIFY(!journal.kept(someServo(), QStringLiteral("limits")));
+        QVERIFY(!journal.servoValues(exampleServo(), QStringLiteral("limits")));
         QCOMPARE(QFileInfo(m_path).size(), sizeBefore);
         QVERIFY(QFileInfo::exists(m_path));
     }
@@ -492,7 +492,7 @@ private Q_SLOTS:
     {
         {
             HistoryJournal journal(m_path, program);
-            journal.begin(someIntent(1)).value();
+            journal.begin(exampleIntent(1)).value();
         }
         QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::ReadOther));
         QVERIFY(QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::ExeOwner |
@@ -511,28 +511,28 @@ private Q_SLOTS:
     /// Somebody who holds the database for ever costs patience, not the program.
     void aLockedDatabaseRefusesTheWrite()
     {
-        HistoryJournal(m_path, program).begin(someIntent(1)).value();
+        HistoryJournal(m_path, program).begin(exampleIntent(1)).value();
         const auto other = record::HistoryFile::open(m_path, 5s).value();
         HistoryJournal journal(m_path, program, 50ms);
-        (void)other->together([&]() -> base::Result<void> {
-            const auto begun = journal.begin(someIntent(2));
+        (void)other->transaction([&]() -> base::Result<void> {
+            const auto begun = journal.begin(exampleIntent(2));
             [&] { QVERIFY(!begun); }();
             [&] { QCOMPARE(journal.open().value().size(), 1U); }(); // reading goes on
             return {};
         });
-        QVERIFY(journal.begin(someIntent(3)));
+        QVERIFY(journal.begin(exampleIntent(3)));
     }
 
     /// What was written to a servo is recorded once the other program has finished.
-    void theEndWaitsLongerThanTheBeginning()
+    void theEndWaitsLongerThanTheStart()
     {
         HistoryJournal journal(m_path, program, 50ms);
-        const auto uuid = journal.begin(someIntent(1)).value();
+        const auto uuid = journal.begin(exampleIntent(1)).value();
         std::promise<void> locked;
         std::thread other([&] {
             const auto file = record::HistoryFile::open(m_path, 5s).value();
-            (void)file->together([&]() -> base::Result<void> {
-                const auto refused = journal.begin(someIntent(2));
+            (void)file->transaction([&]() -> base::Result<void> {
+                const auto refused = journal.begin(exampleIntent(2));
                 [&] { QVERIFY(!refused); }();
                 locked.set_value();
                 std::this_thread::sleep_for(400ms); // many times the patience of a beginning
@@ -546,11 +546,11 @@ private Q_SLOTS:
         QVERIFY(journal.open().value().empty());
     }
 
-    void anImpossiblePlaceIsNamed()
+    void anInvalidPathIsReported()
     {
         overwrite(m_path, "a file, not a folder");
         HistoryJournal journal(m_path + QStringLiteral("/below/history.sqlite"), program);
-        const auto begun = journal.begin(someIntent());
+        const auto begun = journal.begin(exampleIntent());
         QVERIFY(!begun);
         QCOMPARE(int(begun.error().code), int(ErrorCode::FileUnwritable));
         QVERIFY(begun.error().detail.contains(m_path));
@@ -568,9 +568,9 @@ int main(int argc, char* argv[])
     if (arguments.size() == 4 && arguments[1] == QLatin1String("append"))
         return appendIntents(arguments[2], arguments[3].toInt());
     if (arguments.size() == 3 && arguments[1] == QLatin1String("hold"))
-        return holdAnIntent(arguments[2]);
+        return beginIntentAndWait(arguments[2]);
     if (arguments.size() == 3 && arguments[1] == QLatin1String("refuse"))
-        return beRefused(arguments[2]);
+        return verifyRefused(arguments[2]);
     TestHistoryJournal test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -21,7 +21,7 @@
 #include <thread>
 
 using base::IntentKind;
-using intent_example::someServo;
+using intent_example::exampleServo;
 using record::ChangedRow;
 using record::HistoryFilter;
 using record::HistoryWrite;
@@ -62,7 +62,7 @@ base::Intent intentOf(int id, const char* key, std::int64_t from, std::int64_t t
 {
     base::Intent intent;
     intent.kind = kind;
-    intent.servo = someServo(id);
+    intent.servo = exampleServo(id);
     intent.servo.model = text("STS3215");
     intent.items = {{text(key), 21, from, to}};
     return intent;
@@ -84,13 +84,13 @@ const record::SnapshotRegister& rowOf(const record::Snapshot& table, const char*
 }
 
 /// A servo whose table was saved once, and what the history says of it at a moment.
-struct ServoPast {
-    explicit ServoPast(std::unique_ptr<record::History> opened)
+struct ServoHistoryFixture {
+    explicit ServoHistoryFixture(std::unique_ptr<record::History> opened)
         : history(std::move(opened))
         , log(history->log())
     {
         log.addSnapshot(snapshotOf(1), SnapshotReason::Automatic).value();
-        number = log.of(someServo(1)).value()->number;
+        number = log.of(exampleServo(1)).value()->number;
     }
     auto at(const QDateTime& when) const
     {
@@ -144,25 +144,25 @@ private Q_SLOTS:
     }
 
     void writesAreFound();
-    void valuesTheServoChoseAreThoseThatWereRead();
-    void pagesJoin();
-    void aServoIsWhatItsLabelSays();
-    void theLabelFollowsToTheNewId();
-    void aSimulatedServoIsNoRealOne();
-    void snapshotsComeBack();
-    void alarmsComeAndGo();
+    void servoChosenValuesAreThoseRead();
+    void pagesAreContiguous();
+    void aServoIsIdentifiedByItsLabel();
+    void theLabelFollowsTheNewId();
+    void simulatedServosAreSeparate();
+    void snapshotsRoundTrip();
+    void alarmsAreRaisedAndCleared();
     void recordingsAreFound();
-    void stepRunsAreKept();
-    void theTableOfAnyMoment();
-    void whatNobodyRecordedHasNoValue();
-    void thePastStaysAsItWas();
-    void whatATableLeavesOutIsNamed();
-    void aServoThatIsBackAtItsIdHasKeptIt();
-    void theChangesForACopy();
-    void nothingIsMissedByACopyMeanwhile();
+    void stepRunsAreStored();
+    void theTableAtAnyTime();
+    void unrecordedRegistersHaveNoValue();
+    void pastEntriesAreUnchanged();
+    void missingRegistersAreReported();
+    void aServoBackAtItsIdKeepsItsHistory();
+    void changesForACopy();
+    void concurrentChangesAreCopied();
     void exportedAsCsv();
     void exportedAsJson();
-    void theFirstSchemaIsBroughtUpToDate();
+    void theFirstSchemaIsMigrated();
     void aMigrationThatFailsChangesNothing();
 };
 
@@ -187,7 +187,7 @@ void TestHistoryLog::writesAreFound()
     late.from = middle;
     QCOMPARE(newValues(log.writes(late).value()), (Values{4}));
     HistoryFilter trouble;
-    trouble.onlyTrouble = true;
+    trouble.onlyProblems = true;
     QCOMPARE(newValues(log.writes(trouble).value()), (Values{4}));
     HistoryFilter model;
     model.model = text("sts3215");
@@ -195,24 +195,24 @@ void TestHistoryLog::writesAreFound()
     model.model = text("SCS15");
     QVERIFY(log.writes(model).value().empty());
     QCOMPARE(log.writtenKeys().value(), QStringList({text("min_angle_limit"), text("position_p")}));
-    const auto two = log.of(someServo(2)).value();
+    const auto two = log.of(exampleServo(2)).value();
     QVERIFY(two);
     QCOMPARE(log.writtenKeys(two->number).value(), QStringList{text("position_p")});
-    QCOMPARE(two->who.port, text("/dev/ttyUSB0"));
+    QCOMPARE(two->identity.port, text("/dev/ttyUSB0"));
     QVERIFY(two->lastWrite.isValid());
-    QVERIFY(!log.of(someServo(9)).value());
+    QVERIFY(!log.of(exampleServo(9)).value());
     QCOMPARE(log.write(3).value().key, text("min_angle_limit"));
     QCOMPARE(int(log.write(99).error().code), int(base::ErrorCode::BadArgument));
 }
 
 /// Whatever the filter: all pages together are the list, each row once.
-void TestHistoryLog::valuesTheServoChoseAreThoseThatWereRead()
+void TestHistoryLog::servoChosenValuesAreThoseRead()
 {
     record::HistoryJournal journal(m_path, program);
     const auto end = [&](std::int64_t old, IntentKind kind, std::optional<std::int64_t> readBack) {
         const char* key = kind == IntentKind::Calibrate ? "position_offset" : "position_p";
         const QString uuid = journal.begin(intentOf(1, key, old, old, kind)).value();
-        base::IntentEnd done{text("done"), {}, {}};
+        base::IntentResult done{text("done"), {}, {}};
         if (readBack)
             done.items = {{text(key), readBack, text("done")}};
         QVERIFY(journal.end(uuid, done));
@@ -231,7 +231,7 @@ void TestHistoryLog::valuesTheServoChoseAreThoseThatWereRead()
     QCOMPARE(writes[2].oldRaw, 0);
 }
 
-void TestHistoryLog::pagesJoin()
+void TestHistoryLog::pagesAreContiguous()
 {
     for (int i = 0; i < 25; ++i)
         write(1 + i % 3, i % 2 == 0 ? "position_p" : "min_angle_limit", 0, i);
@@ -245,7 +245,7 @@ void TestHistoryLog::pagesJoin()
     for (HistoryFilter filter : {all, two, model}) {
         const auto whole = newValues(history->log().writes(filter).value());
         Values joined;
-        filter.most = 4;
+        filter.limit = 4;
         for (;;) {
             const auto page = history->log().writes(filter).value();
             if (page.empty())
@@ -253,26 +253,26 @@ void TestHistoryLog::pagesJoin()
             QVERIFY(page.size() <= 4);
             for (const std::int64_t value : newValues(page))
                 joined.push_back(value);
-            filter.after = record::PageMark{page.back().at, page.back().number};
+            filter.after = record::PageCursor{page.back().at, page.back().number};
         }
         QCOMPARE(joined, whole);
     }
 }
 
-void TestHistoryLog::aServoIsWhatItsLabelSays()
+void TestHistoryLog::aServoIsIdentifiedByItsLabel()
 {
     record::HistoryJournal journal(m_path, program);
     const QString limits = text("limits");
     write(1, "position_p", 32, 1);
-    QVERIFY(journal.keep(someServo(1), limits, {5, 6}));
+    QVERIFY(journal.saveServoValues(exampleServo(1), limits, {5, 6}));
     const auto history = open();
     const auto log = history->log();
-    const auto left = log.of(someServo(1)).value().value();
+    const auto left = log.of(exampleServo(1)).value().value();
     QVERIFY(left.label.isEmpty());
     QVERIFY(log.setLabel(left.number, text("left")));
 
     // Another of the kind is plugged in under the same ID, and the user says so.
-    const auto right = log.another(left.number, text("right")).value();
+    const auto right = log.assignToOther(left.number, text("right")).value();
     QVERIFY(right.number != left.number);
     write(1, "position_p", 32, 2);
     HistoryFilter filter;
@@ -280,13 +280,13 @@ void TestHistoryLog::aServoIsWhatItsLabelSays()
     QCOMPARE(newValues(log.writes(filter).value()), (Values{2}));
     filter.servo = left.number;
     QCOMPARE(newValues(log.writes(filter).value()), (Values{1}));
-    QVERIFY(!journal.kept(someServo(1), limits).value()); // the limits of the other one
-    QCOMPARE(journal.entriesOf(someServo(1), 10).value().size(), std::size_t(1));
+    QVERIFY(!journal.servoValues(exampleServo(1), limits).value()); // the limits of the other one
+    QCOMPARE(journal.entriesFor(exampleServo(1), 10).value().size(), std::size_t(1));
 
     // The first one again.
-    QCOMPARE(log.another(right.number, text("left")).value().number, left.number);
-    QCOMPARE(log.of(someServo(1)).value()->label, text("left"));
-    QVERIFY(journal.kept(someServo(1), limits).value());
+    QCOMPARE(log.assignToOther(right.number, text("left")).value().number, left.number);
+    QCOMPARE(log.of(exampleServo(1)).value()->label, text("left"));
+    QVERIFY(journal.servoValues(exampleServo(1), limits).value());
     QCOMPARE(log.setLabel(left.number, text("right")).error().detail, text("label-in-use"));
     QVERIFY(log.setLabel(left.number, text("left")));
     QCOMPARE(int(log.setLabel(99, text("x")).error().code), int(base::ErrorCode::BadArgument));
@@ -295,35 +295,35 @@ void TestHistoryLog::aServoIsWhatItsLabelSays()
     QCOMPARE(log.servos(named).value().size(), std::size_t(1));
 }
 
-void TestHistoryLog::theLabelFollowsToTheNewId()
+void TestHistoryLog::theLabelFollowsTheNewId()
 {
     const auto history = open();
     const auto log = history->log();
-    const auto before = log.meet(someServo(1)).value();
+    const auto before = log.findOrAdd(exampleServo(1)).value();
     QVERIFY(log.setLabel(before.number, text("wrist")));
     write(1, "id", 1, 7, "kept", IntentKind::SetId);
-    QCOMPARE(log.of(someServo(7)).value()->label, text("wrist"));
+    QCOMPARE(log.of(exampleServo(7)).value()->label, text("wrist"));
     write(7, "id", 7, 9, "mismatch", IntentKind::SetId);
-    QVERIFY(!log.of(someServo(9)).value());
+    QVERIFY(!log.of(exampleServo(9)).value());
 }
 
-void TestHistoryLog::aSimulatedServoIsNoRealOne()
+void TestHistoryLog::simulatedServosAreSeparate()
 {
     const QString limits = text("limits");
-    base::ServoIdentity played = someServo(1);
+    base::ServoIdentity played = exampleServo(1);
     played.port = text("sim:demo");
     record::HistoryJournal journal(m_path, program);
-    QVERIFY(journal.keep(played, limits, {1, 2}));
-    QVERIFY(!journal.kept(someServo(1), limits).value());
+    QVERIFY(journal.saveServoValues(played, limits, {1, 2}));
+    QVERIFY(!journal.servoValues(exampleServo(1), limits).value());
     base::Intent intent = intentOf(1, "position_p", 32, 40);
     intent.servo = played;
     journal.begin(intent).value();
-    QVERIFY(journal.entriesOf(someServo(1), 10).value().empty());
+    QVERIFY(journal.entriesFor(exampleServo(1), 10).value().empty());
     write(1, "position_p", 32, 41);
     const auto history = open();
     const auto log = history->log();
     const auto one = log.of(played).value().value();
-    const auto other = log.of(someServo(1)).value().value();
+    const auto other = log.of(exampleServo(1)).value().value();
     QVERIFY(one.number != other.number);
     QVERIFY(log.setLabel(one.number, text("same")));
     QVERIFY(log.setLabel(other.number, text("same")));
@@ -333,12 +333,12 @@ void TestHistoryLog::aSimulatedServoIsNoRealOne()
     const auto catalog = catalog::Catalog::load().catalog;
     QVERIFY(record::tableAt(history->file(), catalog, one.number, pass()));
     QVERIFY(!record::tableAt(history->file(), catalog, other.number, pass()));
-    QVERIFY(log.another(one.number, text("new")));
+    QVERIFY(log.assignToOther(one.number, text("new")));
     QCOMPARE(log.of(played).value()->label, text("new"));
-    QCOMPARE(log.of(someServo(1)).value()->label, text("same"));
+    QCOMPARE(log.of(exampleServo(1)).value()->label, text("same"));
 }
 
-void TestHistoryLog::snapshotsComeBack()
+void TestHistoryLog::snapshotsRoundTrip()
 {
     const auto history = open();
     const auto log = history->log();
@@ -346,7 +346,7 @@ void TestHistoryLog::snapshotsComeBack()
     snapshot.note = text("before the repair\n左膝");
     const auto number =
         log.addSnapshot(snapshot, SnapshotReason::Automatic, text("/tmp/a.servo.json")).value();
-    log.addSnapshot(snapshotOf(2), SnapshotReason::Asked).value();
+    log.addSnapshot(snapshotOf(2), SnapshotReason::Manual).value();
     QCOMPARE(record::encodeSnapshot(log.snapshot(number).value()),
              record::encodeSnapshot(snapshot));
     HistoryFilter one;
@@ -359,7 +359,7 @@ void TestHistoryLog::snapshotsComeBack()
     QCOMPARE(rows[0].file, text("/tmp/a.servo.json"));
     QCOMPARE(rows[0].registers, 5);
     HistoryFilter asked;
-    asked.reason = SnapshotReason::Asked;
+    asked.reason = SnapshotReason::Manual;
     QCOMPARE(log.snapshots(asked).value().size(), std::size_t(1));
     QVERIFY(log.setSnapshotNote(number, text("knee"), text("good")));
     QCOMPARE(log.snapshot(number)->label, text("knee"));
@@ -372,26 +372,26 @@ void TestHistoryLog::snapshotsComeBack()
     QVERIFY(!log.snapshot(number));
 }
 
-void TestHistoryLog::alarmsComeAndGo()
+void TestHistoryLog::alarmsAreRaisedAndCleared()
 {
     const auto history = open();
     const auto log = history->log();
     const QDateTime at = QDateTime::currentDateTimeUtc();
     const QString overload = text("overload");
-    QVERIFY(log.alarmCame(someServo(1), overload, false, at));
-    QVERIFY(log.alarmCame(someServo(1), overload, false, at.addSecs(1))); // still there
-    QVERIFY(log.alarmCame(someServo(2), overload, true, at.addSecs(2)));
-    QVERIFY(log.alarmWent(someServo(1), overload, at.addSecs(5)));
-    QVERIFY(log.alarmWent(someServo(1), overload, at.addSecs(6))); // gone already
+    QVERIFY(log.recordAlarmStart(exampleServo(1), overload, false, at));
+    QVERIFY(log.recordAlarmStart(exampleServo(1), overload, false, at.addSecs(1))); // still there
+    QVERIFY(log.recordAlarmStart(exampleServo(2), overload, true, at.addSecs(2)));
+    QVERIFY(log.recordAlarmEnd(exampleServo(1), overload, at.addSecs(5)));
+    QVERIFY(log.recordAlarmEnd(exampleServo(1), overload, at.addSecs(6))); // gone already
     const auto alarms = log.alarms().value();
     QCOMPARE(alarms.size(), std::size_t(2));
     QCOMPARE(alarms[1].at.toMSecsSinceEpoch(), at.toMSecsSinceEpoch());
-    QCOMPARE(alarms[1].went.toMSecsSinceEpoch(), at.addSecs(5).toMSecsSinceEpoch());
+    QCOMPARE(alarms[1].clearedAt.toMSecsSinceEpoch(), at.addSecs(5).toMSecsSinceEpoch());
     QVERIFY(alarms[0].derived);
     HistoryFilter open;
-    open.onlyTrouble = true;
+    open.onlyProblems = true;
     QCOMPARE(log.alarms(open).value().size(), std::size_t(1));
-    QVERIFY(log.alarmCame(someServo(1), overload, false, at.addSecs(9)));
+    QVERIFY(log.recordAlarmStart(exampleServo(1), overload, false, at.addSecs(9)));
     QCOMPARE(log.alarms().value().size(), std::size_t(3));
 }
 
@@ -404,9 +404,9 @@ void TestHistoryLog::recordingsAreFound()
     recording.length = 90s;
     recording.file = text("/tmp/运行.csv");
     recording.rows = 18000;
-    const auto number = log.addRecording(recording, {someServo(1), someServo(2)}).value();
+    const auto number = log.addRecording(recording, {exampleServo(1), exampleServo(2)}).value();
     recording.at = recording.at.addSecs(1);
-    log.addRecording(recording, {someServo(2)}).value();
+    log.addRecording(recording, {exampleServo(2)}).value();
     HistoryFilter one;
     one.id = 1;
     const auto found = log.recordings(one).value();
@@ -418,7 +418,7 @@ void TestHistoryLog::recordingsAreFound()
     QCOMPARE(log.recordings().value().size(), std::size_t(1));
 }
 
-void TestHistoryLog::stepRunsAreKept()
+void TestHistoryLog::stepRunsAreStored()
 {
     record::StepRun run;
     run.program = program;
@@ -431,7 +431,7 @@ void TestHistoryLog::stepRunsAreKept()
     response.number = 1;
     response.samples = {{0us, 100.0, {}, {}, {}}, {500ms, 300.0, {}, {}, {}}};
     run.responses = {response};
-    const record::KeptRun kept = record::keepRun(m_path, run);
+    const record::SavedRun kept = record::saveRun(m_path, run);
     QVERIFY(!kept.trouble);
     const auto history = open();
     record::RunFilter steps;
@@ -448,7 +448,7 @@ void TestHistoryLog::stepRunsAreKept()
     QVERIFY(!history->sweep(kept.number));
 }
 
-void TestHistoryLog::theTableOfAnyMoment()
+void TestHistoryLog::theTableAtAnyTime()
 {
     const auto catalog = catalog::Catalog::load().catalog;
     const auto history = open();
@@ -462,9 +462,9 @@ void TestHistoryLog::theTableOfAnyMoment()
     write(1, "min_angle_limit", 1024, 99, "refused");
     write(2, "position_p", 1, 2);
     const QDateTime afterMore = pass();
-    log.addSnapshot(snapshotOf(1, 77), SnapshotReason::Asked).value();
+    log.addSnapshot(snapshotOf(1, 77), SnapshotReason::Manual).value();
     const QDateTime atLast = pass();
-    const auto servo = log.of(someServo(1)).value()->number;
+    const auto servo = log.of(exampleServo(1)).value()->number;
     const auto at = [&](const QDateTime& when) {
         return record::tableAt(history->file(), catalog, servo, when);
     };
@@ -485,9 +485,9 @@ void TestHistoryLog::theTableOfAnyMoment()
     QCOMPARE(rowOf(at(atLast)->table, "position_p").raw, std::int64_t(77));
 }
 
-void TestHistoryLog::whatNobodyRecordedHasNoValue()
+void TestHistoryLog::unrecordedRegistersHaveNoValue()
 {
-    const ServoPast past(open());
+    const ServoHistoryFixture past(open());
     const auto now = [&] { return past.at(pass()); };
     record::HistoryJournal journal(m_path, program);
     const QString cut = journal.begin(intentOf(1, "position_p", 32, 40)).value();
@@ -511,9 +511,9 @@ void TestHistoryLog::whatNobodyRecordedHasNoValue()
 }
 
 /// What a moment says does not change with what is done later.
-void TestHistoryLog::thePastStaysAsItWas()
+void TestHistoryLog::pastEntriesAreUnchanged()
 {
-    const ServoPast past(open());
+    const ServoHistoryFixture past(open());
     const auto at = [&](const QDateTime& when) { return past.at(when); };
     record::HistoryJournal journal(m_path, program);
     pass();
@@ -521,7 +521,7 @@ void TestHistoryLog::thePastStaysAsItWas()
     const QDateTime open = pass();
     const QString forgotten = journal.begin(intentOf(1, "min_angle_limit", 0, 9)).value();
     pass();
-    past.log.addSnapshot(snapshotOf(1, 90), SnapshotReason::Asked).value();
+    past.log.addSnapshot(snapshotOf(1, 90), SnapshotReason::Manual).value();
     const QDateTime read = pass();
     QVERIFY(journal.end(cut, {text("undone"), {}}));
     QVERIFY(journal.end(forgotten, {text("abandoned"), {}}));
@@ -539,9 +539,9 @@ void TestHistoryLog::thePastStaysAsItWas()
     QVERIFY(at(after).unknown.isEmpty()); // given up after it was read: nothing was written
 }
 
-void TestHistoryLog::whatATableLeavesOutIsNamed()
+void TestHistoryLog::missingRegistersAreReported()
 {
-    const ServoPast past(open());
+    const ServoHistoryFixture past(open());
     const auto now = [&] { return past.at(pass()); };
     record::HistoryJournal journal(m_path, program);
     base::Intent trial = intentOf(1, "position_p", 32, 50, IntentKind::Trial);
@@ -560,9 +560,9 @@ void TestHistoryLog::whatATableLeavesOutIsNamed()
     QCOMPARE(rowOf(now().table, "id").raw, std::int64_t(7));
 }
 
-void TestHistoryLog::aServoThatIsBackAtItsIdHasKeptIt()
+void TestHistoryLog::aServoBackAtItsIdKeepsItsHistory()
 {
-    const ServoPast past(open());
+    const ServoHistoryFixture past(open());
     const auto at = [&](const QDateTime& when) { return past.at(when); };
     pass();
     write(5, "position_p", 32, 90); // another servo's
@@ -593,7 +593,7 @@ void TestHistoryLog::aServoThatIsBackAtItsIdHasKeptIt()
     QVERIFY(!at(pass()).changedId);
 }
 
-void TestHistoryLog::theChangesForACopy()
+void TestHistoryLog::changesForACopy()
 {
     const auto history = open();
     const record::HistoryChanges changes(history->file());
@@ -604,14 +604,14 @@ void TestHistoryLog::theChangesForACopy()
 
     write(1, "position_p", 32, 40);
     const auto run = history->add(sweep_example::run(), {text("/tmp/r.html")}).value();
-    const auto snapshot = history->log().addSnapshot(snapshotOf(1), SnapshotReason::Asked).value();
+    const auto snapshot = history->log().addSnapshot(snapshotOf(1), SnapshotReason::Manual).value();
     const auto first = changes.after(0).value();
     QStringList tables;
     for (const ChangedRow& row : first)
         tables << row.table;
     QCOMPARE(tables,
              QStringList({text("servos"), text("intents"), text("runs"), text("snapshots")}));
-    QCOMPARE(changes.waiting(0).value(), 4);
+    QCOMPARE(changes.pendingCount(0).value(), 4);
     const ChangedRow& intent = first[1];
     QCOMPARE(intent.values[text("servo_uuid")].toString(), first[0].uuid);
     QCOMPARE(intent.values[text("outcome")].toString(), text("done"));
@@ -646,7 +646,7 @@ void TestHistoryLog::theChangesForACopy()
 }
 
 /// A copy that follows while two write gets every row.
-void TestHistoryLog::nothingIsMissedByACopyMeanwhile()
+void TestHistoryLog::concurrentChangesAreCopied()
 {
     constexpr int each = 60;
     (void)open();
@@ -678,7 +678,7 @@ void TestHistoryLog::nothingIsMissedByACopyMeanwhile()
         follow();
     for (std::thread& writer : writers)
         writer.join();
-    while (changes.waiting(seen).value() > 0)
+    while (changes.pendingCount(seen).value() > 0)
         follow();
     QCOMPARE(copy.size(), qsizetype(2 * each + 2)); // and two servos
     for (const ChangedRow& row : std::as_const(copy)) {
@@ -695,7 +695,7 @@ void TestHistoryLog::exportedAsCsv()
     QVERIFY(history->log().setLabel(1, text("=left, \"upper\"")));
     const QString path = m_dir->filePath(text("w.csv"));
     HistoryFilter filter;
-    filter.most = 1; // no limit for a file
+    filter.limit = 1; // no limit for a file
     QCOMPARE(record::exportHistoryCsv(*history, record::HistoryKind::Writes, filter, path).value(),
              2);
     QFile file(path);
@@ -718,7 +718,7 @@ void TestHistoryLog::exportedAsJson()
     for (int i = 0; i < 5; ++i)
         write(1 + i % 2, "position_p", 0, i);
     const auto history = open();
-    history->log().addSnapshot(snapshotOf(1), SnapshotReason::Asked).value();
+    history->log().addSnapshot(snapshotOf(1), SnapshotReason::Manual).value();
     history->add(sweep_example::run()).value();
     const QString path = m_dir->filePath(text("all.json"));
     HistoryFilter one;
@@ -741,7 +741,7 @@ void TestHistoryLog::exportedAsJson()
 }
 
 /// The statements by which the first published version made its file, and rows it had put in.
-void TestHistoryLog::theFirstSchemaIsBroughtUpToDate()
+void TestHistoryLog::theFirstSchemaIsMigrated()
 {
     QVERIFY(QFile::copy(text(TEST_DATA_DIR "/record/history-1.sqlite"), m_path));
     QVERIFY(QFile::setPermissions(m_path, QFile::ReadOwner | QFile::WriteOwner));
@@ -758,7 +758,7 @@ void TestHistoryLog::theFirstSchemaIsBroughtUpToDate()
     QCOMPARE(runs.size(), std::size_t(2));
     QCOMPARE(runs[1].note, sweep_example::hostileNote);
     QCOMPARE(runs[1].servos[0].label, sweep_example::hostileLabel);
-    QVERIFY(history->sweep(runs[1].number).value() == sweep_example::formerRun());
+    QVERIFY(history->sweep(runs[1].number).value() == sweep_example::firstVersionRun());
     QVERIFY(history->reference(runs[0].servos[0].model).value());
     const auto changes = record::HistoryChanges(history->file());
     QCOMPARE(changes.after(0).value().size(), std::size_t(2));

@@ -16,10 +16,10 @@
 
 using base::ErrorCode;
 using base::Intent;
-using intent_example::someIntent;
-using intent_example::someServo;
+using intent_example::exampleIntent;
+using intent_example::exampleServo;
 using record::HistoryJournal;
-using support::OldJournal;
+using support::LegacyJournal;
 using namespace std::chrono_literals;
 
 namespace {
@@ -34,7 +34,7 @@ int openAll(const QString& path)
 }
 } // namespace
 
-class TestJournalTakeover : public QObject {
+class TestJournalImport : public QObject {
     Q_OBJECT
 
 private:
@@ -61,14 +61,14 @@ private Q_SLOTS:
         m_old = m_folder->filePath(QStringLiteral("journal.jsonl"));
     }
 
-    void everythingIsTakenOverOnce()
+    void everythingIsImportedOnce()
     {
-        OldJournal old(m_old);
-        const QString done = old.begin(someIntent(1));
+        LegacyJournal old(m_old);
+        const QString done = old.begin(exampleIntent(1));
         old.end(done, QStringLiteral("done"), QStringLiteral("all kept"));
-        const QString open = old.begin(someIntent(2));
-        old.keep(someServo(), limits, {100, 4000});
-        old.keep(someServo(), limits, {-5, 3000});
+        const QString open = old.begin(exampleIntent(2));
+        old.keep(exampleServo(), limits, {100, 4000});
+        old.keep(exampleServo(), limits, {-5, 3000});
         QFile file(m_old);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray before = file.readAll();
@@ -78,45 +78,45 @@ private Q_SLOTS:
             const auto all = journal.entries().value();
             QCOMPARE(all.size(), std::size_t(2));
             QCOMPARE(all[0].intent.uuid, done);
-            intent_example::verifySame(all[0].intent, someIntent(1));
+            intent_example::compareIntents(all[0].intent, exampleIntent(1));
             QCOMPARE(all[0].end.value().outcome, QStringLiteral("done"));
             QCOMPARE(all[0].end.value().detail, QStringLiteral("all kept"));
             QCOMPARE(all[1].intent.uuid, open);
             QCOMPARE(journal.open().value().size(), std::size_t(1));
             const std::vector<std::int64_t> latest{-5, 3000};
-            QCOMPARE(journal.kept(someServo(), limits).value(), latest);
+            QCOMPARE(journal.servoValues(exampleServo(), limits).value(), latest);
         }
         QVERIFY(!QFile::exists(m_old));
         QCOMPARE(files("journal.jsonl*"), QStringList{QStringLiteral("journal.jsonl.taken-1")});
-        QFile aside(m_old + QStringLiteral(".taken-1"));
-        QVERIFY(aside.open(QIODevice::ReadOnly));
-        QCOMPARE(aside.readAll(), before);
+        QFile renamedFile(m_old + QStringLiteral(".taken-1"));
+        QVERIFY(renamedFile.open(QIODevice::ReadOnly));
+        QCOMPARE(renamedFile.readAll(), before);
     }
 
     /// The outcome of each register is not known then; that of the whole is.
     void oldWritesAreListed()
     {
-        OldJournal old(m_old);
-        old.end(old.begin(someIntent(1)), QStringLiteral("done"));
-        old.end(old.begin(someIntent(1)), QStringLiteral("failed"));
+        LegacyJournal old(m_old);
+        old.end(old.begin(exampleIntent(1)), QStringLiteral("done"));
+        old.end(old.begin(exampleIntent(1)), QStringLiteral("failed"));
         const auto history = record::History::open(m_path).value();
         const auto writes = history->log().writes().value();
         QCOMPARE(writes.size(), std::size_t(4));
         QCOMPARE(writes[0].outcome, QStringLiteral("failed"));
         QCOMPARE(writes[3].outcome, QStringLiteral("done"));
         record::HistoryFilter trouble;
-        trouble.onlyTrouble = true;
+        trouble.onlyProblems = true;
         QCOMPARE(history->log().writes(trouble).value().size(), std::size_t(2));
     }
 
-    void anOldProgramWritesOn()
+    void anOldProgramKeepsWriting()
     {
-        OldJournal old(m_old);
-        const QString first = old.begin(someIntent(1));
+        LegacyJournal old(m_old);
+        const QString first = old.begin(exampleIntent(1));
         QCOMPARE(entries().size(), std::size_t(1));
         // To a new file, as it opens one for each line; its intent is known already.
         old.end(first, QStringLiteral("undone"));
-        old.begin(someIntent(2));
+        old.begin(exampleIntent(2));
         const auto all = entries();
         QCOMPARE(all.size(), std::size_t(2));
         QCOMPARE(all[0].end.value().outcome, QStringLiteral("undone"));
@@ -125,22 +125,22 @@ private Q_SLOTS:
     }
 
     /// Who had opened the file before it was renamed still appends to it.
-    void whatComesIntoARenamedFileIsTakenToo()
+    void entriesInARenamedFileAreImportedToo()
     {
-        OldJournal(m_old).begin(someIntent(1));
+        LegacyJournal(m_old).begin(exampleIntent(1));
         QCOMPARE(entries().size(), std::size_t(1));
-        OldJournal(m_old + QStringLiteral(".taken-1")).begin(someIntent(2));
+        LegacyJournal(m_old + QStringLiteral(".taken-1")).begin(exampleIntent(2));
         QCOMPARE(entries().size(), std::size_t(2));
         QCOMPARE(entries().size(), std::size_t(2));
     }
 
     /// What this program has settled meanwhile is not unsettled by an older line.
-    void theLaterWordCounts()
+    void theLaterEntryWins()
     {
-        OldJournal old(m_old);
-        const QString uuid = old.begin(someIntent(1));
+        LegacyJournal old(m_old);
+        const QString uuid = old.begin(exampleIntent(1));
         old.end(uuid, QStringLiteral("failed"));
-        old.keep(someServo(), limits, {1, 2});
+        old.keep(exampleServo(), limits, {1, 2});
         QFile file(m_old);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray text = file.readAll();
@@ -149,7 +149,7 @@ private Q_SLOTS:
         {
             HistoryJournal journal(m_path, program);
             QVERIFY(journal.end(uuid, {QStringLiteral("undone"), {}}));
-            QVERIFY(journal.keep(someServo(), limits, {3, 4}));
+            QVERIFY(journal.saveServoValues(exampleServo(), limits, {3, 4}));
         }
         // The same lines once more, from a copy that is another file to the program.
         QFile copy(m_old);
@@ -160,14 +160,14 @@ private Q_SLOTS:
         QCOMPARE(journal.entries().value().size(), std::size_t(1));
         QCOMPARE(journal.entries().value()[0].end.value().outcome, QStringLiteral("undone"));
         const std::vector<std::int64_t> latest{3, 4};
-        QCOMPARE(journal.kept(someServo(), limits).value(), latest);
+        QCOMPARE(journal.servoValues(exampleServo(), limits).value(), latest);
     }
 
-    void severalProgramsAtOnceTakeItOverOnce()
+    void concurrentProgramsImportOnce()
     {
-        OldJournal old(m_old);
+        LegacyJournal old(m_old);
         for (int i = 0; i < 200; ++i)
-            old.end(old.begin(someIntent(i)), QStringLiteral("done"));
+            old.end(old.begin(exampleIntent(i)), QStringLiteral("done"));
         std::vector<std::unique_ptr<QProcess>> programs;
         for (int i = 0; i < 4; ++i) {
             programs.push_back(std::make_unique<QProcess>());
@@ -185,11 +185,11 @@ private Q_SLOTS:
     }
 
     /// Killed somewhere on the way, again and again: nothing half, and in the end all of it.
-    void beingKilledOnTheWayChangesNothing()
+    void aKillDuringImportChangesNothing()
     {
-        OldJournal old(m_old);
+        LegacyJournal old(m_old);
         for (int i = 0; i < 300; ++i)
-            old.begin(someIntent(i));
+            old.begin(exampleIntent(i));
         for (int round = 0; round < 12; ++round) {
             QProcess other;
             other.start(QCoreApplication::applicationFilePath(), {QStringLiteral("open"), m_path});
@@ -208,14 +208,14 @@ private Q_SLOTS:
 
     void aFullDiskLeavesTheOldFile()
     {
-        OldJournal old(m_old);
+        LegacyJournal old(m_old);
         for (int i = 0; i < 100; ++i)
-            old.begin(someIntent(i));
+            old.begin(exampleIntent(i));
         (void)record::HistoryFile::open(m_path, 5s).value();
         {
             const FileSizeLimit limit(8192);
             HistoryJournal journal(m_path, program);
-            QVERIFY(!journal.begin(someIntent()));
+            QVERIFY(!journal.begin(exampleIntent()));
             QVERIFY(!journal.open());
         }
         QVERIFY(QFile::exists(m_old));
@@ -225,17 +225,17 @@ private Q_SLOTS:
 
     void aTornLastLineIsNotLost()
     {
-        OldJournal old(m_old);
-        old.begin(someIntent(1));
+        LegacyJournal old(m_old);
+        old.begin(exampleIntent(1));
         QFile file(m_old);
         QVERIFY(file.open(QIODevice::ReadWrite));
         const QByteArray line = file.readAll();
         file.write(line.left(50)); // the power went
         file.close();
         QCOMPARE(entries().size(), std::size_t(1));
-        QFile aside(m_old + QStringLiteral(".taken-1"));
-        QVERIFY(aside.open(QIODevice::ReadOnly));
-        QCOMPARE(aside.readAll(), line + line.left(50));
+        QFile renamedFile(m_old + QStringLiteral(".taken-1"));
+        QVERIFY(renamedFile.open(QIODevice::ReadOnly));
+        QCOMPARE(renamedFile.readAll(), line + line.left(50));
     }
 
     void uselessLinesAreCounted_data()
@@ -282,13 +282,13 @@ private Q_SLOTS:
     void uselessLinesAreCounted()
     {
         QFETCH(const QByteArray, line);
-        OldJournal old(m_old);
-        old.begin(someIntent(1));
+        LegacyJournal old(m_old);
+        old.begin(exampleIntent(1));
         old.append(line);
-        old.begin(someIntent(2));
+        old.begin(exampleIntent(2));
         {
             const auto file = record::HistoryFile::open(m_path, 5s).value();
-            const auto taken = record::takeOverJournal(*file).value();
+            const auto taken = record::importJournal(*file).value();
             QCOMPARE(taken.lines, 3);
             QCOMPARE(taken.unreadable, 1);
         }
@@ -297,9 +297,9 @@ private Q_SLOTS:
 
     /// Journals from before there was more than one language are read for ever; a language nobody
     /// knows makes the line unreadable rather than somebody else's.
-    void withoutALanguageItIsFeetech()
+    void withoutAProtocolItIsFeetech()
     {
-        OldJournal(m_old).begin(someIntent());
+        LegacyJournal(m_old).begin(exampleIntent());
         QFile file(m_old);
         QVERIFY(file.open(QIODevice::ReadWrite));
         const QByteArray line = file.readAll();
@@ -331,7 +331,7 @@ private Q_SLOTS:
         else
             QCOMPARE(::mkfifo(QFile::encodeName(m_old).constData(), 0600), 0);
         HistoryJournal journal(m_path, program);
-        const auto begun = journal.begin(someIntent());
+        const auto begun = journal.begin(exampleIntent());
         QVERIFY(!begun);
         QCOMPARE(int(begun.error().code), int(ErrorCode::FileUnreadable));
         QVERIFY(begun.error().detail.contains(m_old));
@@ -347,7 +347,7 @@ int main(int argc, char* argv[])
     const QStringList arguments = QCoreApplication::arguments();
     if (arguments.size() == 3 && arguments[1] == QLatin1String("open"))
         return openAll(arguments[2]);
-    TestJournalTakeover test;
+    TestJournalImport test;
     return QTest::qExec(&test, argc, argv);
 }
 

@@ -27,7 +27,7 @@ RecorderSpec specFor(const QString& path)
 {
     RecorderSpec spec;
     spec.path = path;
-    spec.format = record::formatOf(path);
+    spec.format = record::recordingFormatOf(path);
     spec.head.started = QDateTime(QDate(2026, 11, 21), QTime(12, 0), Qt::UTC);
     for (int servo = 0; servo < 2; ++servo) {
         for (const char* key : {"present_position", "present_load"})
@@ -54,7 +54,7 @@ std::vector<RecordingRow> rows(int from, int to)
 /// Offers until it is taken, as a feeder does that may wait.
 void feed(Recorder& recorder, std::vector<RecordingRow> some, std::vector<Mark> marks = {})
 {
-    while (!recorder.offer(some, marks))
+    while (!recorder.tryWrite(some, marks))
         std::this_thread::yield();
 }
 
@@ -66,7 +66,7 @@ QByteArray contentOf(const QString& path)
 
 record::LoadedRecording loaded(const QString& path, SampleStore& store)
 {
-    const base::Stop stop;
+    const base::StopToken stop;
     auto found = record::loadRecording(path, store, stop);
     if (!found)
         qFatal("%s", qPrintable(found.error().detail));
@@ -87,7 +87,7 @@ private:
         const auto recording = loaded(path, store);
         QCOMPARE(recording.report.rows, std::uint64_t(count));
         QCOMPARE(recording.report.badLines, 0U);
-        QVERIFY(!recording.report.cutOff);
+        QVERIFY(!recording.report.isTruncated);
         std::vector<std::vector<record::SamplePoint>> expected(4);
         for (int i = 0; i < count; ++i) {
             const RecordingRow row = rowAt(i);
@@ -106,13 +106,13 @@ private Q_SLOTS:
         m_path = m_folder->filePath(QStringLiteral("run.csv"));
     }
 
-    void whatWasTakenIsInTheFile_data()
+    void recordedRowsAreInTheFile_data()
     {
         QTest::addColumn<QString>("name");
         QTest::newRow("CSV") << QStringLiteral("run.csv");
         QTest::newRow("JSON lines") << QStringLiteral("run.jsonl");
     }
-    void whatWasTakenIsInTheFile()
+    void recordedRowsAreInTheFile()
     {
         QFETCH(QString, name);
         const QString path = m_folder->filePath(name);
@@ -132,7 +132,7 @@ private Q_SLOTS:
         verifyRows(path, 30000);
     }
 
-    void theFileGrowsMeanwhile()
+    void theFileGrowsDuringRecording()
     {
         const auto recorder = Recorder::start(specFor(m_path)).value();
         QVERIFY(contentOf(m_path).contains("time_us,servo,"));
@@ -144,7 +144,7 @@ private Q_SLOTS:
         verifyRows(m_path, 11);
     }
 
-    void goingAwayWritesWhatWaits()
+    void destructionFlushesPendingRows()
     {
         {
             const auto recorder = Recorder::start(specFor(m_path)).value();
@@ -162,7 +162,7 @@ private Q_SLOTS:
         verifyRows(m_path, 100);
     }
 
-    void marksStandWhereTheyHappened()
+    void marksAreAtTheirTime()
     {
         const Mark first{rowAt(3).at - Duration(1), MarkKind::Write, 1, QStringLiteral("a, b")};
         const Mark last{rowAt(9).at + Duration(1), MarkKind::Stop, -1, QString()};
@@ -187,7 +187,7 @@ private Q_SLOTS:
         QVERIFY(std::is_sorted(times.begin(), times.end()));
     }
 
-    void itEndsAtItsLength()
+    void endsAtItsLength()
     {
         RecorderSpec spec = specFor(m_path);
         spec.length = std::chrono::seconds(1);
@@ -206,24 +206,24 @@ private Q_SLOTS:
     }
 
     // Also when nobody answers any more.
-    void itEndsAtItsLengthWithoutRows()
+    void endsAtItsLengthWithoutRows()
     {
         RecorderSpec spec = specFor(m_path);
         spec.length = std::chrono::seconds(1);
         const auto recorder = Recorder::start(spec).value();
-        recorder->reach(rowAt(0).at - period); // has not begun
+        recorder->advanceTo(rowAt(0).at - period); // has not begun
         feed(*recorder, rows(0, 10));
-        recorder->reach(rowAt(199).at);
+        recorder->advanceTo(rowAt(199).at);
         QTRY_COMPARE(recorder->status().rows, 10U);
         QVERIFY(!recorder->status().ended);
-        recorder->reach(rowAt(200).at);
+        recorder->advanceTo(rowAt(200).at);
         QTRY_VERIFY(recorder->status().ended);
         QVERIFY(!recorder->status().error);
         verifyRows(m_path, 10);
     }
 
     // What waits is bounded. Refused means: nothing was taken.
-    void aBatchWithoutRoomIsRefused()
+    void aBatchWithoutSpaceIsRefused()
     {
         const auto recorder = Recorder::start(specFor(m_path)).value();
         std::vector<Mark> marks;
@@ -231,7 +231,7 @@ private Q_SLOTS:
         int refused = 0;
         while (refused == 0) {
             auto some = rows(taken, taken + 30000);
-            if (recorder->offer(some, marks)) {
+            if (recorder->tryWrite(some, marks)) {
                 QVERIFY(some.empty());
                 taken += 30000;
             } else {
@@ -248,14 +248,14 @@ private Q_SLOTS:
         verifyRows(m_path, taken);
     }
 
-    void aBatchLargerThanTheRoomGetsThrough()
+    void aBatchLargerThanTheBufferIsWritten()
     {
         const auto recorder = Recorder::start(specFor(m_path)).value();
-        feed(*recorder, rows(0, int(Recorder::mostWaiting) * 2));
-        QTRY_COMPARE(recorder->status().rows, std::uint64_t(Recorder::mostWaiting * 2));
+        feed(*recorder, rows(0, int(Recorder::maxPending) * 2));
+        QTRY_COMPARE(recorder->status().rows, std::uint64_t(Recorder::maxPending * 2));
     }
 
-    void rowsOfStrangersAreLost()
+    void rowsOfUnknownChannelsAreDropped()
     {
         const auto recorder = Recorder::start(specFor(m_path)).value();
         auto some = rows(0, 2);
@@ -311,7 +311,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(m_path), QByteArray());
     }
 
-    void aPlaceThatIsNone()
+    void anInvalidPath()
     {
         for (const QString& path : {QString(), QStringLiteral("/"), m_folder->path(),
                                     m_folder->filePath(QStringLiteral("no/run.csv"))}) {
@@ -325,7 +325,7 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(m_path));
     }
 
-    void theFileIsGone_data()
+    void theFileIsDeleted_data()
     {
         QTest::addColumn<int>("how");
         QTest::addColumn<QString>("words");
@@ -336,7 +336,7 @@ private Q_SLOTS:
         QTest::newRow("changed") << 4 << QStringLiteral("another program");
     }
     // Without a row coming in, too: whoever watches must not believe that it is being recorded.
-    void theFileIsGone()
+    void theFileIsDeleted()
     {
         QFETCH(int, how);
         QFETCH(QString, words);
@@ -366,7 +366,7 @@ private Q_SLOTS:
     }
 
     // Rows from one thread, questions from another, and an end in the middle of it.
-    void stoppedWhileRowsCome()
+    void stoppedDuringInput()
     {
         const auto recorder = Recorder::start(specFor(m_path)).value();
         std::uint64_t taken = 0;

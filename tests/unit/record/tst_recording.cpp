@@ -17,7 +17,7 @@ using base::ErrorCode;
 using record::Mark;
 using record::MarkKind;
 using record::RecordingFormat;
-using record::RecordingHead;
+using record::RecordingHeader;
 using record::RecordingRow;
 using record::SamplePoint;
 using record::SampleStore;
@@ -28,7 +28,7 @@ const double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr TimeSpan always{Duration(-1'000'000'000'000), Duration(1'000'000'000'000)};
 
 /// Two servos with one ID, and their channels mixed.
-RecordingHead demoHead()
+RecordingHeader demoHead()
 {
     const auto channel = [](int servo, int id, const char* name, const char* protocol,
                             const char* key, const char* unit) {
@@ -39,7 +39,7 @@ RecordingHead demoHead()
                                         QString::fromUtf8(key),
                                         QString::fromUtf8(unit)};
     };
-    RecordingHead head;
+    RecordingHeader head;
     head.started = QDateTime(QDate(2026, 11, 21), QTime(22, 19, 57, 123), Qt::UTC);
     head.program = QStringLiteral("ServoDesk 0.1.0");
     head.port = QStringLiteral("/dev/tty, \"one\"");
@@ -56,7 +56,7 @@ RecordingHead demoHead()
 std::string textOf(RecordingFormat format, const std::vector<RecordingRow>& rows,
                    const std::vector<Mark>& marks = {})
 {
-    const record::RecordingText text(format, demoHead());
+    const record::RecordingFormatter text(format, demoHead());
     std::string out = text.head();
     for (const RecordingRow& row : rows)
         text.row(row.at, row, out);
@@ -140,7 +140,7 @@ class TestRecording : public QObject {
 
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
-    base::Stop m_stop;
+    base::StopToken m_stop;
 
     QString put(const QString& name, const std::string& text)
     {
@@ -169,7 +169,7 @@ private Q_SLOTS:
     void initTestCase() { m_folder = std::make_unique<QTemporaryDir>(); }
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void theTextItself()
+    void theExactText()
     {
         QLocale::setDefault(QLocale(QLocale::German));
         std::setlocale(LC_ALL, "");
@@ -202,8 +202,8 @@ private Q_SLOTS:
         QCOMPARE(lines[4], QByteArray("{\"t\":6200,\"s\":9,\"v\":[null,null]}"));
     }
 
-    void readBackItIsTheSame_data() { formats(); }
-    void readBackItIsTheSame()
+    void roundTrips_data() { formats(); }
+    void roundTrips()
     {
         QFETCH(RecordingFormat, format);
         std::mt19937_64 random(17);
@@ -243,14 +243,14 @@ private Q_SLOTS:
         QCOMPARE(loaded->marks, demoMarks);
         QCOMPARE(loaded->report.rows, rows.size());
         QCOMPARE(loaded->report.badLines, 0U);
-        QVERIFY(!loaded->report.cutOff);
+        QVERIFY(!loaded->report.isTruncated);
         QCOMPARE(loaded->report.span, (TimeSpan{rows.front().at, rows.back().at}));
         verifySamples(store, loaded->ids, Expected(rows));
     }
 
     // At every byte: what is whole is read, what is not is said, and nothing is made up.
-    void cutAnywhere_data() { formats(); }
-    void cutAnywhere()
+    void truncatedAnywhere_data() { formats(); }
+    void truncatedAnywhere()
     {
         QFETCH(RecordingFormat, format);
         const auto rows = demoRows();
@@ -267,7 +267,7 @@ private Q_SLOTS:
             }
             const std::string whole = text.substr(headSize, size - headSize);
             const auto lines = std::size_t(std::count(whole.begin(), whole.end(), '\n'));
-            QCOMPARE(loaded->report.cutOff, !whole.empty() && whole.back() != '\n');
+            QCOMPARE(loaded->report.isTruncated, !whole.empty() && whole.back() != '\n');
             QCOMPARE(loaded->report.badLines, 0U);
             QCOMPARE(loaded->report.rows, std::min(lines, rows.size()));
             QCOMPARE(loaded->marks.size(), lines - loaded->report.rows);
@@ -401,7 +401,7 @@ private Q_SLOTS:
                  (std::vector<SamplePoint>{{Duration(100), 7}, {Duration(200), 8}}));
     }
 
-    void aHeadThatIsOfNoUse_data()
+    void anUnusableHeader_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("detail");
@@ -438,7 +438,7 @@ private Q_SLOTS:
                    "\"simulated\":false,\"channels\":[]}\n",
             "line 1: baud");
     }
-    void aHeadThatIsOfNoUse()
+    void anUnusableHeader()
     {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, detail);
@@ -452,7 +452,7 @@ private Q_SLOTS:
         QVERIFY(!store.span());
     }
 
-    void anEndlessLineIsABadOne()
+    void aVeryLongLineIsInvalid()
     {
         SampleStore store;
         const auto loaded = load(textOf(RecordingFormat::Csv, demoRows()) +
@@ -522,7 +522,7 @@ private Q_SLOTS:
         }
     }
 
-    void filesThatAreNone()
+    void nonRecordingFiles()
     {
         SampleStore store;
         const auto code = [&](const QString& path) {
@@ -541,7 +541,7 @@ private Q_SLOTS:
         for (int i = 0; i < 200'000; ++i)
             rows.push_back({Duration(i), 7, {1, 2, 3}});
         SampleStore store;
-        base::Stop stop;
+        base::StopToken stop;
         int calls = 0;
         const auto path = put(QStringLiteral("run"), textOf(RecordingFormat::Csv, rows));
         const auto loaded = record::loadRecording(path, store, stop, [&](double) {
@@ -555,11 +555,11 @@ private Q_SLOTS:
         QCOMPARE(store.bytes(), 0U);
     }
 
-    void theFormatOfAName()
+    void theFormatByFileName()
     {
-        QCOMPARE(record::formatOf(QStringLiteral("a.csv")), RecordingFormat::Csv);
-        QCOMPARE(record::formatOf(QStringLiteral("a.JSONL")), RecordingFormat::JsonLines);
-        QCOMPARE(record::formatOf(QStringLiteral("jsonl")), RecordingFormat::Csv);
+        QCOMPARE(record::recordingFormatOf(QStringLiteral("a.csv")), RecordingFormat::Csv);
+        QCOMPARE(record::recordingFormatOf(QStringLiteral("a.JSONL")), RecordingFormat::JsonLines);
+        QCOMPARE(record::recordingFormatOf(QStringLiteral("jsonl")), RecordingFormat::Csv);
     }
 };
 

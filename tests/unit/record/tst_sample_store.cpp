@@ -20,7 +20,7 @@ namespace {
 constexpr Duration second = std::chrono::seconds(1);
 
 /// The same samples without any art: a list.
-struct Plain {
+struct ReferenceStore {
     std::vector<SamplePoint> points;
     std::vector<bool> gapBefore;
     bool gapNext = false;
@@ -49,9 +49,9 @@ struct Plain {
 };
 
 /// Uneven times (some equal, some hours apart), noise around a walk, gaps.
-Plain fill(SampleStore& store, int channel, std::mt19937& random, int count)
+ReferenceStore fill(SampleStore& store, int channel, std::mt19937& random, int count)
 {
-    Plain plain;
+    ReferenceStore plain;
     Duration at{std::int64_t(random() % 1000000) - 500000};
     double value = double(random() % 100000);
     for (int i = 0; i < count; ++i) {
@@ -67,7 +67,7 @@ Plain fill(SampleStore& store, int channel, std::mt19937& random, int count)
     return plain;
 }
 
-TimeSpan anyStretch(const Plain& plain, std::mt19937& random)
+TimeSpan randomSpan(const ReferenceStore& plain, std::mt19937& random)
 {
     const Duration first = plain.points[random() % plain.points.size()].at;
     const Duration last = plain.points[random() % plain.points.size()].at;
@@ -75,7 +75,7 @@ TimeSpan anyStretch(const Plain& plain, std::mt19937& random)
     return {std::min(first, last) + shift, std::max(first, last) + shift};
 }
 
-SampleStatistics plainStatistics(const std::vector<SamplePoint>& points)
+SampleStatistics naiveStatistics(const std::vector<SamplePoint>& points)
 {
     SampleStatistics sum;
     long double mean = 0;
@@ -111,8 +111,8 @@ bool near(double a, double b)
 }
 
 /// Each sample of the stretch is in one column, in order; a column says the truth about its own.
-void verifyColumns(const std::vector<SampleColumn>& columns, const Plain& plain, TimeSpan span,
-                   int pixels)
+void verifyColumns(const std::vector<SampleColumn>& columns, const ReferenceStore& plain,
+                   TimeSpan span, int pixels)
 {
     const auto first = std::find_if(plain.points.begin(), plain.points.end(),
                                     [&](const SamplePoint& p) { return p.at >= span.from; });
@@ -167,7 +167,7 @@ class TestSampleStore : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void nothingIsThere()
+    void emptyStore()
     {
         SampleStore store;
         const int channel = store.open();
@@ -188,15 +188,15 @@ private Q_SLOTS:
         QCOMPARE(store.count(), 0U);
     }
 
-    void statisticsAreThoseOfTheSamples()
+    void statisticsMatchTheSamples()
     {
         std::mt19937 random(5);
         for (const int count : {1, 2, 63, 64, 65, 4095, 4096, 4097, 30000}) {
             SampleStore store;
             const int channel = store.open();
-            const Plain plain = fill(store, channel, random, count);
+            const ReferenceStore plain = fill(store, channel, random, count);
             for (int i = 0; i < 60; ++i) {
-                const TimeSpan span = anyStretch(plain, random);
+                const TimeSpan span = randomSpan(plain, random);
                 const auto samples = plain.within(span);
                 const SampleStatistics got = store.statistics(channel, span);
                 QCOMPARE(got.count, samples.size());
@@ -206,7 +206,7 @@ private Q_SLOTS:
                 QCOMPARE(range.has_value(), !samples.empty());
                 if (samples.empty())
                     continue;
-                const SampleStatistics wanted = plainStatistics(samples);
+                const SampleStatistics wanted = naiveStatistics(samples);
                 QCOMPARE(got.min, wanted.min);
                 QCOMPARE(got.max, wanted.max);
                 QCOMPARE(*range, std::pair(wanted.min, wanted.max));
@@ -236,16 +236,16 @@ private Q_SLOTS:
         QVERIFY(near(store.statistics(ramp, {start, start + second * 1000}).slope, 0.25));
     }
 
-    void columnsAreMadeOfTheSamples()
+    void columnsMatchTheSamples()
     {
         std::mt19937 random(7);
         for (const int count : {1, 2, 100, 4096, 4097, 20000}) {
             SampleStore store;
             const int channel = store.open();
-            const Plain plain = fill(store, channel, random, count);
+            const ReferenceStore plain = fill(store, channel, random, count);
             std::vector<SampleColumn> columns;
             for (int i = 0; i < 60; ++i) {
-                const TimeSpan span = anyStretch(plain, random);
+                const TimeSpan span = randomSpan(plain, random);
                 const int pixels = int(random() % 900) + 1;
                 store.columns(channel, span, pixels, columns);
                 verifyColumns(columns, plain, span, pixels);
@@ -256,7 +256,7 @@ private Q_SLOTS:
     }
 
     // While the picture moves on, a column that stays in it stays what it was.
-    void aFollowingChartDoesNotShimmer()
+    void aScrollingChartDoesNotFlicker()
     {
         SampleStore store;
         const int channel = store.open();
@@ -282,7 +282,7 @@ private Q_SLOTS:
         }
     }
 
-    void oddQuestionsAboutColumns()
+    void unusualColumnQueries()
     {
         SampleStore store;
         const int channel = store.open();
@@ -309,7 +309,7 @@ private Q_SLOTS:
         QCOMPARE(columns[0].first, 99.0);
     }
 
-    void theValueInForce()
+    void theValueAtATime()
     {
         SampleStore store;
         const int channel = store.open();
@@ -332,7 +332,7 @@ private Q_SLOTS:
         QCOMPARE(store.at(channel, Duration::max()).has_value(), false);
     }
 
-    void whatIsNoNumberIsAGap()
+    void nanIsAGap()
     {
         SampleStore store;
         const int channel = store.open();
@@ -350,7 +350,7 @@ private Q_SLOTS:
         QVERIFY(columns[1].gapBefore);
     }
 
-    void timeNeverGoesBack()
+    void timeIsMonotonic()
     {
         SampleStore store;
         const int one = store.open();
@@ -403,7 +403,7 @@ private Q_SLOTS:
         std::mt19937 random(11);
         SampleStore store(600'000);
         const int channel = store.open();
-        Plain plain;
+        ReferenceStore plain;
         for (int i = 0; i < 200000; ++i) {
             if (i % 10007 == 10006)
                 plain.gap(store, channel);
@@ -415,7 +415,7 @@ private Q_SLOTS:
             plain.add(store, channel, {Duration(5000) * i, value});
             QVERIFY(store.bytes() <= 600'000);
         }
-        QVERIFY(store.thinned());
+        QVERIFY(store.decimated());
         QCOMPARE(store.count(), 200000U);
         const TimeSpan all{plain.points.front().at, plain.points.back().at};
         QCOMPARE(store.span(), all);
@@ -436,9 +436,9 @@ private Q_SLOTS:
                                [](const SampleColumn& column) { return column.gapBefore; }),
                  std::count(plain.gapBefore.begin(), plain.gapBefore.end(), true));
         for (int i = 0; i < 100; ++i) {
-            const TimeSpan span = anyStretch(plain, random);
+            const TimeSpan span = randomSpan(plain, random);
             const auto range = store.range(channel, span);
-            const auto wanted = plainStatistics(plain.within(span));
+            const auto wanted = naiveStatistics(plain.within(span));
             // At its ends a stretch may cut a thinned 64: then extremes of less than the peaks.
             if (wanted.max >= 5000)
                 QCOMPARE(range->second, wanted.max);
@@ -448,17 +448,17 @@ private Q_SLOTS:
     }
 
     // Of thinned parts the whole is still known exactly; a cut through one is not, and says so.
-    void statisticsSayWhenTheyAreNotExact()
+    void inexactStatisticsAreMarked()
     {
         SampleStore store(400'000);
         const int channel = store.open();
-        Plain plain;
+        ReferenceStore plain;
         for (int i = 0; i < 100000; ++i)
             plain.add(store, channel, {Duration(5000) * i, std::sin(i * 0.01)});
-        QVERIFY(store.thinned());
+        QVERIFY(store.decimated());
         const TimeSpan all{plain.points.front().at, plain.points.back().at};
         const SampleStatistics whole = store.statistics(channel, all);
-        const SampleStatistics wanted = plainStatistics(plain.points);
+        const SampleStatistics wanted = naiveStatistics(plain.points);
         QVERIFY(whole.exact);
         QCOMPARE(whole.count, wanted.count);
         QVERIFY(near(whole.mean, wanted.mean));
@@ -478,10 +478,10 @@ private Q_SLOTS:
             store.append(old, second * i, i % 100);
         for (int i = 0; i < 6000; ++i)
             store.append(young, second * (6000 + i), i % 100);
-        QVERIFY(!store.thinned());
+        QVERIFY(!store.decimated());
         for (int i = 0; i < 4096; ++i)
             store.append(young, second * (12000 + i), i % 100);
-        QVERIFY(store.thinned());
+        QVERIFY(store.decimated());
         QVERIFY(store.points(old, always).size() < 3000);
         QCOMPARE(store.points(young, always).size(), 10096U);
         QCOMPARE(store.span()->from, Duration(0));

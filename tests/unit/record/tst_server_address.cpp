@@ -20,7 +20,7 @@ class TestServerAddress : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void understood_data()
+    void validAddresses_data()
     {
         QTest::addColumn<QString>("string");
         QTest::addColumn<QString>("shown");
@@ -90,18 +90,18 @@ private Q_SLOTS:
                                           << "host='h'";
     }
 
-    void understood()
+    void validAddresses()
     {
         QFETCH(QString, string);
         const auto address = ServerAddress::parse(string);
         QVERIFY2(address, address ? "" : qPrintable(address.error().detail));
-        QTEST(address->shown(), "shown");
+        QTEST(address->displayText(), "shown");
         QTEST(address->value(text("user")), "user");
         QTEST(address->value(text("dbname")), "dbname");
         QTEST(address->options(), "options");
     }
 
-    void refused_data()
+    void invalidAddresses_data()
     {
         QTest::addColumn<QString>("string");
         for (const char* string :
@@ -113,7 +113,7 @@ private Q_SLOTS:
     }
 
     /// What is wrong may be the password itself, so it is not said again.
-    void refused()
+    void invalidAddresses()
     {
         QFETCH(QString, string);
         const auto address = ServerAddress::parse(string);
@@ -168,8 +168,8 @@ private Q_SLOTS:
         const auto address = ServerAddress::parse(string);
         QVERIFY(!address);
         QVERIFY(!address.error().detail.contains(text("swordfish")));
-        const QString shown = ServerAddress::masked(string);
-        QVERIFY2(!shown.contains(text("swordfish")), qPrintable(shown));
+        const QString displayText = ServerAddress::masked(string);
+        QVERIFY2(!displayText.contains(text("swordfish")), qPrintable(displayText));
         QTEST(ServerAddress::withoutSecrets(string).value_or(text("none")), "rest");
     }
 
@@ -197,7 +197,7 @@ private Q_SLOTS:
     }
 
     /// Where there is nothing to hide, nothing changes.
-    void othersAreLeftAlone()
+    void otherParametersAreKept()
     {
         for (const char* string :
              {"postgresql://user@h:5433/db?sslmode=require", "host=h passfile=/home/u/.pgpass",
@@ -208,7 +208,7 @@ private Q_SLOTS:
         }
     }
 
-    void thisComputerIsTold_data()
+    void localHostIsDetected_data()
     {
         QTest::addColumn<bool>("isLocal");
         for (const char* here : {"dbname=db", "host=localhost", "host=127.0.0.1", "host=127.1.2.3",
@@ -222,13 +222,13 @@ private Q_SLOTS:
             QTest::newRow(elsewhere) << false;
     }
 
-    void thisComputerIsTold()
+    void localHostIsDetected()
     {
         QFETCH(bool, isLocal);
         QCOMPARE(ServerAddress::parse(text(QTest::currentDataTag())).value().isLocal(), isLocal);
     }
 
-    void defaultsYieldToWhatIsSaid()
+    void explicitValuesOverrideDefaults()
     {
         auto address = ServerAddress::parse(text("host=h connect_timeout=9")).value();
         address.setDefault(text("connect_timeout"), text("3"));

@@ -88,14 +88,14 @@ private Q_SLOTS:
         QCOMPARE(record::encodeSnapshot(shuffled), goldenText());
     }
 
-    void theNoiseOfMultiplyingIsNotSaved()
+    void roundingNoiseIsNotSaved()
     {
         Snapshot snapshot = golden();
         snapshot.registers[2].value = std::nextafter(8.1, 9.0);
         QCOMPARE(record::encodeSnapshot(snapshot), goldenText());
     }
 
-    void aValueThatIsNoNumberIsSavedAsUnknown()
+    void nanIsSavedAsUnknown()
     {
         Snapshot snapshot = golden();
         snapshot.registers[0].value = std::numeric_limits<double>::quiet_NaN();
@@ -104,21 +104,21 @@ private Q_SLOTS:
         QCOMPARE(loaded.registers[0].raw.value(), 3);
     }
 
-    void savedIsLoaded()
+    void saveAndLoadRoundTrip()
     {
         QVERIFY(record::saveSnapshot(golden(), m_path));
         QCOMPARE(contentOf(m_path), goldenText());
         QCOMPARE(record::loadSnapshot(m_path).value(), golden());
     }
 
-    void aSnapshotWithoutRegistersComesBack()
+    void aSnapshotWithoutRegistersRoundTrips()
     {
         Snapshot snapshot = golden();
         snapshot.registers.clear();
         QCOMPARE(record::decodeSnapshot(record::encodeSnapshot(snapshot)).value(), snapshot);
     }
 
-    void fieldsOfLaterProgramsDoNotMatter()
+    void unknownFieldsAreIgnored()
     {
         const QByteArray text =
             goldenText()
@@ -135,7 +135,7 @@ private Q_SLOTS:
         QCOMPARE(record::decodeSnapshot("\xef\xbb\xbf" + text).value(), golden());
     }
 
-    void spoiltFilesAreRefusedWithThePlace_data()
+    void corruptFilesAreRefusedWithThePosition_data()
     {
         QTest::addColumn<QByteArray>("old");
         QTest::addColumn<QByteArray>("changed");
@@ -179,7 +179,7 @@ private Q_SLOTS:
             "registers[5].access: ");
         row("not UTF-8", "左膝", "\xff\xfe", "line 7: ");
     }
-    void spoiltFilesAreRefusedWithThePlace()
+    void corruptFilesAreRefusedWithThePosition()
     {
         QFETCH(const QByteArray, old);
         QFETCH(const QByteArray, changed);
@@ -195,7 +195,7 @@ private Q_SLOTS:
                  qPrintable(loaded.error().detail));
     }
 
-    void aCutFileIsRefused()
+    void aTruncatedFileIsRefused()
     {
         const QByteArray text = goldenText().trimmed();
         for (qsizetype length = 0; length < text.size(); ++length) {
@@ -225,7 +225,7 @@ private Q_SLOTS:
         QVERIFY(loaded.error().detail.startsWith(m_path));
     }
 
-    void aMissingFileIsNamed()
+    void aMissingFileIsReported()
     {
         const auto loaded = record::loadSnapshot(m_path);
         QVERIFY(!loaded);
@@ -243,7 +243,7 @@ private Q_SLOTS:
         QCOMPARE(int(saved.error().code), int(ErrorCode::FileUnwritable));
     }
 
-    void aMissingFolderIsNamed()
+    void aMissingFolderIsReported()
     {
         const auto saved =
             record::saveSnapshot(golden(), m_folder->filePath(QStringLiteral("no/knee.json")));
@@ -252,14 +252,14 @@ private Q_SLOTS:
         QVERIFY(saved.error().detail.contains(QStringLiteral("no/knee.json")));
     }
 
-    void anEmptyNameIsNoPlace()
+    void anEmptyNameIsRefused()
     {
         QCOMPARE(int(record::saveSnapshot(golden(), {}).error().code),
                  int(ErrorCode::FileUnwritable));
         QCOMPARE(int(record::loadSnapshot({}).error().code), int(ErrorCode::FileMissing));
     }
 
-    void aFailedSaveLeavesTheOldFile()
+    void aFailedSaveKeepsTheOldFile()
     {
         overwrite(m_path, "the old one");
         {

@@ -106,7 +106,7 @@ private Q_SLOTS:
         QCOMPARE(record::compareSnapshots({&b, &b}).rows[0].verdict, RowVerdict::Unknown);
     }
 
-    void otherMapsAreComparedByWhatTheyMean()
+    void otherMapsAreComparedByMeaning()
     {
         const Snapshot a = table(
             "m", {row("v", 1, 80, 0.1, "V"), row("t", 2, 60, 1, "degC"), row("x", 3, 5, 1, "ms")});
@@ -118,7 +118,7 @@ private Q_SLOTS:
         QCOMPARE(find(comparison, "x")->verdict, RowVerdict::Different);
     }
 
-    void theDigitsOfAFileMakeNoDifference()
+    void decimalDigitsMakeNoDifference()
     {
         Snapshot a = table("m", {row("angle", 1, 2345, 360.0 / 4096, "deg")});
         a.at = QDateTime({2025, 1, 31}, {12, 0, 0}, Qt::UTC);
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QCOMPARE(record::compareSnapshots({&b, &c}).rows[0].verdict, RowVerdict::Identical);
     }
 
-    void aTemplateSaysNothingOfOtherRows()
+    void aTemplateComparesOnlyItsRows()
     {
         const Snapshot a = table("m", {row("one", 1, 5), row("two", 2, 6)});
         Snapshot b = table("m", {row("two", 2, 6)});
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QCOMPARE(find(three, "one")->cells[1].state, CellState::NotChosen);
     }
 
-    void oneTableAloneIsShownWhole()
+    void aSingleTableIsShownCompletely()
     {
         const Snapshot a = table("m", {row("one", 1, 5), row("two", 2, {})});
         QCOMPARE(record::compareSnapshots({&a}).rows.size(), std::size_t(2));
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QCOMPARE(comparison.missing, 0);
     }
 
-    void everyModelHasAFactoryTableThatIsItself()
+    void everyModelMatchesItsFactoryTable()
     {
         int tables = 0;
         for (const catalog::ModelEntry& model : models().models()) {
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QVERIFY(tables > 20);
     }
 
-    void aFileLeadsToTheKindOfServoItIsOf()
+    void aFileIdentifiesItsServoType()
     {
         Snapshot snapshot = record::factorySnapshot(*sts());
         snapshot.servo.id = 1;

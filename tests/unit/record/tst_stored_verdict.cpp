@@ -25,7 +25,7 @@ QString text(const char* latin)
 }
 
 /// One servo, all of whose lines passed, and how the run ended.
-SweepRun runThat(SweepEnd end, int endedBy = -1)
+SweepRun runEndingWith(SweepEnd end, int endedBy = -1)
 {
     SweepRun run = sweep_example::run();
     run.servos.resize(1);
@@ -33,7 +33,7 @@ SweepRun runThat(SweepEnd end, int endedBy = -1)
         line.grade = Grade::Pass;
     run.end = end;
     run.endedBy = endedBy;
-    record::giveVerdicts(run);
+    record::assignVerdicts(run);
     return run;
 }
 } // namespace
@@ -46,17 +46,17 @@ private:
     QString m_path;
     std::unique_ptr<History> open() { return History::open(m_path, 1s).value(); }
     /// What the earlier version had in its lists.
-    void storeAsBefore(std::int64_t run, const char* verdict);
+    void storeAsEarlierVersion(std::int64_t run, const char* verdict);
 
 private Q_SLOTS:
     void init();
 
     void theEndDecides_data();
     void theEndDecides();
-    void aFileOfTheEarlierVersionIsJudgedAnew();
-    void aHistoryOfTheEarlierVersionIsJudgedAnew();
-    void aLongSineIsReadAllTheSame();
-    void aListGoesByTheEndAlone();
+    void aFileOfAnEarlierVersionIsReevaluated();
+    void aHistoryOfAnEarlierVersionIsReevaluated();
+    void aLongSineIsStillRead();
+    void listsUseTheEndOnly();
     void anUnfinishedRunIsNoReference();
 };
 
@@ -67,7 +67,7 @@ void TestStoredVerdict::init()
     m_path = m_dir->filePath(text("history.sqlite"));
 }
 
-void TestStoredVerdict::storeAsBefore(std::int64_t run, const char* verdict)
+void TestStoredVerdict::storeAsEarlierVersion(std::int64_t run, const char* verdict)
 {
     const auto file = record::HistoryFile::open(m_path, 1s).value();
     QVERIFY(file->run(text("DELETE FROM about WHERE name = 'sweep-verdicts'")));
@@ -90,7 +90,7 @@ void TestStoredVerdict::theEndDecides_data()
     row("link lost by it", SweepEnd::LinkLost, 5, Grade::NotMeasured);
     row("refused", SweepEnd::Refused, 5, Grade::NotMeasured);
     row("torque lost", SweepEnd::TorqueLost, 5, Grade::NotMeasured);
-    row("exchanged", SweepEnd::Exchanged, 5, Grade::NotMeasured);
+    row("exchanged", SweepEnd::ServoReplaced, 5, Grade::NotMeasured);
     row("its alarm", SweepEnd::Alarm, 5, Grade::Fail);
     row("another's alarm", SweepEnd::Alarm, 6, Grade::NotMeasured);
     row("its stall", SweepEnd::Stall, 5, Grade::Fail);
@@ -104,22 +104,22 @@ void TestStoredVerdict::theEndDecides()
     QFETCH(int, end);
     QFETCH(int, endedBy);
     QFETCH(int, verdict);
-    SweepRun run = runThat(SweepEnd(end), endedBy);
+    SweepRun run = runEndingWith(SweepEnd(end), endedBy);
     QCOMPARE(int(run.servos[0].verdict), verdict);
     // What it failed by itself before stays failed; errors on the wire are nobody's.
     run.servos[0].lines.push_back(
         {{text("communication_errors"), QString(), {}, 0.0}, 7.0, Grade::Fail});
-    record::giveVerdicts(run);
+    record::assignVerdicts(run);
     const bool finished = SweepEnd(end) == SweepEnd::Finished;
     QCOMPARE(int(run.servos[0].verdict), finished ? int(Grade::Fail) : verdict);
     run.servos[0].lines.push_back({{text("overshoot"), text("%"), {}, 5.0}, 9.0, Grade::Fail});
-    record::giveVerdicts(run);
+    record::assignVerdicts(run);
     QCOMPARE(run.servos[0].verdict, Grade::Fail);
 }
 
-void TestStoredVerdict::aFileOfTheEarlierVersionIsJudgedAnew()
+void TestStoredVerdict::aFileOfAnEarlierVersionIsReevaluated()
 {
-    QByteArray before = record::encodeSweepRun(runThat(SweepEnd::Stopped));
+    QByteArray before = record::encodeSweepRun(runEndingWith(SweepEnd::Stopped));
     before.replace("\"verdict\": \"not-measured\"", "\"verdict\": \"pass\"");
     before.replace("      \"no_verdict\": \"ended\",\n", "");
     QVERIFY(before.contains("\"verdict\": \"pass\""));
@@ -128,26 +128,26 @@ void TestStoredVerdict::aFileOfTheEarlierVersionIsJudgedAnew()
     QCOMPARE(read->servos[0].verdict, Grade::NotMeasured);
     QCOMPARE(read->verdict(), Grade::NotMeasured);
     // A sine that nobody had looked at.
-    SweepRun sine = runThat(SweepEnd::Finished);
+    SweepRun sine = runEndingWith(SweepEnd::Finished);
     sine.spec.shape = record::SweepShape::Sine;
     before = record::encodeSweepRun(sine);
     QVERIFY(before.contains("\"verdict\": \"pass\""));
     QCOMPARE(record::decodeSweepRun(before)->verdict(), Grade::NotMeasured);
 }
 
-void TestStoredVerdict::aHistoryOfTheEarlierVersionIsJudgedAnew()
+void TestStoredVerdict::aHistoryOfAnEarlierVersionIsReevaluated()
 {
     SweepRun stalled = sweep_example::run(); // of two servos one is to blame
     for (record::VerdictLine& line : stalled.servos[1].lines)
         line.grade = Grade::Pass;
-    SweepRun sine = runThat(SweepEnd::Finished);
+    SweepRun sine = runEndingWith(SweepEnd::Finished);
     sine.spec.shape = record::SweepShape::Sine;
     std::vector<std::int64_t> numbers;
     for (const SweepRun& run :
-         {runThat(SweepEnd::Stopped), stalled, sine, runThat(SweepEnd::Finished)})
+         {runEndingWith(SweepEnd::Stopped), stalled, sine, runEndingWith(SweepEnd::Finished)})
         numbers.push_back(open()->add(run).value());
     for (const std::int64_t number : numbers)
-        storeAsBefore(number, "pass");
+        storeAsEarlierVersion(number, "pass");
     const auto history = open();
     const auto verdict = [&](std::size_t run, std::size_t servo = 0) {
         return history->run(numbers[run]).value().servos.at(servo).verdict;
@@ -169,10 +169,10 @@ void TestStoredVerdict::aHistoryOfTheEarlierVersionIsJudgedAnew()
 }
 
 /// A night's sine fills several pieces; that of a stairs path is not read for its verdict.
-void TestStoredVerdict::aLongSineIsReadAllTheSame()
+void TestStoredVerdict::aLongSineIsStillRead()
 {
     constexpr std::size_t night = 20'000; // legs
-    SweepRun sine = runThat(SweepEnd::Finished);
+    SweepRun sine = runEndingWith(SweepEnd::Finished);
     sine.spec.shape = record::SweepShape::Sine;
     sine.servos[0].legs.resize(night);
     const auto number = open()->add(sine).value();
@@ -182,14 +182,14 @@ void TestStoredVerdict::aLongSineIsReadAllTheSame()
             text("SELECT COUNT(*) FROM run_texts WHERE run = ?"), {qint64(number)});
         QVERIFY(pieces->rows.front().front().toInt() > 1);
     }
-    storeAsBefore(number, "pass");
+    storeAsEarlierVersion(number, "pass");
     QCOMPARE(open()->run(number).value().servos[0].verdict, Grade::NotMeasured);
 }
 
 /// Of a run that is too long to be read again for it, or that an older program adds afterwards.
-void TestStoredVerdict::aListGoesByTheEndAlone()
+void TestStoredVerdict::listsUseTheEndOnly()
 {
-    const auto number = open()->add(runThat(SweepEnd::Stopped)).value();
+    const auto number = open()->add(runEndingWith(SweepEnd::Stopped)).value();
     const auto history = open();
     QVERIFY(history->file().run(text("UPDATE run_servos SET verdict = 'pass'")));
     QCOMPARE(history->run(number).value().servos[0].verdict, Grade::NotMeasured);
@@ -199,8 +199,8 @@ void TestStoredVerdict::aListGoesByTheEndAlone()
 void TestStoredVerdict::anUnfinishedRunIsNoReference()
 {
     const auto history = open();
-    const auto stopped = history->add(runThat(SweepEnd::Stopped)).value();
-    const auto good = history->add(runThat(SweepEnd::Finished)).value();
+    const auto stopped = history->add(runEndingWith(SweepEnd::Stopped)).value();
+    const auto good = history->add(runEndingWith(SweepEnd::Finished)).value();
     const auto refused = history->setReference(stopped, 5, true);
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, base::ErrorCode::Refused);

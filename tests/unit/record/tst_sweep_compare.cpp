@@ -9,11 +9,11 @@
 #include <limits>
 
 using record::Better;
+using record::DifferenceImpact;
 using record::Grade;
 using record::SweepComparison;
 using record::SweepRun;
 using record::TestItem;
-using record::Weight;
 using namespace std::chrono_literals;
 
 namespace {
@@ -63,18 +63,18 @@ class TestSweepCompare : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void theSameHasNoDifference();
-    void theBetterOneIsNamed();
-    void whatWasNotMeasuredHasNoDifference();
-    void gradesStandBeside();
-    void testsThatDiffer_data();
-    void testsThatDiffer();
-    void aStairHasAStepAndASweepHasNone();
+    void identicalRunsHaveNoDifference();
+    void theBetterRunIsNamed();
+    void unmeasuredHasNoDifference();
+    void gradesAreCompared();
+    void differingTests_data();
+    void differingTests();
+    void stepShapeHasAStepAndSweepHasNone();
     void onlySettingsAreCompared();
     void servosAreFoundByTheirId();
 };
 
-void TestSweepCompare::theSameHasNoDifference()
+void TestSweepCompare::identicalRunsHaveNoDifference()
 {
     const SweepRun run = sweep_example::run();
     const SweepComparison same = compared(run, run);
@@ -88,7 +88,7 @@ void TestSweepCompare::theSameHasNoDifference()
     }
 }
 
-void TestSweepCompare::theBetterOneIsNamed()
+void TestSweepCompare::theBetterRunIsNamed()
 {
     SweepRun a = sweep_example::run();
     SweepRun b = a;
@@ -110,7 +110,7 @@ void TestSweepCompare::theBetterOneIsNamed()
     QVERIFY(figure(found, "mean_speed").better == Better::A);
 }
 
-void TestSweepCompare::whatWasNotMeasuredHasNoDifference()
+void TestSweepCompare::unmeasuredHasNoDifference()
 {
     SweepRun a = sweep_example::run();
     SweepRun b = a;
@@ -127,7 +127,7 @@ void TestSweepCompare::whatWasNotMeasuredHasNoDifference()
     QCOMPARE(found.figures.size(), record::sweepMetricKinds().size());
 }
 
-void TestSweepCompare::gradesStandBeside()
+void TestSweepCompare::gradesAreCompared()
 {
     SweepRun a = sweep_example::run();
     const auto line = [](const char* key, Grade grade) {
@@ -143,55 +143,55 @@ void TestSweepCompare::gradesStandBeside()
     QVERIFY(!figure(found, "alarms").gradeA);
 }
 
-void TestSweepCompare::testsThatDiffer_data()
+void TestSweepCompare::differingTests_data()
 {
     QTest::addColumn<Change>("change");
     QTest::addColumn<int>("item");
     QTest::addColumn<int>("weight");
     QTest::addColumn<QString>("b");
-    const auto row = [](const char* name, TestItem item, Weight weight, const char* b,
+    const auto row = [](const char* name, TestItem item, DifferenceImpact weight, const char* b,
                         Change change) {
         QTest::newRow(name) << change << int(item) << int(weight) << text(b);
     };
-    row("model", TestItem::Model, Weight::Figure, "X",
+    row("model", TestItem::Model, DifferenceImpact::Figure, "X",
         [](SweepRun& run) { run.servos[0].parameters.servo.model = text("X"); });
-    row("firmware", TestItem::Firmware, Weight::Figure, "9.9",
+    row("firmware", TestItem::Firmware, DifferenceImpact::Figure, "9.9",
         [](SweepRun& run) { run.servos[0].parameters.servo.firmware = text("9.9"); });
-    row("resolution", TestItem::Resolution, Weight::Path, "1024",
+    row("resolution", TestItem::Resolution, DifferenceImpact::Path, "1024",
         [](SweepRun& run) { run.servos[0].axis.stepsPerTurn = 1024; });
-    row("simulated", TestItem::Simulated, Weight::Figure, "false",
+    row("simulated", TestItem::Simulated, DifferenceImpact::Figure, "false",
         [](SweepRun& run) { run.simulated = false; });
-    row("shape", TestItem::Shape, Weight::Path, "sweep",
+    row("shape", TestItem::Shape, DifferenceImpact::Path, "sweep",
         [](SweepRun& run) { run.spec.shape = record::SweepShape::Sweep; });
-    row("range", TestItem::Range, Weight::Path, "1000 … 3052",
+    row("range", TestItem::Range, DifferenceImpact::Path, "1000 … 3052",
         [](SweepRun& run) { run.servos[0].axis.to = 3052; });
-    row("pace", TestItem::Pace, Weight::Figure, "delay",
+    row("pace", TestItem::Pace, DifferenceImpact::Figure, "delay",
         [](SweepRun& run) { run.spec.pace = record::SweepPace::Delay; });
-    row("pause", TestItem::Pause, Weight::Figure, "1250",
+    row("pause", TestItem::Pause, DifferenceImpact::Figure, "1250",
         [](SweepRun& run) { run.spec.pause = 1250ms; });
-    row("speed", TestItem::Speed, Weight::Path, "",
+    row("speed", TestItem::Speed, DifferenceImpact::Path, "",
         [](SweepRun& run) { run.servos[0].axis.speed.reset(); });
-    row("acceleration", TestItem::Acceleration, Weight::Path, "5000",
+    row("acceleration", TestItem::Acceleration, DifferenceImpact::Path, "5000",
         [](SweepRun& run) { run.servos[0].axis.acceleration = 5000; });
-    row("time", TestItem::MoveTime, Weight::Path, "900",
+    row("time", TestItem::MoveTime, DifferenceImpact::Path, "900",
         [](SweepRun& run) { run.spec.time = text("900"); });
-    row("warm-up", TestItem::WarmUp, Weight::Figure, "0",
+    row("warm-up", TestItem::WarmUp, DifferenceImpact::Figure, "0",
         [](SweepRun& run) { run.spec.warmUp = {}; });
-    row("tolerance", TestItem::Tolerance, Weight::Figure, "4",
+    row("tolerance", TestItem::Tolerance, DifferenceImpact::Figure, "4",
         [](SweepRun& run) { run.servos[0].axis.tolerance = 4; });
-    row("cycles", TestItem::Cycles, Weight::Figure, "2, 600 s",
+    row("cycles", TestItem::Cycles, DifferenceImpact::Figure, "2, 600 s",
         [](SweepRun& run) { run.spec.cycles = 2; });
-    row("rate", TestItem::SampleRate, Weight::Figure, "200",
+    row("rate", TestItem::SampleRate, DifferenceImpact::Figure, "200",
         [](SweepRun& run) { run.sampleRate = 200; });
-    row("end", TestItem::End, Weight::Figure, "stopped",
+    row("end", TestItem::End, DifferenceImpact::Figure, "stopped",
         [](SweepRun& run) { run.end = record::SweepEnd::Stopped; });
-    row("limits", TestItem::Limits, Weight::Grade, "mine", [](SweepRun& run) {
+    row("limits", TestItem::Limits, DifferenceImpact::Grade, "mine", [](SweepRun& run) {
         run.servos[0].limits.name = text("mine");
         run.servos[0].limits.lines.pop_back();
     });
 }
 
-void TestSweepCompare::testsThatDiffer()
+void TestSweepCompare::differingTests()
 {
     QFETCH(Change, change);
     QFETCH(int, item);
@@ -206,11 +206,11 @@ void TestSweepCompare::testsThatDiffer()
     QCOMPARE(int(found.tests[0].weight), weight);
     QCOMPARE(found.tests[0].b, b);
     QVERIFY(found.tests[0].a != b);
-    QCOMPARE(found.comparable(), found.tests[0].weight != Weight::Path);
+    QCOMPARE(found.comparable(), found.tests[0].weight != DifferenceImpact::Path);
 }
 
 /// A sweep's unused step, seed, points and period are nobody's business.
-void TestSweepCompare::aStairHasAStepAndASweepHasNone()
+void TestSweepCompare::stepShapeHasAStepAndSweepHasNone()
 {
     SweepRun one = sweep_example::run();
     SweepRun two = one;

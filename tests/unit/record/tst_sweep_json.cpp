@@ -41,7 +41,7 @@ std::vector<std::map<std::string, std::string>> csvRows(const QByteArray& text)
 {
     std::vector<std::map<std::string, std::string>> rows;
     std::vector<std::string> names;
-    record::CsvCells cells;
+    record::CsvLineParser cells;
     for (const QByteArray& line : text.trimmed().split('\n')) {
         const std::string_view view(line.constData(), std::size_t(line.size()));
         const auto& found = cells.split(view);
@@ -66,7 +66,7 @@ class TestSweepJson : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void whatWasWrittenComesBack()
+    void runsRoundTrip()
     {
         const SweepRun run = sweep_example::run();
         const QByteArray text = record::encodeSweepRun(run);
@@ -76,7 +76,7 @@ private Q_SLOTS:
         QCOMPARE(record::encodeSweepRun(*read), text);
     }
 
-    void aRunOfNothingComesBack()
+    void anEmptyRunRoundTrips()
     {
         SweepRun run;
         run.at = QDateTime({2026, 1, 1}, {0, 0}, Qt::UTC);
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QVERIFY(record::decodeSweepRun(record::encodeSweepRun(run)).value() == run);
     }
 
-    void savedIsLoaded()
+    void saveAndLoadRoundTrip()
     {
         const QTemporaryDir dir;
         const QString path = dir.filePath(QStringLiteral("run.json"));
@@ -101,7 +101,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(path), record::encodeSweepLegs(run));
     }
 
-    void anybodyFindsVerdictLegsAndMetrics()
+    void jsonHasVerdictLegsAndMetrics()
     {
         const SweepRun run = sweep_example::run();
         const QJsonObject json = parsed(run);
@@ -137,7 +137,7 @@ private Q_SLOTS:
                  QStringLiteral("fail"));
     }
 
-    void aFigureThatIsNoNumberWasNotMeasured()
+    void nanMeansNotMeasured()
     {
         SweepRun run = sweep_example::run();
         run.servos[0].legs[0].overshoot = std::numeric_limits<double>::quiet_NaN();
@@ -146,7 +146,7 @@ private Q_SLOTS:
         QVERIFY(record::encodeSweepLegs(run) == record::encodeSweepLegs(*read));
     }
 
-    void theCsvSaysTheSame()
+    void csvMatchesJson()
     {
         const SweepRun run = sweep_example::run();
         const QByteArray text = record::encodeSweepLegs(run);
@@ -174,7 +174,7 @@ private Q_SLOTS:
         QCOMPARE(rows[6].at("alarms"), std::string("36"));
     }
 
-    void slipsAreNamed_data()
+    void mistakesAreReported_data()
     {
         QTest::addColumn<QByteArray>("from");
         QTest::addColumn<QByteArray>("to");
@@ -207,7 +207,7 @@ private Q_SLOTS:
         row("target", "\"target\": 900.5", "\"target\": null", "legs[6].target: expected a number");
         row("alarms", "\"alarms\": 36", "\"alarms\": 256", "legs[6].alarms: expected 0 to 255");
     }
-    void slipsAreNamed()
+    void mistakesAreReported()
     {
         QFETCH(const QByteArray, from);
         QFETCH(const QByteArray, to);
@@ -221,14 +221,14 @@ private Q_SLOTS:
     }
 
     /// Cut anywhere, it is refused and nothing else happens.
-    void halfAFileIsRefused()
+    void aTruncatedFileIsRefused()
     {
         const QByteArray text = record::encodeSweepRun(sweep_example::run()).trimmed();
         for (qsizetype size = 0; size < text.size(); size += 97)
             QCOMPARE(record::decodeSweepRun(text.left(size)).error().code, ErrorCode::FileFormat);
     }
 
-    void filesThatCannotBeReadOrWritten()
+    void unreadableAndUnwritableFiles()
     {
         const QTemporaryDir dir;
         const QString path = dir.filePath(QStringLiteral("run.json"));

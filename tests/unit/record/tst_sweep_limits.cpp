@@ -62,7 +62,7 @@ class TestSweepLimits : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void everyFamilyHasItsOwn_data()
+    void everyFamilyHasItsOwnLimits_data()
     {
         QTest::addColumn<QString>("model");
         QTest::addColumn<QString>("series");
@@ -81,7 +81,7 @@ private Q_SLOTS:
         row("SCS15-2", "SCS2", 4, 7);
         row("LX-16A", "LX", 4, 7);
     }
-    void everyFamilyHasItsOwn()
+    void everyFamilyHasItsOwnLimits()
     {
         QFETCH(const QString, model);
         QFETCH(const QString, series);
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(lineOf(limits, QStringLiteral("overshoot"))->fail.value(), 5.0);
     }
 
-    void whatIsUnknownHasLimitsWithoutSteps()
+    void unknownModelsHaveLimitsWithoutSteps()
     {
         const SweepLimits limits =
             record::builtInSweepLimits(QStringLiteral("Nobody's"), QStringLiteral("NEW"));
@@ -105,7 +105,7 @@ private Q_SLOTS:
             QVERIFY2(line.unit != QStringLiteral("step"), qPrintable(line.metric));
     }
 
-    void builtInFilesLoadAndAreAllListed()
+    void builtInFilesLoadAndAreListed()
     {
         const QStringList names = QDir(folder).entryList({QStringLiteral("*.json")}, QDir::Files);
         const QString listed = QString::fromUtf8(contentOf(folder + QStringLiteral("limits.qrc")));
@@ -147,7 +147,7 @@ private Q_SLOTS:
             QCOMPARE(limits->lines[i].atLeast, record::sweepMetricKinds()[i].atLeast);
     }
 
-    void savedIsLoaded()
+    void saveAndLoadRoundTrip()
     {
         const QTemporaryDir dir;
         const QString path = dir.filePath(QStringLiteral("shop.json"));
@@ -158,7 +158,7 @@ private Q_SLOTS:
         QCOMPARE(record::encodeSweepLimits(*loaded), contentOf(path));
     }
 
-    void slipsAreNamed_data()
+    void mistakesAreReported_data()
     {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("detail");
@@ -200,7 +200,7 @@ private Q_SLOTS:
             "lines[1].metric: \"overshoot\" is there twice");
         row("no object", line("5"), "lines[0]: expected an object");
     }
-    void slipsAreNamed()
+    void mistakesAreReported()
     {
         QFETCH(const QByteArray, text);
         QFETCH(const QString, detail);
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QVERIFY2(limits.error().detail.contains(detail), qPrintable(limits.error().detail));
     }
 
-    void filesThatCannotBeRead()
+    void unreadableFiles()
     {
         const QTemporaryDir dir;
         const QString path = dir.filePath(QStringLiteral("a.json"));

@@ -32,7 +32,7 @@ TriggerSpec level(Kind kind, double at, double hysteresis = 0)
 }
 
 /// Index of the sample that fires it, a millisecond each; -1: none does.
-int firesAt(const TriggerSpec& spec, const std::vector<double>& values)
+int triggerIndex(const TriggerSpec& spec, const std::vector<double>& values)
 {
     Trigger trigger;
     trigger.arm(spec);
@@ -45,7 +45,7 @@ int firesAt(const TriggerSpec& spec, const std::vector<double>& values)
     return -1;
 }
 
-int plainly(const TriggerSpec& spec, const std::vector<double>& values)
+int naiveTriggerIndex(const TriggerSpec& spec, const std::vector<double>& values)
 {
     const double sign = spec.kind == Kind::Below || spec.kind == Kind::Falling ? -1 : 1;
     const bool edge = spec.kind == Kind::Rising || spec.kind == Kind::Falling;
@@ -96,10 +96,11 @@ private Q_SLOTS:
         QFETCH(int, kind);
         QFETCH(double, hysteresis);
         QFETCH(QList<double>, values);
-        QTEST(firesAt(level(Kind(kind), 10, hysteresis), {values.begin(), values.end()}), "at");
+        QTEST(triggerIndex(level(Kind(kind), 10, hysteresis), {values.begin(), values.end()}),
+              "at");
     }
 
-    void asArithmeticSays()
+    void matchesPlainArithmetic()
     {
         std::mt19937 random(3);
         for (int i = 0; i < 4000; ++i) {
@@ -107,11 +108,11 @@ private Q_SLOTS:
             for (unsigned count = random() % 12; count > 0; --count)
                 values.push_back(int(random() % 9) - 4);
             const auto spec = level(Kind(random() % 4), int(random() % 5) - 2, random() % 3);
-            QCOMPARE(firesAt(spec, values), plainly(spec, values));
+            QCOMPARE(triggerIndex(spec, values), naiveTriggerIndex(spec, values));
         }
     }
 
-    void afterAGapAnEdgeStartsAnew()
+    void aGapResetsTheEdge()
     {
         Trigger trigger;
         trigger.arm(level(Kind::Rising, 10));
@@ -130,14 +131,14 @@ private Q_SLOTS:
         QCOMPARE(trigger.firedAt(), 7 * ms);
     }
 
-    void itWaitsForWhatComesAfter()
+    void waitsForPostTriggerSamples()
     {
         Trigger trigger;
         QCOMPARE(trigger.state(), State::Idle);
         trigger.sample(channel, ms, 50);
         QCOMPARE(trigger.state(), State::Idle);
         trigger.arm(level(Kind::Above, 10));
-        trigger.reach(99 * ms);
+        trigger.advanceTo(99 * ms);
         QCOMPARE(trigger.state(), State::Armed);
         QVERIFY(!trigger.window());
         trigger.sample(channel, 100 * ms, 12);
@@ -145,9 +146,9 @@ private Q_SLOTS:
         QCOMPARE(trigger.window(), (record::TimeSpan{90 * ms, 120 * ms}));
         trigger.sample(channel, 110 * ms, 5);
         trigger.sample(channel, 111 * ms, 50);
-        trigger.reach(120 * ms - Duration(1));
+        trigger.advanceTo(120 * ms - Duration(1));
         QCOMPARE(trigger.state(), State::Fired);
-        trigger.reach(120 * ms);
+        trigger.advanceTo(120 * ms);
         QCOMPARE(trigger.state(), State::Complete);
         QCOMPARE(trigger.firedAt(), 100 * ms);
         trigger.sample(channel, 130 * ms, 50); // once

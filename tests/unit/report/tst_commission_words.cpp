@@ -8,35 +8,35 @@
 
 using base::ErrorCode;
 
-class TestCommissionWords : public QObject {
+class TestCommissionTexts : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void errorsHaveWords()
+    void errorsHaveText()
     {
         for (const ErrorCode code :
-             {ErrorCode::NoAnswer, ErrorCode::Garbled, ErrorCode::WrongAnswer, ErrorCode::LineBusy,
-              ErrorCode::Refused, ErrorCode::Uncertain, ErrorCode::IdInUse,
-              ErrorCode::SeveralServos, ErrorCode::FamilyUnclear, ErrorCode::UnknownModel,
-              ErrorCode::Mismatch, ErrorCode::LockOpen, ErrorCode::IdentityDiffers,
+             {ErrorCode::NoReply, ErrorCode::Garbled, ErrorCode::UnexpectedReply,
+              ErrorCode::LineBusy, ErrorCode::Refused, ErrorCode::Uncertain, ErrorCode::IdInUse,
+              ErrorCode::DuplicateId, ErrorCode::FamilyConflict, ErrorCode::UnknownModel,
+              ErrorCode::Mismatch, ErrorCode::LockOpen, ErrorCode::IdentityMismatch,
               ErrorCode::OutOfRange, ErrorCode::NotSupported}) {
             const QString word = base::errorName(code);
-            const auto said = report::commissionTroubleWords({word, QStringLiteral("a|b")});
+            const auto said = report::commissionIssueText({word, QStringLiteral("a|b")});
             QVERIFY2(!said.en.startsWith(word + QStringLiteral(" (")), qPrintable(word));
             QVERIFY2(said.zh != said.en, qPrintable(word));
         }
     }
 
     // The facts are for the dialog that explains them.
-    void factsOfAFamilyAreNotShownRaw()
+    void familyFactsAreFormatted()
     {
-        const auto said = report::commissionTroubleWords(
-            {base::errorName(ErrorCode::FamilyUnclear), QStringLiteral("3.25|STS/SCS2|1|9.3")});
+        const auto said = report::commissionIssueText(
+            {base::errorName(ErrorCode::FamilyConflict), QStringLiteral("3.25|STS/SCS2|1|9.3")});
         QVERIFY2(!said.en.contains(QLatin1Char('|')), qPrintable(said.en));
     }
 };
 
-QTEST_GUILESS_MAIN(TestCommissionWords)
+QTEST_GUILESS_MAIN(TestCommissionTexts)
 #include "tst_commission_words.moc"

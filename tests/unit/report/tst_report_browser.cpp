@@ -18,8 +18,8 @@
 #include <cmath>
 
 namespace {
-constexpr QRgb traceColour = 0xff0b57d0;
-constexpr int patience = 120'000; ///< ms; a browser that hangs is not waited for
+constexpr QRgb traceColor = 0xff0b57d0;
+constexpr int timeout = 120'000; ///< ms; a browser that hangs is not waited for
 
 QString text(const char* utf8)
 {
@@ -42,7 +42,7 @@ bool write(const QString& path, const QByteArray& bytes)
 }
 
 /// Looks into each report: what is seen at first, then after a click on each language.
-const char* const looker = R"(<!DOCTYPE html><html><body>%1<pre id="found"></pre><script>
+const char* const probeScript = R"(<!DOCTYPE html><html><body>%1<pre id="found"></pre><script>
 window.onload = async () => {
   const found = [];
   for (const frame of document.querySelectorAll('iframe')) {
@@ -77,12 +77,12 @@ class TestReportBrowser : public QObject {
     Q_OBJECT
 
 private:
-    struct Ran {
+    struct BrowserResult {
         int exit = -1;
         QByteArray out;
         QStringList complaints; ///< of the page's console
     };
-    Ran browse(const QStringList& options)
+    BrowserResult browse(const QStringList& options)
     {
         QProcess process;
         process.start(m_browser,
@@ -92,19 +92,19 @@ private:
                                   text("--hide-scrollbars"), text("--enable-logging=stderr"),
                                   text("--user-data-dir=") + m_folder.filePath(text("profile"))} +
                           options);
-        Ran ran;
-        if (!process.waitForFinished(patience)) {
+        BrowserResult result;
+        if (!process.waitForFinished(timeout)) {
             process.kill();
             process.waitForFinished();
-            return ran;
+            return result;
         }
-        ran.exit = process.exitCode();
-        ran.out = process.readAllStandardOutput();
+        result.exit = process.exitCode();
+        result.out = process.readAllStandardOutput();
         for (const QByteArray& line : process.readAllStandardError().split('\n')) {
             if (line.contains("CONSOLE"))
-                ran.complaints << QString::fromUtf8(line);
+                result.complaints << QString::fromUtf8(line);
         }
-        return ran;
+        return result;
     }
     QString page(const char* name) { return m_folder.filePath(text(name)); }
 
@@ -130,7 +130,7 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
     void chartsAndLanguages();
-    void theCurveCanBeSeen();
+    void theCurveIsVisible();
 };
 
 void TestReportBrowser::chartsAndLanguages()
@@ -139,21 +139,21 @@ void TestReportBrowser::chartsAndLanguages()
     const QStringList names{text("sweep.html"), text("sweep-zh.html"), text("compare.html")};
     for (const QString& name : names)
         frames += text("<iframe width=\"1000\" height=\"900\" src=\"%1\"></iframe>").arg(name);
-    QVERIFY(write(page("looker.html"), text(looker).arg(frames).toUtf8()));
-    const Ran ran =
+    QVERIFY(write(page("looker.html"), text(probeScript).arg(frames).toUtf8()));
+    const BrowserResult result =
         browse({text("--allow-file-access-from-files"), text("--dump-dom"),
                 text("--virtual-time-budget=60000"), text("file://") + page("looker.html")});
-    QCOMPARE(ran.exit, 0);
-    QCOMPARE(ran.complaints, QStringList());
-    const int begin = ran.out.indexOf("<pre id=\"found\">") + 16;
-    const QByteArray json = ran.out.mid(begin, ran.out.indexOf("</pre>", begin) - begin);
+    QCOMPARE(result.exit, 0);
+    QCOMPARE(result.complaints, QStringList());
+    const int begin = result.out.indexOf("<pre id=\"found\">") + 16;
+    const QByteArray json = result.out.mid(begin, result.out.indexOf("</pre>", begin) - begin);
     const QJsonArray found = QJsonDocument::fromJson(json).array();
     QCOMPARE(found.size(), names.size());
     for (int i = 0; i < found.size(); ++i) {
         const QJsonValue one = found[i];
-        const bool opensChinese = i == 1;
-        QCOMPARE(one[text("first")][text("zh")].toBool(), opensChinese);
-        QCOMPARE(one[text("first")][text("en")].toBool(), !opensChinese);
+        const bool chineseFirst = i == 1;
+        QCOMPARE(one[text("first")][text("zh")].toBool(), chineseFirst);
+        QCOMPARE(one[text("first")][text("en")].toBool(), !chineseFirst);
         QVERIFY(one[text("chinese")][text("zh")].toBool());
         QVERIFY(!one[text("chinese")][text("en")].toBool());
         QVERIFY(one[text("english")][text("en")].toBool());
@@ -174,13 +174,14 @@ void TestReportBrowser::chartsAndLanguages()
 }
 
 /// From one side of its chart to the other.
-void TestReportBrowser::theCurveCanBeSeen()
+void TestReportBrowser::theCurveIsVisible()
 {
     const QString path = page("page.png");
-    const Ran ran = browse({text("--window-size=1100,5000"), text("--screenshot=") + path,
-                            text("file://") + page("sweep.html")});
-    QCOMPARE(ran.exit, 0);
-    QCOMPARE(ran.complaints, QStringList());
+    const BrowserResult result =
+        browse({text("--window-size=1100,5000"), text("--screenshot=") + path,
+                text("file://") + page("sweep.html")});
+    QCOMPARE(result.exit, 0);
+    QCOMPARE(result.complaints, QStringList());
     const QImage picture(path);
     QVERIFY(!picture.isNull());
     int left = picture.width();
@@ -188,7 +189,7 @@ void TestReportBrowser::theCurveCanBeSeen()
     int pixels = 0;
     for (int y = 0; y < picture.height(); ++y) {
         for (int x = 0; x < picture.width(); ++x) {
-            if ((picture.pixel(x, y) | 0xff000000) != traceColour)
+            if ((picture.pixel(x, y) | 0xff000000) != traceColor)
                 continue;
             ++pixels;
             left = std::min(left, x);

@@ -50,14 +50,14 @@ class TestSweepCompareHtml : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void itIsOnePageInTwoLanguages();
-    void whatCannotBeComparedIsSaid();
-    void everyWordIsThere();
-    void theReferenceInLines();
-    void itIsSaved();
+    void onePageInTwoLanguages();
+    void incomparableIsReported();
+    void everyTextIsPresent();
+    void theReferenceAsText();
+    void saves();
 };
 
-void TestSweepCompareHtml::itIsOnePageInTwoLanguages()
+void TestSweepCompareHtml::onePageInTwoLanguages()
 {
     const SweepRun a = sweep_example::run();
     SweepRun b = a;
@@ -75,7 +75,7 @@ void TestSweepCompareHtml::itIsOnePageInTwoLanguages()
     QVERIFY(pageOf(a, b, false).contains("id=\"lang-en\" checked=\"checked\""));
 }
 
-void TestSweepCompareHtml::whatCannotBeComparedIsSaid()
+void TestSweepCompareHtml::incomparableIsReported()
 {
     const SweepRun a = sweep_example::run();
     SweepRun b = a;
@@ -84,27 +84,27 @@ void TestSweepCompareHtml::whatCannotBeComparedIsSaid()
     b.spec.shape = record::SweepShape::Sine;
     b.end = record::SweepEnd::Alarm;
     const QString words = read(pageOf(a, b));
-    const report::CompareWords& own = report::compareWords();
+    const report::CompareTexts& own = report::compareTexts();
     for (const report::Text& warning : {own.notComparable, own.someDiffer, own.gradesDiffer}) {
         QVERIFY(words.contains(warning.en));
         QVERIFY(words.contains(warning.zh));
     }
     QVERIFY(words.contains(text("1000 … 2000")));
-    QVERIFY(words.contains(report::shapeWords(record::SweepShape::Sine).zh));
-    QVERIFY(words.contains(report::endWords(record::SweepEnd::Alarm).en));
+    QVERIFY(words.contains(report::shapeText(record::SweepShape::Sine).zh));
+    QVERIFY(words.contains(report::endText(record::SweepEnd::Alarm).en));
 }
 
-void TestSweepCompareHtml::everyWordIsThere()
+void TestSweepCompareHtml::everyTextIsPresent()
 {
     for (int item = 0; item <= int(record::TestItem::End); ++item) {
-        const report::Text words = report::testItemWords(record::TestItem(item));
+        const report::Text words = report::testItemText(record::TestItem(item));
         QVERIFY(!words.en.isEmpty() && !words.zh.isEmpty());
-        const report::Text none = report::testValueWords(record::TestItem(item), QString());
+        const report::Text none = report::testValueText(record::TestItem(item), QString());
         QVERIFY(!none.en.isEmpty() && !none.zh.isEmpty());
     }
 }
 
-void TestSweepCompareHtml::theReferenceInLines()
+void TestSweepCompareHtml::theReferenceAsText()
 {
     const SweepRun reference = sweep_example::run();
     SweepRun run = reference;
@@ -129,7 +129,7 @@ void TestSweepCompareHtml::theReferenceInLines()
     QCOMPARE(lines[1].en, text("Time to target −100 ms (better)"));
 }
 
-void TestSweepCompareHtml::itIsSaved()
+void TestSweepCompareHtml::saves()
 {
     const QTemporaryDir dir;
     const SweepRun run = sweep_example::run();

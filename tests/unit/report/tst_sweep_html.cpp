@@ -31,7 +31,7 @@ std::vector<SweepSeries> exampleSeries(int readings = 900)
 
 /// What a reader sees with one language chosen, as the page's style sheet decides: elements of the
 /// other one's class are hidden. Also what is wrong with the XML, and names met.
-struct Seen {
+struct PageFacts {
     QString text;
     QString error;
     QSet<QString> elements;
@@ -39,9 +39,9 @@ struct Seen {
     int charts = 0;
 };
 
-Seen read(const QByteArray& page, const QString& hiddenClass = {})
+PageFacts read(const QByteArray& page, const QString& hiddenClass = {})
 {
-    Seen seen;
+    PageFacts seen;
     QXmlStreamReader xml(page);
     int hidden = 0;
     int depth = 0;
@@ -89,7 +89,7 @@ QString written(double value)
     return text.remove(zeros);
 }
 
-bool hasChinese(const QString& text)
+bool containsChinese(const QString& text)
 {
     static const QRegularExpression han(QStringLiteral("\\p{Han}"));
     return text.contains(han);
@@ -102,12 +102,12 @@ class TestSweepHtml : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void thePageNeedsNothingElse()
+    void thePageIsSelfContained()
     {
         for (const bool chinese : {false, true}) {
             const QByteArray page =
                 report::sweepHtml(sweep_example::run(), exampleSeries(), chinese);
-            const Seen seen = read(page);
+            const PageFacts seen = read(page);
             QVERIFY2(seen.error.isEmpty(), qPrintable(seen.error));
             QCOMPARE(seen.fetched, QStringList());
             QVERIFY(!seen.elements.contains(QStringLiteral("script")));
@@ -121,7 +121,7 @@ private Q_SLOTS:
         }
     }
 
-    void everyFigureIsThere()
+    void everyMetricIsPresent()
     {
         const record::SweepRun run = sweep_example::run();
         const QString text =
@@ -133,7 +133,7 @@ private Q_SLOTS:
             return found;
         };
         for (const record::SweepMetric& metric : run.servos[0].metrics) {
-            QVERIFY(has(report::metricWords(metric.key).en));
+            QVERIFY(has(report::metricLabel(metric.key).en));
             for (const auto& value : {metric.value, metric.mean, metric.min, metric.max})
                 QVERIFY(has(written(*value)));
             QVERIFY(has(QString::number(metric.count)));
@@ -200,12 +200,12 @@ private Q_SLOTS:
         const QByteArray page = report::sweepHtml(run, exampleSeries(), false);
         const QString english = read(page, QStringLiteral("zh")).text;
         const QString body = english.mid(english.indexOf(QStringLiteral("Sweep test report"), 20));
-        QVERIFY(!hasChinese(QString(body).remove(QStringLiteral("中文"))));
+        QVERIFY(!containsChinese(QString(body).remove(QStringLiteral("中文"))));
         const QString chinese = read(page, QStringLiteral("en")).text;
         for (const char* fact : {"扫描测试报告", "✘ 不合格", "模拟", "编码器之后的齿轮间隙未测量",
                                  "高于 8 步", "未测量", "过温、过载", "双向接近中点", "扭矩关闭"})
             QVERIFY2(chinese.contains(QString::fromUtf8(fact)), fact);
-        // Every span of one language has its neighbour in the other.
+        // Every span of one language has its neighbor in the other.
         static const QRegularExpression spans(
             QStringLiteral("<(t?span) class=\"en\" lang=\"en\">([^<]*)</\\1>"
                            "<\\1 class=\"zh\" lang=\"zh\">([^<]*)</\\1>"));
@@ -214,7 +214,7 @@ private Q_SLOTS:
         for (auto it = spans.globalMatch(markup); it.hasNext(); ++pairs) {
             const auto match = it.next();
             QVERIFY(!match.captured(2).isEmpty() && !match.captured(3).isEmpty());
-            QVERIFY2(hasChinese(match.captured(3)), qPrintable(match.captured(3)));
+            QVERIFY2(containsChinese(match.captured(3)), qPrintable(match.captured(3)));
         }
         QVERIFY(pairs > 150);
         QCOMPARE(markup.count(QStringLiteral("class=\"en\"")), pairs);
@@ -222,7 +222,7 @@ private Q_SLOTS:
     }
 
     /// In every column of a table, whether their unit is the same word in both languages or not.
-    void numbersStandAtTheRight()
+    void numbersAreRightAligned()
     {
         const QString page =
             QString::fromUtf8(report::sweepHtml(sweep_example::run(), exampleSeries(), false));
@@ -234,31 +234,32 @@ private Q_SLOTS:
         QVERIFY(page.contains(QStringLiteral("<td class=\"n\" align=\"right\"><span")));
     }
 
-    void whatPeopleTypedIsOnlyText()
+    void userTextIsEscaped()
     {
         record::SweepRun run = sweep_example::run();
-        const QString evil = QStringLiteral("<b onclick=\"x\">&'%1%2</b>");
+        const QString hostileText = QStringLiteral("<b onclick=\"x\">&'%1%2</b>");
         run.spec.shape = record::SweepShape::Points;
-        run.spec.points = {{evil, {}}};
-        run.spec.speed = run.spec.acceleration = run.spec.time = evil;
-        run.spec.operatorName = evil + QChar(1) + QChar(0xd800) + QChar(0xffff);
-        run.port = run.program = evil;
-        run.servos[0].parameters.servo = {5, evil, evil, evil, evil, evil};
-        run.servos[0].parameters.registers[0].key = evil;
-        run.servos[0].parameters.registers[0].unit = evil;
-        run.servos[0].limits.name = evil;
-        run.servos[0].lines[0].limit.metric = run.servos[0].lines[0].limit.unit = evil;
-        run.servos[0].metrics[0].key = run.servos[0].metrics[0].unit = evil;
+        run.spec.points = {{hostileText, {}}};
+        run.spec.speed = run.spec.acceleration = run.spec.time = hostileText;
+        run.spec.operatorName = hostileText + QChar(1) + QChar(0xd800) + QChar(0xffff);
+        run.port = run.program = hostileText;
+        run.servos[0].parameters.servo = {5,           hostileText, hostileText,
+                                          hostileText, hostileText, hostileText};
+        run.servos[0].parameters.registers[0].key = hostileText;
+        run.servos[0].parameters.registers[0].unit = hostileText;
+        run.servos[0].limits.name = hostileText;
+        run.servos[0].lines[0].limit.metric = run.servos[0].lines[0].limit.unit = hostileText;
+        run.servos[0].metrics[0].key = run.servos[0].metrics[0].unit = hostileText;
         const QByteArray page = report::sweepHtml(run, exampleSeries(), false);
-        const Seen seen = read(page, QStringLiteral("zh"));
+        const PageFacts seen = read(page, QStringLiteral("zh"));
         QVERIFY2(seen.error.isEmpty(), qPrintable(seen.error));
         QVERIFY(!page.contains("<b ") && !page.contains("<script") && !page.contains("<img"));
-        QVERIFY(seen.text.count(evil) >= 16);
+        QVERIFY(seen.text.count(hostileText) >= 16);
         QVERIFY(seen.text.contains(sweep_example::hostileNote));
         QVERIFY(seen.text.contains(sweep_example::hostileLabel));
     }
 
-    void aFlagThatWasRightIsNoRemark()
+    void aCorrectFlagIsNoRemark()
     {
         record::SweepRun run = sweep_example::run();
         run.servos.pop_back();
@@ -271,19 +272,19 @@ private Q_SLOTS:
         QVERIFY(report::sweepHtml(run, {}, false).contains("moving flag wrong"));
     }
 
-    void everyEndHasItsWords()
+    void everyEndHasText()
     {
         using record::SweepEnd;
         QSet<QString> english;
         for (int end = 0; !record::sweepEndName(SweepEnd(end)).isEmpty(); ++end) {
-            const catalog::Text words = report::endWords(SweepEnd(end));
-            QVERIFY(!words.en.isEmpty() && hasChinese(words.zh));
+            const catalog::Text words = report::endText(SweepEnd(end));
+            QVERIFY(!words.en.isEmpty() && containsChinese(words.zh));
             QVERIFY2(!english.contains(words.en), qPrintable(words.en));
             english.insert(words.en);
         }
         QVERIFY(english.size() >= 8);
         for (const record::SweepMetricKind& kind : record::sweepMetricKinds())
-            QVERIFY2(hasChinese(report::metricWords(kind.key).zh), qPrintable(kind.key));
+            QVERIFY2(containsChinese(report::metricLabel(kind.key).zh), qPrintable(kind.key));
     }
 
     void longRunsAreShortened()
@@ -314,14 +315,14 @@ private Q_SLOTS:
         QVERIFY(!report::sweepHtml(sweep_example::run(200), {}, false).contains("Of 200 legs"));
     }
 
-    void thinnedLinesKeepTheirExtremes()
+    void decimatedLinesKeepTheirExtremes()
     {
         std::vector<ChartSample> samples;
         for (int i = 0; i < 100000; ++i)
             samples.push_back({i * 0.001, std::sin(i * 0.01), 0});
         samples[77777].position = 40;
         samples[33333].position = -30;
-        const auto kept = report::thinned(samples, 2000);
+        const auto kept = report::decimated(samples, 2000);
         QVERIFY(kept.size() <= 2000);
         const auto has = [&](double value) {
             return std::any_of(kept.begin(), kept.end(),
@@ -330,33 +331,33 @@ private Q_SLOTS:
         QVERIFY(has(40) && has(-30));
         QVERIFY(
             std::is_sorted(kept.begin(), kept.end(), [](auto& a, auto& b) { return a.t < b.t; }));
-        QCOMPARE(report::thinned(exampleSeries()[0].samples, 2000).size(), std::size_t(900));
+        QCOMPARE(report::decimated(exampleSeries()[0].samples, 2000).size(), std::size_t(900));
         const QString chart =
-            report::positionChart(report::Scribe(report::Tongue::English), samples);
+            report::positionChart(report::HtmlWriter(report::ReportLanguage::English), samples);
         QVERIFY(chart.size() < 100000);
     }
 
     /// Its figures are within their limits, but that is no verdict.
-    void aStoppedRunPassesNowhere()
+    void aStoppedRunNeverPasses()
     {
         record::SweepRun run = sweep_example::run();
         run.servos.resize(1);
         for (record::VerdictLine& line : run.servos[0].lines)
             line.grade = record::Grade::Pass;
         run.end = record::SweepEnd::Stopped;
-        record::giveVerdicts(run);
-        const Seen seen = read(report::sweepHtml(run, {}, false));
+        record::assignVerdicts(run);
+        const PageFacts seen = read(report::sweepHtml(run, {}, false));
         QVERIFY(seen.text.contains(QStringLiteral("– No verdict")));
         QVERIFY(seen.text.contains(QStringLiteral("✔ OK")));
         QVERIFY(!seen.text.contains(QStringLiteral("Passed")));
     }
 
-    void runsWithNextToNothing()
+    void nearlyEmptyRuns()
     {
         record::SweepRun run;
-        const Seen nobody = read(report::sweepHtml(run, {}, false), QStringLiteral("zh"));
-        QVERIFY2(nobody.error.isEmpty(), qPrintable(nobody.error));
-        QVERIFY(nobody.text.contains(QStringLiteral("– No verdict")));
+        const PageFacts noViewer = read(report::sweepHtml(run, {}, false), QStringLiteral("zh"));
+        QVERIFY2(noViewer.error.isEmpty(), qPrintable(noViewer.error));
+        QVERIFY(noViewer.text.contains(QStringLiteral("– No verdict")));
         run = sweep_example::run(1);
         run.servos[0].legs[0].steadyError = 0;
         const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -372,7 +373,7 @@ private Q_SLOTS:
         QVERIFY(read(report::sweepHtml(run, {}, false)).error.isEmpty());
     }
 
-    void savingSaysWhatIsWrong()
+    void saveErrorsAreReported()
     {
         const QTemporaryDir dir;
         const QString path = dir.filePath(QStringLiteral("report.html"));

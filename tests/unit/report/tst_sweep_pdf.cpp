@@ -54,7 +54,7 @@ private Q_SLOTS:
 
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void itHasTheSameFigures()
+    void hasTheSameMetrics()
     {
         const record::SweepRun run = sweep_example::run();
         QVERIFY(report::saveSweepPdf(run, exampleSeries(), false, m_path));
@@ -73,7 +73,7 @@ private Q_SLOTS:
             QVERIFY2(text.contains(QString::fromUtf8(fact)), fact);
     }
 
-    void itSpeaksChinese()
+    void isTranslatedToChinese()
     {
         QVERIFY(report::saveSweepPdf(sweep_example::run(), exampleSeries(), true, m_path));
         QFile file(m_path);
@@ -86,7 +86,7 @@ private Q_SLOTS:
 
     /// The reader needs none of them, and only Chinese, of which the example has a word, depends on
     /// the machine.
-    void itsFontsAreInIt()
+    void fontsAreEmbedded()
     {
         QVERIFY(report::saveSweepPdf(sweep_example::run(), exampleSeries(), false, m_path));
         const QStringList fonts = outputOf(QStringLiteral("pdffonts"), {m_path})
@@ -102,7 +102,7 @@ private Q_SLOTS:
             QVERIFY2(!fonts.filter(QLatin1String(text)).isEmpty(), text);
     }
 
-    void chartsAreInIt()
+    void containsCharts()
     {
         QVERIFY(report::saveSweepPdf(sweep_example::run(), exampleSeries(), false, m_path));
         const QString images =
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QVERIFY(words > 300);
     }
 
-    void savingSaysWhatIsWrong()
+    void saveErrorsAreReported()
     {
         const auto saved = report::saveSweepPdf(sweep_example::run(), {}, false,
                                                 m_folder.filePath(QStringLiteral("none/x.pdf")));
@@ -166,7 +166,7 @@ int main(int argc, char** argv)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QTemporaryDir place;
-    qputenv("FONTCONFIG_FILE", support::machineWith(place, CJK_FONTS));
+    qputenv("FONTCONFIG_FILE", support::fontConfigWith(place, CJK_FONTS));
     const QGuiApplication application(argc, argv);
     TestSweepPdf test;
     return QTest::qExec(&test, argc, argv);

@@ -12,8 +12,8 @@ using session::Desk;
 using session::LinkState;
 using session::ServoRef;
 
-struct Bench {
-    explicit Bench(const QString& port = QStringLiteral("sim:demo"))
+struct SessionFixture {
+    explicit SessionFixture(const QString& port = QStringLiteral("sim:demo"))
         : opened(open(port))
     {}
 
@@ -26,11 +26,11 @@ struct Bench {
     bool search(const jobs::ScanSpec& spec = {.firstId = 0, .lastId = 10, .bauds = {}})
     {
         desk.search(spec);
-        return QTest::qWaitFor([this] { return !desk.searching(); }, 30000);
+        return QTest::qWaitFor([this] { return !desk.isSearching(); }, 30000);
     }
     ServoRef at(int id, base::Protocol protocol = base::Protocol::Feetech) const
     {
-        return desk.find(protocol, id);
+        return desk.findServo(protocol, id);
     }
     const session::ServoEntry& entry(ServoRef ref) const { return *desk.servo(ref); }
     QByteArray troubles() const
@@ -45,14 +45,14 @@ struct Bench {
         }
         return all;
     }
-    bool settle()
+    bool waitUntilIdle()
     {
-        return QTest::qWaitFor([this] { return !desk.busy(); }, 10000);
+        return QTest::qWaitFor([this] { return !desk.isBusy(); }, 10000);
     }
     bool write(ServoRef ref, const QString& key, std::int64_t raw, bool temporary = false)
     {
         desk.write(ref, {{{key, raw}}, temporary, true});
-        return settle();
+        return waitUntilIdle();
     }
     std::optional<std::int64_t> raw(ServoRef ref, const QString& key) const
     {
@@ -64,12 +64,12 @@ struct Bench {
         return writes.count(key) > 0 ? writes.at(key).outcome : std::nullopt;
     }
     template <typename Function>
-    void withWire(Function&& function)
+    void withBus(Function&& function)
     {
         desk.connection()->simulation()->with(std::forward<Function>(function));
     }
 
-    support::OwnDataFolder place; ///< before the session
+    support::TemporaryDataFolder dataFolder; ///< before the session
     session::Session session;
     Desk desk{session};
     bool opened;

@@ -11,7 +11,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-using session::Archive;
+using session::HistoryService;
 using session::SharedRun;
 
 namespace {
@@ -28,7 +28,7 @@ SharedRun example(int day = 0)
 }
 } // namespace
 
-class TestArchive : public QObject {
+class TestHistoryService : public QObject {
     Q_OBJECT
 
 private:
@@ -43,28 +43,28 @@ private Q_SLOTS:
         m_path = m_dir->filePath(text("history.sqlite"));
     }
 
-    void whatIsKeptIsListedAndLoaded();
-    void theEndOfTheProgramLosesNothing();
-    void whoHasGoneIsToldNothing();
-    void changesAreTold();
-    void aRunIsHeldAgainstItsReference();
-    void anUnusableHistoryIsToldWithThePlaceOfTheRun();
-    void workAnswersToo();
-    void aViewerHearsOfOtherWriters();
-    void aReplacedFileIsNoticed();
-    void theDetectorAnswersOncePerChange();
+    void savedRunsAreListedAndLoaded();
+    void shutdownLosesNothing();
+    void deletedReceiversAreNotNotified();
+    void changesAreSignaled();
+    void aRunIsComparedWithItsReference();
+    void anUnusableHistoryIsReportedWithTheRunsPath();
+    void backgroundWorkRepliesToo();
+    void aViewerIsNotifiedOfOtherWriters();
+    void aReplacedFileIsDetected();
+    void theDetectorSignalsOncePerChange();
 };
 
-void TestArchive::whatIsKeptIsListedAndLoaded()
+void TestHistoryService::savedRunsAreListedAndLoaded()
 {
-    Archive archive(m_path);
-    QSignalSpy kept(&archive, &Archive::kept);
-    QSignalSpy changed(&archive, &Archive::changed);
-    archive.keep(example(), {text("/tmp/x.html")});
-    archive.keep(example(1));
+    HistoryService historyService(m_path);
+    QSignalSpy kept(&historyService, &HistoryService::runSaved);
+    QSignalSpy changed(&historyService, &HistoryService::changed);
+    historyService.saveRun(example(), {text("/tmp/x.html")});
+    historyService.saveRun(example(1));
     std::vector<record::TestRun> runs;
     QThread* where = nullptr;
-    archive.list({}, this, [&](const base::Result<std::vector<record::TestRun>>& answer) {
+    historyService.list({}, this, [&](const base::Result<std::vector<record::TestRun>>& answer) {
         runs = answer.value();
         where = QThread::currentThread();
     });
@@ -76,124 +76,127 @@ void TestArchive::whatIsKeptIsListedAndLoaded()
     QCOMPARE(kept[0][0].toLongLong(), 1);
     QCOMPARE(runs[1].files, QStringList(text("/tmp/x.html")));
     SharedRun loaded;
-    archive.load(1, this, [&](const base::Result<SharedRun>& answer) { loaded = answer.value(); });
+    historyService.load(1, this,
+                        [&](const base::Result<SharedRun>& answer) { loaded = answer.value(); });
     QTRY_VERIFY(loaded);
     QVERIFY(*loaded == *example());
     std::optional<base::Error> error;
-    archive.load(99, this, [&](const base::Result<SharedRun>& answer) { error = answer.error(); });
+    historyService.load(99, this,
+                        [&](const base::Result<SharedRun>& answer) { error = answer.error(); });
     QTRY_VERIFY(error);
 }
 
-void TestArchive::theEndOfTheProgramLosesNothing()
+void TestHistoryService::shutdownLosesNothing()
 {
     constexpr int many = 12;
     {
-        Archive archive(m_path);
+        HistoryService historyService(m_path);
         for (int i = 0; i < many; ++i)
-            archive.keep(example(i));
+            historyService.saveRun(example(i));
     }
     const auto history = record::History::open(m_path).value();
     QCOMPARE(history->runs().value().size(), std::size_t(many));
 }
 
-void TestArchive::whoHasGoneIsToldNothing()
+void TestHistoryService::deletedReceiversAreNotNotified()
 {
-    Archive archive(m_path);
-    bool told = false;
+    HistoryService historyService(m_path);
+    bool signaled = false;
     auto gone = std::make_unique<QObject>();
-    archive.list({}, gone.get(), [&](const auto&) { told = true; });
+    historyService.list({}, gone.get(), [&](const auto&) { signaled = true; });
     gone.reset();
     bool after = false;
-    archive.list({}, this, [&](const auto&) { after = true; });
+    historyService.list({}, this, [&](const auto&) { after = true; });
     QTRY_VERIFY(after);
-    QVERIFY(!told);
+    QVERIFY(!signaled);
 }
 
-void TestArchive::changesAreTold()
+void TestHistoryService::changesAreSignaled()
 {
-    Archive archive(m_path);
-    QSignalSpy changed(&archive, &Archive::changed);
-    QSignalSpy failed(&archive, &Archive::failed);
-    archive.keep(example());
-    archive.setLabel(1, 5, text("left"));
-    archive.setNote(1, text("new"));
-    archive.setReference(1, 5, true);
+    HistoryService historyService(m_path);
+    QSignalSpy changed(&historyService, &HistoryService::changed);
+    QSignalSpy failed(&historyService, &HistoryService::failed);
+    historyService.saveRun(example());
+    historyService.setLabel(1, 5, text("left"));
+    historyService.setNote(1, text("new"));
+    historyService.setReference(1, 5, true);
     QTRY_COMPARE(changed.size(), 4);
     std::vector<record::TestRun> runs;
     const auto take = [&](const base::Result<std::vector<record::TestRun>>& answer) {
         runs = answer.value();
     };
-    archive.list({}, this, take);
+    historyService.list({}, this, take);
     QTRY_COMPARE(runs.size(), std::size_t(1));
     QCOMPARE(runs[0].servos[0].label, text("left"));
     QCOMPARE(runs[0].note, text("new"));
     QVERIFY(runs[0].servos[0].reference);
-    archive.remove({1});
+    historyService.remove({1});
     QTRY_COMPARE(changed.size(), 5);
     QVERIFY(failed.isEmpty());
-    archive.remove({1});
+    historyService.remove({1});
     QTRY_COMPARE(failed.size(), 1);
     QCOMPARE(changed.size(), 5);
 }
 
-void TestArchive::aRunIsHeldAgainstItsReference()
+void TestHistoryService::aRunIsComparedWithItsReference()
 {
-    Archive archive(m_path);
-    archive.keep(example());
+    HistoryService historyService(m_path);
+    historyService.saveRun(example());
     std::optional<std::vector<session::ReferenceResult>> results;
     const auto take = [&](const base::Result<std::vector<session::ReferenceResult>>& answer) {
         results = answer.value();
     };
-    archive.compareWithReference(example(1), this, take);
+    historyService.compareWithReference(example(1), this, take);
     QTRY_VERIFY(results);
     QVERIFY(results->empty()); // there is none
     results.reset();
-    archive.setReference(1, 5, true);
+    historyService.setReference(1, 5, true);
     auto worse = std::make_shared<record::SweepRun>(*example(1));
     worse->servos[0].metrics[4].value = *worse->servos[0].metrics[4].value + 5;
-    archive.compareWithReference(worse, this, take);
+    historyService.compareWithReference(worse, this, take);
     QTRY_VERIFY(results);
     QCOMPARE(results->size(), std::size_t(1)); // of the two servos one model has a reference
     QCOMPARE(results->front().servo, 5);
     QCOMPARE(results->front().run.number, 1);
-    QCOMPARE(results->front().found.figures[4].difference.value(), 5.0);
-    QVERIFY(results->front().found.figures[4].better == record::Better::A);
+    QCOMPARE(results->front().comparison.figures[4].difference.value(), 5.0);
+    QVERIFY(results->front().comparison.figures[4].better == record::Better::A);
     results.reset();
-    archive.compareWithReference(example(), this, take); // the reference itself
+    historyService.compareWithReference(example(), this, take); // the reference itself
     QTRY_VERIFY(results);
     QVERIFY(results->empty());
 }
 
-void TestArchive::anUnusableHistoryIsToldWithThePlaceOfTheRun()
+void TestHistoryService::anUnusableHistoryIsReportedWithTheRunsPath()
 {
     QVERIFY(QDir().mkpath(m_path));
-    Archive archive(m_path);
-    QSignalSpy failed(&archive, &Archive::keepFailed);
-    archive.keep(example());
+    HistoryService historyService(m_path);
+    QSignalSpy failed(&historyService, &HistoryService::runSaveFailed);
+    historyService.saveRun(example());
     QTRY_COMPARE(failed.size(), 1);
     QCOMPARE(failed[0][0].value<base::Error>().code, base::ErrorCode::FileUnwritable);
     QVERIFY(record::loadSweepRun(failed[0][1].toString()).value() == *example());
 }
 
-void TestArchive::workAnswersToo()
+void TestHistoryService::backgroundWorkRepliesToo()
 {
-    Archive archive(m_path);
+    HistoryService historyService(m_path);
     std::optional<base::ErrorCode> code;
     bool fine = false;
-    archive.work([]() -> base::Result<void> { return base::fail(base::ErrorCode::DiskFull); }, this,
-                 [&](const base::Result<void>& done) { code = done.error().code; });
-    archive.work([]() -> base::Result<void> { return {}; }, this,
-                 [&](const base::Result<void>& done) { fine = bool(done); });
+    historyService.runInOrder(
+        []() -> base::Result<void> { return base::fail(base::ErrorCode::DiskFull); }, this,
+        [&](const base::Result<void>& done) { code = done.error().code; });
+    historyService.runInOrder([]() -> base::Result<void> { return {}; }, this,
+                              [&](const base::Result<void>& done) { fine = bool(done); });
     QTRY_VERIFY(fine);
     QCOMPARE(code, base::ErrorCode::DiskFull);
 }
 
-void TestArchive::aViewerHearsOfOtherWriters()
+void TestHistoryService::aViewerIsNotifiedOfOtherWriters()
 {
-    Archive archive(m_path);
-    QSignalSpy changed(&archive, &Archive::changed);
+    HistoryService historyService(m_path);
+    QSignalSpy changed(&historyService, &HistoryService::changed);
     auto viewer = std::make_unique<QObject>();
-    archive.setViewed(viewer.get(), true); // there is no history yet
+    historyService.setWatched(viewer.get(), true); // there is no history yet
     record::HistoryJournal other(m_path, text("servodesk-cli"));
     history_example::write(other, 1, 1);
     QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
@@ -204,22 +207,22 @@ void TestArchive::aViewerHearsOfOtherWriters()
         QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
     }
     viewer.reset(); // one that went without a word is none
-    archive.setViewed(this, true);
+    historyService.setWatched(this, true);
     changed.clear();
     history_example::write(other, 1, 9);
     QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
-    archive.setViewed(this, false);
+    historyService.setWatched(this, false);
 }
 
-void TestArchive::aReplacedFileIsNoticed()
+void TestHistoryService::aReplacedFileIsDetected()
 {
     {
         record::HistoryJournal old(m_path, text("servodesk-cli"));
         history_example::write(old, 1, 1);
     }
-    Archive archive(m_path);
-    QSignalSpy changed(&archive, &Archive::changed);
-    archive.setViewed(this, true);
+    HistoryService historyService(m_path);
+    QSignalSpy changed(&historyService, &HistoryService::changed);
+    historyService.setWatched(this, true);
     {
         record::HistoryJournal other(m_path, text("servodesk-cli"));
         history_example::write(other, 1, 2);
@@ -232,10 +235,10 @@ void TestArchive::aReplacedFileIsNoticed()
         QFile::remove(m_path + text(part));
     QVERIFY(QFile::copy(another.path, m_path));
     QTRY_VERIFY_WITH_TIMEOUT(!changed.isEmpty(), 20000);
-    archive.setViewed(this, false);
+    historyService.setWatched(this, false);
 }
 
-void TestArchive::theDetectorAnswersOncePerChange()
+void TestHistoryService::theDetectorSignalsOncePerChange()
 {
     record::HistoryChangeDetector detector(m_path);
     QVERIFY(!detector.hasChanged());
@@ -251,5 +254,5 @@ void TestArchive::theDetectorAnswersOncePerChange()
     QVERIFY(!detector.hasChanged()); // a beginning tells nothing
 }
 
-QTEST_GUILESS_MAIN(TestArchive)
+QTEST_GUILESS_MAIN(TestHistoryService)
 #include "tst_archive.moc"

@@ -15,17 +15,17 @@ const QString maxVoltage = QStringLiteral("max_voltage");
 const QString position = QStringLiteral("present_position");
 
 /// An STS3215 on the wire, an SCS15 with the same ID beside it, not plugged in.
-struct SpareBench : Bench {
-    SpareBench()
-        : Bench(QStringLiteral("sim:sts3215@1,scs15@1"))
+struct ReplacementServoFixture : SessionFixture {
+    ReplacementServoFixture()
+        : SessionFixture(QStringLiteral("sim:sts3215@1,scs15@1"))
     {
-        withWire([](sim::VirtualBus& bus) { bus.unplug(1); });
-        QObject::connect(&desk, &Desk::happened, &desk,
+        withBus([](sim::VirtualBus& bus) { bus.unplug(1); });
+        QObject::connect(&desk, &Desk::eventOccurred, &desk,
                          [this](const Event& event) { events.push_back(event); });
     }
     void exchange()
     {
-        withWire([](sim::VirtualBus& bus) {
+        withBus([](sim::VirtualBus& bus) {
             bus.unplug(0);
             bus.plug(1);
         });
@@ -33,7 +33,7 @@ struct SpareBench : Bench {
     std::int64_t inside(std::size_t place, const QString& key)
     {
         std::int64_t raw = 0;
-        withWire([&](sim::VirtualBus& bus) { raw = bus.servos()[place]->raw(key); });
+        withBus([&](sim::VirtualBus& bus) { raw = bus.servos()[place]->raw(key); });
         return raw;
     }
     QString model() const
@@ -51,50 +51,50 @@ struct SpareBench : Bench {
 };
 } // namespace
 
-class TestDeskPresence : public QObject {
+class TestServoPresence : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     /// Also after writes that were fine, when this connection knows its servo well.
-    void nothingIsWrittenToAnExchangedServo()
+    void nothingIsWrittenToAReplacedServo()
     {
-        SpareBench bench;
-        QVERIFY(bench.search());
-        const ServoRef old = bench.at(1);
-        QVERIFY(bench.write(old, maxVoltage, 100));
-        QCOMPARE(bench.inside(0, maxVoltage), 100);
-        bench.exchange();
-        const std::int64_t before = bench.inside(1, maxVoltage);
-        QVERIFY(bench.write(old, maxVoltage, 61));
-        QCOMPARE(bench.inside(1, maxVoltage), before);
-        const Event& told =
-            *std::find_if(bench.events.rbegin(), bench.events.rend(),
+        ReplacementServoFixture fixture;
+        QVERIFY(fixture.search());
+        const ServoRef old = fixture.at(1);
+        QVERIFY(fixture.write(old, maxVoltage, 100));
+        QCOMPARE(fixture.inside(0, maxVoltage), 100);
+        fixture.exchange();
+        const std::int64_t before = fixture.inside(1, maxVoltage);
+        QVERIFY(fixture.write(old, maxVoltage, 61));
+        QCOMPARE(fixture.inside(1, maxVoltage), before);
+        const Event& reported =
+            *std::find_if(fixture.events.rbegin(), fixture.events.rend(),
                           [](const Event& event) { return event.kind == Event::Kind::Written; });
-        QVERIFY(told.error && !told.report);
-        QCOMPARE(told.error->code, base::ErrorCode::IdentityDiffers);
-        QCOMPARE(told.error->detail, QStringLiteral("SCS15"));
-        QTRY_COMPARE(bench.model(), QStringLiteral("SCS15"));
-        QVERIFY(bench.at(1) != old);
-        QVERIFY(bench.desk.servo(old) == nullptr);
-        QCOMPARE(bench.count(Event::Kind::Exchanged), 1);
-        QCOMPARE(bench.events.back().servo, bench.at(1));
-        QCOMPARE(bench.events.back().task, QStringLiteral("STS3215"));
-        QVERIFY(bench.desk.nextUndo() == nullptr); // it was the other one's
+        QVERIFY(reported.error && !reported.report);
+        QCOMPARE(reported.error->code, base::ErrorCode::IdentityMismatch);
+        QCOMPARE(reported.error->detail, QStringLiteral("SCS15"));
+        QTRY_COMPARE(fixture.model(), QStringLiteral("SCS15"));
+        QVERIFY(fixture.at(1) != old);
+        QVERIFY(fixture.desk.servo(old) == nullptr);
+        QCOMPARE(fixture.count(Event::Kind::Replaced), 1);
+        QCOMPARE(fixture.events.back().servo, fixture.at(1));
+        QCOMPARE(fixture.events.back().task, QStringLiteral("STS3215"));
+        QVERIFY(fixture.desk.undoStep() == nullptr); // it was the other one's
     }
 
-    void noWayBackReachesAnExchangedServo()
+    void noRollbackReachesAReplacedServo()
     {
-        SpareBench bench;
-        QVERIFY(bench.search());
-        QVERIFY(bench.write(bench.at(1), maxVoltage, 100));
-        bench.exchange();
-        const std::int64_t before = bench.inside(1, maxVoltage);
-        bench.desk.undo();
-        QVERIFY(bench.settle());
-        QCOMPARE(bench.inside(1, maxVoltage), before);
-        QTRY_COMPARE(bench.model(), QStringLiteral("SCS15"));
+        ReplacementServoFixture fixture;
+        QVERIFY(fixture.search());
+        QVERIFY(fixture.write(fixture.at(1), maxVoltage, 100));
+        fixture.exchange();
+        const std::int64_t before = fixture.inside(1, maxVoltage);
+        fixture.desk.undo();
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(fixture.inside(1, maxVoltage), before);
+        QTRY_COMPARE(fixture.model(), QStringLiteral("SCS15"));
     }
 
     void aServoThatAnswersAgainIsIdentified_data()
@@ -106,164 +106,164 @@ private Q_SLOTS:
     void aServoThatAnswersAgainIsIdentified()
     {
         QFETCH(bool, exchanged);
-        SpareBench bench;
-        QVERIFY(bench.search());
-        const ServoRef old = bench.at(1);
-        bench.desk.wish(user, {{{old, {position}}}, {}});
-        QTRY_VERIFY(bench.raw(old, position));
-        bench.withWire([](sim::VirtualBus& bus) { bus.unplug(0); });
-        QTRY_VERIFY(bench.entry(old).silent);
+        ReplacementServoFixture fixture;
+        QVERIFY(fixture.search());
+        const ServoRef old = fixture.at(1);
+        fixture.desk.subscribe(user, {{{old, {position}}}, {}});
+        QTRY_VERIFY(fixture.raw(old, position));
+        fixture.withBus([](sim::VirtualBus& bus) { bus.unplug(0); });
+        QTRY_VERIFY(fixture.entry(old).silent);
         QStringList shown; // while it counted as answering
-        connect(&bench.desk, &Desk::servoChanged, &bench.desk, [&](ServoRef ref) {
-            if (!bench.entry(ref).silent)
-                shown << bench.entry(ref).servo.profile->modelName;
+        connect(&fixture.desk, &Desk::servoChanged, &fixture.desk, [&](ServoRef ref) {
+            if (!fixture.entry(ref).silent)
+                shown << fixture.entry(ref).servo.profile->modelName;
         });
-        bench.withWire([exchanged](sim::VirtualBus& bus) { bus.plug(exchanged ? 1 : 0); });
-        QTRY_VERIFY(bench.at(1) != 0 && !bench.entry(bench.at(1)).silent);
-        QCOMPARE(bench.model(), exchanged ? QStringLiteral("SCS15") : QStringLiteral("STS3215"));
-        QCOMPARE(bench.at(1) == old, !exchanged);
-        QCOMPARE(bench.count(Event::Kind::Exchanged), exchanged ? 1 : 0);
+        fixture.withBus([exchanged](sim::VirtualBus& bus) { bus.plug(exchanged ? 1 : 0); });
+        QTRY_VERIFY(fixture.at(1) != 0 && !fixture.entry(fixture.at(1)).silent);
+        QCOMPARE(fixture.model(), exchanged ? QStringLiteral("SCS15") : QStringLiteral("STS3215"));
+        QCOMPARE(fixture.at(1) == old, !exchanged);
+        QCOMPARE(fixture.count(Event::Kind::Replaced), exchanged ? 1 : 0);
         QVERIFY(!exchanged || !shown.contains(QStringLiteral("STS3215")));
     }
 
     /// Without a moment of silence: the table that is polled shows the model.
-    void aPolledTableShowsAnotherServo()
+    void pollingDetectsAReplacedServo()
     {
-        SpareBench bench;
-        QVERIFY(bench.search());
-        const ServoRef old = bench.at(1);
+        ReplacementServoFixture fixture;
+        QVERIFY(fixture.search());
+        const ServoRef old = fixture.at(1);
         QStringList all;
-        for (const catalog::Register& reg : bench.entry(old).servo.profile->registers)
+        for (const catalog::Register& reg : fixture.entry(old).servo.profile->registers)
             all << reg.key;
-        bench.desk.wish(user, {{{old, all}}, {}});
-        QTRY_VERIFY(bench.raw(old, position));
-        bench.exchange();
-        QTRY_COMPARE(bench.model(), QStringLiteral("SCS15"));
-        QVERIFY(bench.desk.servo(old) == nullptr);
+        fixture.desk.subscribe(user, {{{old, all}}, {}});
+        QTRY_VERIFY(fixture.raw(old, position));
+        fixture.exchange();
+        QTRY_COMPARE(fixture.model(), QStringLiteral("SCS15"));
+        QVERIFY(fixture.desk.servo(old) == nullptr);
     }
 
     /// It knows the servo longer than anything else that runs.
-    void anExchangeThatATestFindsShowsInTheList()
+    void aReplacementFoundByATestShowsInTheList()
     {
-        SpareBench bench;
-        QVERIFY(bench.search());
-        session::SweepTest test(bench.desk);
-        session::SweepTestOrder order;
-        order.servos = {bench.at(1)};
+        ReplacementServoFixture fixture;
+        QVERIFY(fixture.search());
+        session::SweepTest test(fixture.desk);
+        session::SweepTestRequest order;
+        order.servos = {fixture.at(1)};
         order.limits = {record::builtInSweepLimits(QStringLiteral("STS3215"), {})};
         order.spec.range = {QStringLiteral("1900"), QStringLiteral("2100")};
         order.spec.pause = std::chrono::milliseconds(700);
         order.spec.cycles = 500;
         QVERIFY(test.start(order));
         QTRY_VERIFY_WITH_TIMEOUT(test.run() && !test.run()->servos.front().legs.empty(), 20'000);
-        bench.exchange();
-        QTRY_VERIFY_WITH_TIMEOUT(!test.running(), 20'000);
+        fixture.exchange();
+        QTRY_VERIFY_WITH_TIMEOUT(!test.isRunning(), 20'000);
         QCOMPARE(record::sweepEndName(test.run()->end), QStringLiteral("exchanged"));
         QCOMPARE(test.run()->verdict(), record::Grade::NotMeasured);
-        QVERIFY(test.torqueLeft().empty());
-        QCOMPARE(bench.inside(1, QStringLiteral("torque_switch")), 0);
-        QTRY_COMPARE(bench.model(), QStringLiteral("SCS15"));
-        QCOMPARE(bench.count(Event::Kind::Exchanged), 1);
+        QVERIFY(test.unreleasedTorque().empty());
+        QCOMPARE(fixture.inside(1, QStringLiteral("torque_switch")), 0);
+        QTRY_COMPARE(fixture.model(), QStringLiteral("SCS15"));
+        QCOMPARE(fixture.count(Event::Kind::Replaced), 1);
     }
 
-    void readingATableFindsAnotherServo()
+    void readingATableDetectsAReplacedServo()
     {
-        SpareBench bench;
-        QVERIFY(bench.search());
-        const ServoRef old = bench.at(1);
-        bench.exchange();
-        bench.desk.readTable(old);
-        QTRY_COMPARE(bench.model(), QStringLiteral("SCS15"));
-        QVERIFY(bench.desk.servo(old) == nullptr);
+        ReplacementServoFixture fixture;
+        QVERIFY(fixture.search());
+        const ServoRef old = fixture.at(1);
+        fixture.exchange();
+        fixture.desk.readTable(old);
+        QTRY_COMPARE(fixture.model(), QStringLiteral("SCS15"));
+        QVERIFY(fixture.desk.servo(old) == nullptr);
     }
 
     /// Nobody polls the second one; that a task asks it in vain is enough.
-    void aServoThatATaskAsksInVainIsSilent()
+    void aServoNotAnsweringATaskIsSilent()
     {
-        Bench bench(QStringLiteral("sim:sts3215@1,sts3215@2"));
-        QVERIFY(bench.search());
-        const ServoRef second = bench.at(2);
-        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {2}; });
+        SessionFixture fixture(QStringLiteral("sim:sts3215@1,sts3215@2"));
+        QVERIFY(fixture.search());
+        const ServoRef second = fixture.at(2);
+        fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {2}; });
         session::Task task;
         task.name = QStringLiteral("test");
-        task.others = {second};
+        task.otherServos = {second};
         task.work = [](session::TaskContext& context) -> base::Result<void> {
-            (void)device::readAll(context.device, *context.others.front());
+            (void)device::readAll(context.device, *context.otherServos.front());
             return {}; // says nothing of it
         };
-        bench.desk.perform(bench.at(1), task);
-        QTRY_VERIFY(bench.entry(second).silent);
-        QVERIFY(!bench.entry(bench.at(1)).silent);
-        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
-        bench.desk.readTable(second);
-        QTRY_VERIFY(!bench.entry(second).silent);
+        fixture.desk.perform(fixture.at(1), task);
+        QTRY_VERIFY(fixture.entry(second).silent);
+        QVERIFY(!fixture.entry(fixture.at(1)).silent);
+        fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
+        fixture.desk.readTable(second);
+        QTRY_VERIFY(!fixture.entry(second).silent);
     }
 
-    void undoDoesNotWriteOverAnothersValue_data()
+    void undoDoesNotOverwriteForeignValues_data()
     {
         QTest::addColumn<bool>("redo");
         QTest::newRow("undo") << false;
         QTest::newRow("redo") << true;
     }
-    void undoDoesNotWriteOverAnothersValue()
+    void undoDoesNotOverwriteForeignValues()
     {
         QFETCH(bool, redo);
-        SpareBench bench;
-        QVERIFY(bench.search());
-        const ServoRef ref = bench.at(1);
-        const std::int64_t factory = bench.inside(0, maxVoltage);
-        QVERIFY(bench.write(ref, maxVoltage, 100));
+        ReplacementServoFixture fixture;
+        QVERIFY(fixture.search());
+        const ServoRef ref = fixture.at(1);
+        const std::int64_t factory = fixture.inside(0, maxVoltage);
+        QVERIFY(fixture.write(ref, maxVoltage, 100));
         if (redo) {
-            bench.desk.undo();
-            QVERIFY(bench.settle());
+            fixture.desk.undo();
+            QVERIFY(fixture.waitUntilIdle());
         }
-        bench.withWire([](sim::VirtualBus& bus) { bus.servo(1)->poke(maxVoltage, 120); });
-        redo ? bench.desk.redo(true) : bench.desk.undo();
-        QVERIFY(bench.settle());
-        QCOMPARE(bench.inside(0, maxVoltage), 120);
-        const Event& told = bench.events.back();
-        QVERIFY(told.error && !told.report);
-        QCOMPARE(told.error->code, base::ErrorCode::Mismatch);
-        QCOMPARE(told.error->registerKey, maxVoltage);
-        QCOMPARE(told.error->detail, redo ? QStringLiteral("120 %1 100").arg(factory)
-                                          : QStringLiteral("120 100 %1").arg(factory));
-        QCOMPARE(bench.raw(ref, maxVoltage), Value(120));
-        QCOMPARE(bench.outcome(ref, maxVoltage), std::optional(device::WriteOutcome::NotSent));
-        QVERIFY(bench.desk.nextUndo() == nullptr);
-        QVERIFY(bench.desk.nextRedo() == nullptr);
+        fixture.withBus([](sim::VirtualBus& bus) { bus.servo(1)->poke(maxVoltage, 120); });
+        redo ? fixture.desk.redo(true) : fixture.desk.undo();
+        QVERIFY(fixture.waitUntilIdle());
+        QCOMPARE(fixture.inside(0, maxVoltage), 120);
+        const Event& reported = fixture.events.back();
+        QVERIFY(reported.error && !reported.report);
+        QCOMPARE(reported.error->code, base::ErrorCode::Mismatch);
+        QCOMPARE(reported.error->registerKey, maxVoltage);
+        QCOMPARE(reported.error->detail, redo ? QStringLiteral("120 %1 100").arg(factory)
+                                              : QStringLiteral("120 100 %1").arg(factory));
+        QCOMPARE(fixture.raw(ref, maxVoltage), Value(120));
+        QCOMPARE(fixture.outcome(ref, maxVoltage), std::optional(device::WriteOutcome::NotSent));
+        QVERIFY(fixture.desk.undoStep() == nullptr);
+        QVERIFY(fixture.desk.redoStep() == nullptr);
     }
 
     /// What is as it shall be already is no conflict.
-    void undoPassesAValueThatIsBackAlready()
+    void undoAcceptsAnAlreadyRestoredValue()
     {
-        SpareBench bench;
-        QVERIFY(bench.search());
-        const std::int64_t factory = bench.inside(0, maxVoltage);
-        QVERIFY(bench.write(bench.at(1), maxVoltage, 100));
-        bench.withWire([&](sim::VirtualBus& bus) { bus.servo(1)->poke(maxVoltage, factory); });
-        bench.desk.undo();
-        QVERIFY(bench.settle());
-        QVERIFY2(bench.troubles().isEmpty(), bench.troubles());
-        QVERIFY(bench.desk.nextRedo() != nullptr);
+        ReplacementServoFixture fixture;
+        QVERIFY(fixture.search());
+        const std::int64_t factory = fixture.inside(0, maxVoltage);
+        QVERIFY(fixture.write(fixture.at(1), maxVoltage, 100));
+        fixture.withBus([&](sim::VirtualBus& bus) { bus.servo(1)->poke(maxVoltage, factory); });
+        fixture.desk.undo();
+        QVERIFY(fixture.waitUntilIdle());
+        QVERIFY2(fixture.troubles().isEmpty(), fixture.troubles());
+        QVERIFY(fixture.desk.redoStep() != nullptr);
     }
 
-    void aSearchNamesTheServosThatAreMissing()
+    void aSearchReportsMissingServos()
     {
-        SpareBench bench;
-        QVERIFY(bench.search());
-        bench.desk.expect(7);
-        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
-        QVERIFY(bench.search());
+        ReplacementServoFixture fixture;
+        QVERIFY(fixture.search());
+        fixture.desk.setExpectedId(7);
+        fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
+        QVERIFY(fixture.search());
         const auto ended =
-            std::find_if(bench.events.rbegin(), bench.events.rend(),
+            std::find_if(fixture.events.rbegin(), fixture.events.rend(),
                          [](const Event& event) { return event.kind == Event::Kind::SearchEnded; });
         QCOMPARE(ended->missing, (std::vector<int>{1, 7}));
-        bench.desk.expect(std::nullopt);
-        bench.withWire([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
-        QVERIFY(bench.search()); // those that were not in the list are not missed
-        QVERIFY(bench.events.back().missing.empty());
+        fixture.desk.setExpectedId(std::nullopt);
+        fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
+        QVERIFY(fixture.search()); // those that were not in the list are not missed
+        QVERIFY(fixture.events.back().missing.empty());
     }
 };
 
-QTEST_GUILESS_MAIN(TestDeskPresence)
+QTEST_GUILESS_MAIN(TestServoPresence)
 #include "tst_desk_presence.moc"

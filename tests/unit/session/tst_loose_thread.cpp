@@ -11,88 +11,88 @@
 #include <future>
 
 using namespace std::chrono_literals;
-using session::LooseThread;
+using session::DetachableWorker;
 
 namespace {
-constexpr int patienceMs = 60'000; ///< only a hung program ever needs it
-const QString leaves = QStringLiteral("leaves-a-thread-behind");
-constexpr int codeOfProgram = 7;
-constexpr int tornDown = 99;
+constexpr int timeoutMs = 60'000; ///< only a hung program ever needs it
+const QString detachedThreadMode = QStringLiteral("leaves-a-thread-behind");
+constexpr int expectedExitCode = 7;
+constexpr int tornDownExitCode = 99;
 
-std::atomic<bool> cleanedUp;
+std::atomic<bool> isCleanedUp;
 
 /// Such as the libraries of a history server keep for each thread, slow to clean up.
-struct OfThread {
+struct SlowThreadLocal {
     bool used = false;
-    ~OfThread()
+    ~SlowThreadLocal()
     {
         std::this_thread::sleep_for(50ms);
-        cleanedUp = used;
+        isCleanedUp = used;
     }
 };
-thread_local OfThread ofThread;
+thread_local SlowThreadLocal slowThreadLocal;
 
 /// A job that hangs until the test is over, with its thread left behind.
-int leaveAThread()
+int leaveDetachedThread()
 {
-    std::atexit([] { std::_Exit(tornDown); });
+    std::atexit([] { std::_Exit(tornDownExitCode); });
     const auto begun = std::make_shared<std::promise<void>>();
-    LooseThread thread;
+    DetachableWorker thread;
     thread.start([begun] {
         begun->set_value();
         for (;;)
             std::this_thread::sleep_for(1h);
     });
     begun->get_future().wait();
-    return thread.end(1ms) ? tornDown : codeOfProgram;
+    return thread.finish(1ms) ? tornDownExitCode : expectedExitCode;
 }
 } // namespace
 
-class TestLooseThread : public QObject {
+class TestDetachableWorker : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void whatEndsInTimeHasEndedAltogether();
-    void anIdleOneIsNotLeftBehind();
-    void whatIsLeftBehindDoesNotSeeTheEnd();
+    void finishedThreadsAreJoined();
+    void anIdleThreadIsNotDetached();
+    void detachedThreadsSkipStaticDestruction();
 };
 
-void TestLooseThread::whatEndsInTimeHasEndedAltogether()
+void TestDetachableWorker::finishedThreadsAreJoined()
 {
-    cleanedUp = false;
+    isCleanedUp = false;
     std::promise<void> done;
-    LooseThread thread;
+    DetachableWorker thread;
     thread.start([&] {
-        ofThread.used = true;
+        slowThreadLocal.used = true;
         done.set_value();
     });
     done.get_future().wait();
-    QVERIFY(thread.end(std::chrono::milliseconds(patienceMs)));
-    QVERIFY(cleanedUp);
-    QVERIFY(thread.end({})); // and stays so
+    QVERIFY(thread.finish(std::chrono::milliseconds(timeoutMs)));
+    QVERIFY(isCleanedUp);
+    QVERIFY(thread.finish({})); // and stays so
 }
 
-void TestLooseThread::anIdleOneIsNotLeftBehind()
+void TestDetachableWorker::anIdleThreadIsNotDetached()
 {
-    LooseThread thread;
-    QVERIFY(thread.end({}));
+    DetachableWorker thread;
+    QVERIFY(thread.finish({}));
 }
 
-void TestLooseThread::whatIsLeftBehindDoesNotSeeTheEnd()
+void TestDetachableWorker::detachedThreadsSkipStaticDestruction()
 {
     QProcess program;
-    program.start(QCoreApplication::applicationFilePath(), {leaves});
-    QVERIFY(program.waitForFinished(patienceMs));
+    program.start(QCoreApplication::applicationFilePath(), {detachedThreadMode});
+    QVERIFY(program.waitForFinished(timeoutMs));
     QCOMPARE(program.exitStatus(), QProcess::NormalExit);
-    QCOMPARE(program.exitCode(), codeOfProgram);
+    QCOMPARE(program.exitCode(), expectedExitCode);
 }
 
 int main(int argc, char* argv[])
 {
     QCoreApplication application(argc, argv);
-    if (QCoreApplication::arguments().mid(1) == QStringList(leaves))
-        return LooseThread::exitCode(leaveAThread());
-    TestLooseThread test;
+    if (QCoreApplication::arguments().mid(1) == QStringList(detachedThreadMode))
+        return DetachableWorker::exitCode(leaveDetachedThread());
+    TestDetachableWorker test;
     return QTest::qExec(&test, argc, argv);
 }
 #include "tst_loose_thread.moc"

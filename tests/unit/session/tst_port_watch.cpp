@@ -12,11 +12,11 @@
 #include <mutex>
 
 using session::PortInfo;
-using session::PortWatch;
+using session::PortWatcher;
 
 namespace {
 /// What is plugged in; the watch's thread looks, the test plugs.
-class Desk {
+class PortList {
 public:
     void plug(const PortInfo& port)
     {
@@ -31,7 +31,7 @@ public:
                                    [&](const PortInfo& port) { return port.path == path; }),
                     ports.end());
     }
-    PortWatch::Lister lister()
+    PortWatcher::PortLister lister()
     {
         return [this] {
             const std::lock_guard lock(m_mutex);
@@ -41,7 +41,7 @@ public:
 
 private:
     std::mutex m_mutex;
-    PortWatch::Look m_look;
+    PortWatcher::PortList m_look;
 };
 
 PortInfo adapter(const char* path, const char* serial, int product = 0x7523)
@@ -62,7 +62,7 @@ PortInfo builtIn(const char* path)
     return port;
 }
 
-QStringList pathsOf(const PortWatch& watch)
+QStringList pathsOf(const PortWatcher& watch)
 {
     QStringList paths;
     for (const PortInfo& port : watch.ports())
@@ -71,159 +71,159 @@ QStringList pathsOf(const PortWatch& watch)
 }
 } // namespace
 
-class TestPortWatch : public QObject {
+class TestPortWatcher : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
     void adaptersComeFirst();
-    void pluggingAndUnpluggingIsNoticed();
+    void pluggingAndUnpluggingIsDetected();
     void anAdapterIsKnownAtAnotherPath();
-    void withoutSerialNumberTheOnlyOneOfItsKindIsIt();
+    void withoutSerialNumberTheOnlyMatchIsUsed();
     void otherPortsAreKnownByName();
-    void itIsBackWhenItWasGone();
-    void anotherOfItsKindIsNotIt();
-    void backBeforeAnybodyLooked();
+    void returnsAfterRemoval();
+    void anotherOfItsTypeIsNoMatch();
+    void backBeforeTheNextScan();
     void theSystemsPortsAreListed();
-    void brailleServiceIsSeen_data();
-    void brailleServiceIsSeen();
+    void brailleServiceIsDetected_data();
+    void brailleServiceIsDetected();
 };
 
-void TestPortWatch::adaptersComeFirst()
+void TestPortWatcher::adaptersComeFirst()
 {
-    Desk desk;
-    desk.plug(builtIn("/dev/ttyS0"));
-    desk.plug(adapter("/dev/ttyUSB1", "B"));
-    desk.plug(adapter("/dev/ttyUSB0", "A"));
-    PortWatch watch(nullptr, desk.lister());
-    QVERIFY(!watch.hasLooked());
+    PortList portList;
+    portList.plug(builtIn("/dev/ttyS0"));
+    portList.plug(adapter("/dev/ttyUSB1", "B"));
+    portList.plug(adapter("/dev/ttyUSB0", "A"));
+    PortWatcher watch(nullptr, portList.lister());
+    QVERIFY(!watch.isReady());
     QVERIFY(watch.ports().empty());
-    QTRY_VERIFY(watch.hasLooked());
+    QTRY_VERIFY(watch.isReady());
     QCOMPARE(pathsOf(watch), QStringList({QStringLiteral("ttyUSB0"), QStringLiteral("ttyUSB1"),
                                           QStringLiteral("ttyS0")}));
 }
 
-void TestPortWatch::pluggingAndUnpluggingIsNoticed()
+void TestPortWatcher::pluggingAndUnpluggingIsDetected()
 {
-    Desk desk;
-    desk.plug(builtIn("/dev/ttyS0"));
-    PortWatch watch(nullptr, desk.lister());
-    QSignalSpy spy(&watch, &PortWatch::portsChanged);
+    PortList portList;
+    portList.plug(builtIn("/dev/ttyS0"));
+    PortWatcher watch(nullptr, portList.lister());
+    QSignalSpy spy(&watch, &PortWatcher::portsChanged);
     QTRY_COMPARE(spy.count(), 1); // the first look
-    desk.plug(adapter("/dev/ttyUSB0", "A"));
+    portList.plug(adapter("/dev/ttyUSB0", "A"));
     QTRY_COMPARE_WITH_TIMEOUT(watch.ports().size(), std::size_t(2), 1000);
-    desk.unplug(QStringLiteral("/dev/ttyUSB0"));
+    portList.unplug(QStringLiteral("/dev/ttyUSB0"));
     QTRY_COMPARE_WITH_TIMEOUT(watch.ports().size(), std::size_t(1), 1000);
     QCOMPARE(spy.count(), 3); // and not a time more: an equal list is no news
 }
 
-void TestPortWatch::anAdapterIsKnownAtAnotherPath()
+void TestPortWatcher::anAdapterIsKnownAtAnotherPath()
 {
-    Desk desk;
-    desk.plug(adapter("/dev/ttyUSB0", "5A2F31"));
-    desk.plug(adapter("/dev/ttyUSB1", "OTHER"));
-    PortWatch watch(nullptr, desk.lister());
-    QTRY_VERIFY(watch.hasLooked());
+    PortList portList;
+    portList.plug(adapter("/dev/ttyUSB0", "5A2F31"));
+    portList.plug(adapter("/dev/ttyUSB1", "OTHER"));
+    PortWatcher watch(nullptr, portList.lister());
+    QTRY_VERIFY(watch.isReady());
     const QString key = watch.adapterKey(QStringLiteral("/dev/ttyUSB0"));
-    QCOMPARE(watch.portOf(key), QStringLiteral("/dev/ttyUSB0"));
-    desk.unplug(QStringLiteral("/dev/ttyUSB0"));
-    QTRY_COMPARE(watch.portOf(key), QString());
-    desk.plug(adapter("/dev/ttyUSB7", "5A2F31"));
-    QTRY_COMPARE(watch.portOf(key), QStringLiteral("/dev/ttyUSB7"));
+    QCOMPARE(watch.findAdapter(key), QStringLiteral("/dev/ttyUSB0"));
+    portList.unplug(QStringLiteral("/dev/ttyUSB0"));
+    QTRY_COMPARE(watch.findAdapter(key), QString());
+    portList.plug(adapter("/dev/ttyUSB7", "5A2F31"));
+    QTRY_COMPARE(watch.findAdapter(key), QStringLiteral("/dev/ttyUSB7"));
     QCOMPARE(watch.adapterKey(QStringLiteral("/dev/ttyUSB7")), key);
 }
 
-void TestPortWatch::withoutSerialNumberTheOnlyOneOfItsKindIsIt()
+void TestPortWatcher::withoutSerialNumberTheOnlyMatchIsUsed()
 {
-    Desk desk;
-    desk.plug(adapter("/dev/ttyUSB0", ""));
-    PortWatch watch(nullptr, desk.lister());
-    QTRY_VERIFY(watch.hasLooked());
+    PortList portList;
+    portList.plug(adapter("/dev/ttyUSB0", ""));
+    PortWatcher watch(nullptr, portList.lister());
+    QTRY_VERIFY(watch.isReady());
     const QString key = watch.adapterKey(QStringLiteral("/dev/ttyUSB0"));
-    desk.plug(adapter("/dev/ttyUSB1", ""));
-    desk.plug(adapter("/dev/ttyUSB2", "", 0x55d3)); // of another kind
+    portList.plug(adapter("/dev/ttyUSB1", ""));
+    portList.plug(adapter("/dev/ttyUSB2", "", 0x55d3)); // of another kind
     QTRY_COMPARE(watch.ports().size(), std::size_t(3));
-    QCOMPARE(watch.portOf(key), QStringLiteral("/dev/ttyUSB0"));
+    QCOMPARE(watch.findAdapter(key), QStringLiteral("/dev/ttyUSB0"));
     QVERIFY(watch.adapterKey(QStringLiteral("/dev/ttyUSB1")) != key);
-    desk.unplug(QStringLiteral("/dev/ttyUSB0"));
-    QTRY_COMPARE(watch.portOf(key), QStringLiteral("/dev/ttyUSB1"));
-    desk.plug(adapter("/dev/ttyUSB5", ""));
-    QTRY_COMPARE(watch.portOf(key), QString()); // which of the two nobody knows
+    portList.unplug(QStringLiteral("/dev/ttyUSB0"));
+    QTRY_COMPARE(watch.findAdapter(key), QStringLiteral("/dev/ttyUSB1"));
+    portList.plug(adapter("/dev/ttyUSB5", ""));
+    QTRY_COMPARE(watch.findAdapter(key), QString()); // which of the two nobody knows
 }
 
-void TestPortWatch::otherPortsAreKnownByName()
+void TestPortWatcher::otherPortsAreKnownByName()
 {
-    Desk desk;
-    desk.plug(builtIn("/dev/ttyS0"));
-    PortWatch watch(nullptr, desk.lister());
-    QTRY_VERIFY(watch.hasLooked());
+    PortList portList;
+    portList.plug(builtIn("/dev/ttyS0"));
+    PortWatcher watch(nullptr, portList.lister());
+    QTRY_VERIFY(watch.isReady());
     for (const char* name : {"/dev/ttyS0", "/dev/ttyUSB9", "tcp://bench:4000", "sim:demo"})
         QCOMPARE(watch.adapterKey(QString::fromLatin1(name)), QString::fromLatin1(name));
-    QCOMPARE(watch.portOf(QStringLiteral("/dev/ttyS0")), QStringLiteral("/dev/ttyS0"));
-    QCOMPARE(watch.portOf(QStringLiteral("sim:demo")), QString());
-    QCOMPARE(watch.portOf(QString()), QString());
+    QCOMPARE(watch.findAdapter(QStringLiteral("/dev/ttyS0")), QStringLiteral("/dev/ttyS0"));
+    QCOMPARE(watch.findAdapter(QStringLiteral("sim:demo")), QString());
+    QCOMPARE(watch.findAdapter(QString()), QString());
 }
 
-void TestPortWatch::itIsBackWhenItWasGone()
+void TestPortWatcher::returnsAfterRemoval()
 {
-    Desk desk;
+    PortList portList;
     const QString path = QStringLiteral("/dev/ttyUSB0");
-    desk.plug(adapter("/dev/ttyUSB0", ""));
-    PortWatch watch(nullptr, desk.lister());
-    QTRY_VERIFY(watch.hasLooked());
-    session::ReplugWatch replug;
-    QVERIFY(!replug.running());
+    portList.plug(adapter("/dev/ttyUSB0", ""));
+    PortWatcher watch(nullptr, portList.lister());
+    QTRY_VERIFY(watch.isReady());
+    session::ReplugWatcher replug;
+    QVERIFY(!replug.isRunning());
     replug.start(watch, watch.adapterKey(path), path); // the list still shows it
-    QCOMPARE(replug.look(watch), QString());
-    desk.unplug(path);
+    QCOMPARE(replug.detect(watch), QString());
+    portList.unplug(path);
     QTRY_VERIFY(watch.ports().empty());
-    QCOMPARE(replug.look(watch), QString());
-    desk.plug(adapter("/dev/ttyUSB1", ""));
-    QTRY_COMPARE(replug.look(watch), QStringLiteral("/dev/ttyUSB1"));
+    QCOMPARE(replug.detect(watch), QString());
+    portList.plug(adapter("/dev/ttyUSB1", ""));
+    QTRY_COMPARE(replug.detect(watch), QStringLiteral("/dev/ttyUSB1"));
     replug.stop();
-    QCOMPARE(replug.look(watch), QString());
+    QCOMPARE(replug.detect(watch), QString());
 }
 
-void TestPortWatch::anotherOfItsKindIsNotIt()
+void TestPortWatcher::anotherOfItsTypeIsNoMatch()
 {
-    Desk desk;
-    desk.plug(adapter("/dev/ttyUSB0", ""));
-    desk.plug(adapter("/dev/ttyUSB1", ""));
-    PortWatch watch(nullptr, desk.lister());
-    QTRY_VERIFY(watch.hasLooked());
-    session::ReplugWatch replug;
+    PortList portList;
+    portList.plug(adapter("/dev/ttyUSB0", ""));
+    portList.plug(adapter("/dev/ttyUSB1", ""));
+    PortWatcher watch(nullptr, portList.lister());
+    QTRY_VERIFY(watch.isReady());
+    session::ReplugWatcher replug;
     const QString path = QStringLiteral("/dev/ttyUSB1");
     replug.start(watch, watch.adapterKey(path), path);
-    desk.unplug(path);
+    portList.unplug(path);
     QTRY_COMPARE(watch.ports().size(), std::size_t(1));
-    QCOMPARE(replug.look(watch), QString()); // ttyUSB0 was there all the time
-    desk.plug(adapter("/dev/ttyUSB1", ""));
-    QTRY_COMPARE(replug.look(watch), path);
+    QCOMPARE(replug.detect(watch), QString()); // ttyUSB0 was there all the time
+    portList.plug(adapter("/dev/ttyUSB1", ""));
+    QTRY_COMPARE(replug.detect(watch), path);
 }
 
-void TestPortWatch::backBeforeAnybodyLooked()
+void TestPortWatcher::backBeforeTheNextScan()
 {
-    Desk desk;
+    PortList portList;
     const QString path = QStringLiteral("/dev/ttyUSB0");
-    desk.plug(adapter("/dev/ttyUSB0", "A"));
-    PortWatch watch(nullptr, desk.lister());
-    QTRY_VERIFY(watch.hasLooked());
-    session::ReplugWatch replug;
+    portList.plug(adapter("/dev/ttyUSB0", "A"));
+    PortWatcher watch(nullptr, portList.lister());
+    QTRY_VERIFY(watch.isReady());
+    session::ReplugWatcher replug;
     replug.start(watch, watch.adapterKey(path), path);
-    replug.settle();
-    QCOMPARE(replug.look(watch), path);
+    replug.forgetOldPath();
+    QCOMPARE(replug.detect(watch), path);
 }
 
-void TestPortWatch::theSystemsPortsAreListed()
+void TestPortWatcher::theSystemsPortsAreListed()
 {
-    PortWatch watch;
-    QTRY_VERIFY(watch.hasLooked());
+    PortWatcher watch;
+    QTRY_VERIFY(watch.isReady());
     for (const PortInfo& port : watch.ports())
         QVERIFY2(QFile::exists(port.path), qPrintable(port.path));
 }
 
-void TestPortWatch::brailleServiceIsSeen_data()
+void TestPortWatcher::brailleServiceIsDetected_data()
 {
     QTest::addColumn<QByteArray>("process");
     QTest::addColumn<QByteArray>("product");
@@ -240,7 +240,7 @@ void TestPortWatch::brailleServiceIsSeen_data()
                                   << QStringList();
 }
 
-void TestPortWatch::brailleServiceIsSeen()
+void TestPortWatcher::brailleServiceIsDetected()
 {
     QFETCH(const QByteArray, process);
     QFETCH(const QByteArray, product);
@@ -263,8 +263,8 @@ void TestPortWatch::brailleServiceIsSeen()
     QVERIFY(QDir().mkpath(root.filePath(QStringLiteral("drivers/") + driver)));
     QVERIFY(QFile::link(root.filePath(QStringLiteral("drivers/") + driver),
                         interface + QStringLiteral("/driver")));
-    QCOMPARE(transport::takenByBraille(root.path()), taken);
+    QCOMPARE(transport::adaptersClaimedByBrltty(root.path()), taken);
 }
 
-QTEST_GUILESS_MAIN(TestPortWatch)
+QTEST_GUILESS_MAIN(TestPortWatcher)
 #include "tst_port_watch.moc"

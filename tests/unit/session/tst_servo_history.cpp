@@ -26,22 +26,22 @@ QStringList keysOf(const std::vector<base::JournalEntry>& entries)
 }
 } // namespace
 
-class TestServoHistory : public QObject {
+class TestServoJournal : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
 
-    void modeSwitchesAreInIt();
-    void itFollowsTheServoToItsNewId();
-    void anotherSimulatedBusIsNotInIt();
+    void modeSwitchesAreIncluded();
+    void followsTheServoToItsNewId();
+    void anotherSimulatedBusIsExcluded();
 };
 
-void TestServoHistory::modeSwitchesAreInIt()
+void TestServoJournal::modeSwitchesAreIncluded()
 {
-    Bench bench(text("sim:sts3215@1"));
-    QVERIFY(bench.opened && bench.search());
-    const ServoRef ref = bench.at(1);
+    SessionFixture fixture(text("sim:sts3215@1"));
+    QVERIFY(fixture.opened && fixture.search());
+    const ServoRef ref = fixture.at(1);
     session::Task task;
     task.name = text("mode");
     task.savesTable = true;
@@ -49,19 +49,19 @@ void TestServoHistory::modeSwitchesAreInIt()
         const auto done = device::switchMode(context.device, context.servo, text("speed"));
         return done ? base::Result<void>() : tl::unexpected(done.error());
     };
-    bench.desk.perform(ref, std::move(task));
-    QVERIFY(bench.settle());
-    QTRY_VERIFY(keysOf(bench.entry(ref).history).contains(text("operating_mode")));
+    fixture.desk.perform(ref, std::move(task));
+    QVERIFY(fixture.waitUntilIdle());
+    QTRY_VERIFY(keysOf(fixture.entry(ref).history).contains(text("operating_mode")));
 }
 
-void TestServoHistory::itFollowsTheServoToItsNewId()
+void TestServoJournal::followsTheServoToItsNewId()
 {
-    Bench bench(text("sim:sts3215@1,sts3215@2"));
-    QVERIFY(bench.opened && bench.search());
-    const ServoRef first = bench.at(1);
-    const ServoRef second = bench.at(2);
-    QVERIFY(bench.write(first, positionP, 40));
-    QVERIFY(bench.write(second, text("position_d"), 20));
+    SessionFixture fixture(text("sim:sts3215@1,sts3215@2"));
+    QVERIFY(fixture.opened && fixture.search());
+    const ServoRef first = fixture.at(1);
+    const ServoRef second = fixture.at(2);
+    QVERIFY(fixture.write(first, positionP, 40));
+    QVERIFY(fixture.write(second, text("position_d"), 20));
     const auto change = [&](ServoRef ref, int id) {
         session::Task task;
         task.name = text("set-id");
@@ -70,38 +70,38 @@ void TestServoHistory::itFollowsTheServoToItsNewId()
             const auto done = jobs::changeId(context.device, context.servo, id);
             return done ? base::Result<void>() : tl::unexpected(done.error());
         };
-        bench.desk.perform(ref, std::move(task));
-        return bench.settle();
+        fixture.desk.perform(ref, std::move(task));
+        return fixture.waitUntilIdle();
     };
     QVERIFY(change(first, 7));
-    QCOMPARE(bench.entry(first).servo.id, 7);
-    QTRY_COMPARE(keysOf(bench.entry(first).history), QStringList({positionP, text("id")}));
+    QCOMPARE(fixture.entry(first).servo.id, 7);
+    QTRY_COMPARE(keysOf(fixture.entry(first).history), QStringList({positionP, text("id")}));
     // The other one takes the ID that has become free, not what was written to it before.
     QVERIFY(change(second, 1));
-    QTRY_COMPARE(keysOf(bench.entry(second).history),
+    QTRY_COMPARE(keysOf(fixture.entry(second).history),
                  QStringList({text("position_d"), text("id")}));
-    QVERIFY(bench.write(first, positionP, 41));
-    QTRY_COMPARE(keysOf(bench.entry(first).history),
+    QVERIFY(fixture.write(first, positionP, 41));
+    QTRY_COMPARE(keysOf(fixture.entry(first).history),
                  QStringList({positionP, text("id"), positionP}));
     QVERIFY(change(first, 8));
-    QTRY_COMPARE(keysOf(bench.entry(first).history),
+    QTRY_COMPARE(keysOf(fixture.entry(first).history),
                  QStringList({positionP, text("id"), positionP, text("id")}));
 }
 
-void TestServoHistory::anotherSimulatedBusIsNotInIt()
+void TestServoJournal::anotherSimulatedBusIsExcluded()
 {
-    Bench bench(text("sim:sts3215@1"));
-    QVERIFY(bench.opened && bench.search());
-    QVERIFY(bench.write(bench.at(1), positionP, 40));
-    QTRY_COMPARE(bench.entry(bench.at(1)).history.size(), std::size_t(1));
-    bench.desk.disconnectFrom();
-    QVERIFY(QTest::qWaitFor([&] { return bench.desk.state() == LinkState::Off; }));
-    QVERIFY(bench.open(text("sim:sts3215@1,sts3215@9")) && bench.search());
-    const ServoRef other = bench.at(1);
-    bench.desk.loadHistory(other);
-    QVERIFY(bench.write(other, text("position_d"), 20)); // behind it
-    QTRY_COMPARE(keysOf(bench.entry(other).history), QStringList(text("position_d")));
+    SessionFixture fixture(text("sim:sts3215@1"));
+    QVERIFY(fixture.opened && fixture.search());
+    QVERIFY(fixture.write(fixture.at(1), positionP, 40));
+    QTRY_COMPARE(fixture.entry(fixture.at(1)).history.size(), std::size_t(1));
+    fixture.desk.disconnectFrom();
+    QVERIFY(QTest::qWaitFor([&] { return fixture.desk.state() == LinkState::Off; }));
+    QVERIFY(fixture.open(text("sim:sts3215@1,sts3215@9")) && fixture.search());
+    const ServoRef other = fixture.at(1);
+    fixture.desk.loadHistory(other);
+    QVERIFY(fixture.write(other, text("position_d"), 20)); // behind it
+    QTRY_COMPARE(keysOf(fixture.entry(other).history), QStringList(text("position_d")));
 }
 
-QTEST_GUILESS_MAIN(TestServoHistory)
+QTEST_GUILESS_MAIN(TestServoJournal)
 #include "tst_servo_history.moc"

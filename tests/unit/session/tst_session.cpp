@@ -25,9 +25,9 @@ private Q_SLOTS:
     void refusesPortsItCannotOpen();
     void opensSimulatedServos_data();
     void opensSimulatedServos();
-    void retriesAndPatienceReachTheBus();
+    void retriesAndTimeoutReachTheBus();
     void powerCycleKeepsTheEprom();
-    void stopFramesNameEverybodyAndEachServo();
+    void stopFramesCoverBroadcastAndEachServo();
     void emergencyTakesTorqueOff();
 
 private:
@@ -36,13 +36,13 @@ private:
 
 namespace {
 /// A connection and what a job needs on it.
-struct Bench {
+struct SessionFixture {
     Session session;
     std::unique_ptr<session::Connection> connection;
-    base::Stop stop;
+    base::StopToken stop;
     device::Notices notices;
 
-    explicit Bench(const char* port)
+    explicit SessionFixture(const char* port)
     {
         PortRequest request;
         request.name = QString::fromLatin1(port);
@@ -108,25 +108,25 @@ void TestSession::opensSimulatedServos()
     QFETCH(QByteArray, port);
     QFETCH(int, id);
     QFETCH(QString, model);
-    Bench bench(port.constData());
-    QVERIFY(bench.connection != nullptr);
-    QVERIFY(bench.connection->simulated());
-    const auto servo = device::identify(bench.context(), id);
+    SessionFixture fixture(port.constData());
+    QVERIFY(fixture.connection != nullptr);
+    QVERIFY(fixture.connection->isSimulated());
+    const auto servo = device::identify(fixture.context(), id);
     QVERIFY(servo.has_value());
     QCOMPARE(servo->profile->modelName, model);
     QCOMPARE(servo->port, QString::fromLatin1(port));
 }
 
-void TestSession::retriesAndPatienceReachTheBus()
+void TestSession::retriesAndTimeoutReachTheBus()
 {
     Session session;
     PortRequest request;
     request.name = QStringLiteral("sim:sts3215@1");
     request.retries = 4;
-    request.patience = std::chrono::milliseconds(2);
+    request.maxReplyLateness = std::chrono::milliseconds(2);
     const auto connection = session.connect(request);
     QVERIFY(connection.has_value());
-    base::Stop stop;
+    base::StopToken stop;
     device::Notices notices;
     const auto servo = device::identify((*connection)->context(stop, notices), 50);
     QVERIFY(!servo.has_value());
@@ -135,12 +135,12 @@ void TestSession::retriesAndPatienceReachTheBus()
 
 void TestSession::powerCycleKeepsTheEprom()
 {
-    Bench bench("sim:sts3215@1");
-    const device::Context context = bench.context();
+    SessionFixture fixture("sim:sts3215@1");
+    const device::Context context = fixture.context();
     auto servo = device::identify(context, 1);
     QVERIFY(servo.has_value());
     QVERIFY(device::write(context, *servo, {{QStringLiteral("max_temperature"), 61}}, {}));
-    QVERIFY(bench.connection->powerCycle());
+    QVERIFY(fixture.connection->powerCycle());
     auto again = device::identify(context, 1);
     QVERIFY(again.has_value());
     QVERIFY(device::readAll(context, *again).has_value());
@@ -148,7 +148,7 @@ void TestSession::powerCycleKeepsTheEprom()
     QCOMPARE(again->raw(QStringLiteral("lock")), std::optional<std::int64_t>(1));
 }
 
-void TestSession::stopFramesNameEverybodyAndEachServo()
+void TestSession::stopFramesCoverBroadcastAndEachServo()
 {
     device::Servo servo;
     servo.id = 1;
@@ -161,11 +161,11 @@ void TestSession::stopFramesNameEverybodyAndEachServo()
 
 void TestSession::emergencyTakesTorqueOff()
 {
-    Bench bench("sim:sts3215@1,sts3215@2");
-    const device::Context context = bench.context();
+    SessionFixture fixture("sim:sts3215@1,sts3215@2");
+    const device::Context context = fixture.context();
     auto servo = device::identify(context, 1);
     QVERIFY(servo.has_value());
-    bench.connection->know(*servo);
+    fixture.connection->addStopTarget(*servo);
     bus::Transaction on;
     on.request = protocol::Request::write(2, 40, {1}, protocol::Repeat::Safe);
     QVERIFY(context.bus.transact(on).has_value());

@@ -18,21 +18,21 @@ class TestSettings : public QObject {
 private Q_SLOTS:
     void init();
 
-    void nothingRememberedIsNoTrouble();
-    void everythingComesBack();
-    void eachAdapterHasItsOwn_data();
-    void eachAdapterHasItsOwn();
-    void whatIsNoLongerSetIsForgotten();
-    void brokenFilesArePutAside_data();
-    void brokenFilesArePutAside();
-    void nonsenseIsPassedOver_data();
-    void nonsenseIsPassedOver();
+    void emptySettingsAreFine();
+    void everythingRoundTrips();
+    void eachAdapterHasItsOwnSettings_data();
+    void eachAdapterHasItsOwnSettings();
+    void clearedSettingsAreRemoved();
+    void brokenFilesAreBackedUp_data();
+    void brokenFilesAreBackedUp();
+    void invalidValuesAreIgnored_data();
+    void invalidValuesAreIgnored();
     void aNewerVersionsFileSurvives();
     void choicesKeepTheirType_data();
     void choicesKeepTheirType();
-    void choicesOfAnotherTypeArePassedOver_data();
-    void choicesOfAnotherTypeArePassedOver();
-    void anUnwritablePlaceIsNoTrouble();
+    void choicesOfAnotherTypeAreIgnored_data();
+    void choicesOfAnotherTypeAreIgnored();
+    void anUnwritablePathIsIgnored();
     void onlyTheOwnerMayRead();
 
 private:
@@ -62,35 +62,35 @@ QByteArray TestSettings::read() const
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-void TestSettings::nothingRememberedIsNoTrouble()
+void TestSettings::emptySettingsAreFine()
 {
     const Settings settings(path());
     QVERIFY(settings.brokenCopy().isEmpty());
     QVERIFY(settings.language().isEmpty());
     QCOMPARE(settings.theme(), session::Theme::System);
     QVERIFY(settings.lastPort().isEmpty());
-    QVERIFY(!settings.usedWith(QStringLiteral("/dev/ttyUSB0")).baud);
+    QVERIFY(!settings.lastRequestFor(QStringLiteral("/dev/ttyUSB0")).baud);
     QVERIFY(settings.windowGeometry().isEmpty());
-    QCOMPARE(settings.choice(QStringLiteral("memory/rate"), 5).toInt(), 5);
+    QCOMPARE(settings.pageValue(QStringLiteral("memory/rate"), 5).toInt(), 5);
     QVERIFY(!QFile::exists(path())); // looking writes nothing
 }
 
-void TestSettings::everythingComesBack()
+void TestSettings::everythingRoundTrips()
 {
     PortRequest used;
     used.name = QStringLiteral("/dev/ttyUSB3");
     used.baud = 128000;
     used.parity = session::Parity::Even;
     used.protocol = base::Protocol::Modbus;
-    used.patience = std::chrono::milliseconds(80);
-    used.silence = std::chrono::microseconds(2500);
+    used.maxReplyLateness = std::chrono::milliseconds(80);
+    used.frameSilence = std::chrono::microseconds(2500);
     used.retries = 4;
     const QByteArray geometry("\x00\x01\xFF;=[]\n%", 9);
     {
         Settings settings(path());
         settings.setLanguage(QStringLiteral("zh_CN"));
         settings.setTheme(session::Theme::Dark);
-        settings.remember(QStringLiteral("usb:1a86:7523#5A2F31"), used);
+        settings.saveRequest(QStringLiteral("usb:1a86:7523#5A2F31"), used);
         settings.setWindow(geometry, "state");
     }
     QVERIFY(read().contains("version=1"));
@@ -102,17 +102,17 @@ void TestSettings::everythingComesBack()
     QCOMPARE(settings.windowState(), QByteArray("state"));
     QCOMPARE(settings.lastPort(), used.name);
     QCOMPARE(settings.lastAdapter(), QStringLiteral("usb:1a86:7523#5A2F31"));
-    const PortRequest again = settings.usedWith(settings.lastAdapter());
+    const PortRequest again = settings.lastRequestFor(settings.lastAdapter());
     QCOMPARE(again.name, used.name);
     QVERIFY(again.baud == used.baud);
     QVERIFY(again.parity == used.parity);
     QVERIFY(again.protocol == used.protocol);
-    QVERIFY(again.patience == used.patience);
-    QVERIFY(again.silence == used.silence);
+    QVERIFY(again.maxReplyLateness == used.maxReplyLateness);
+    QVERIFY(again.frameSilence == used.frameSilence);
     QVERIFY(again.retries == used.retries);
 }
 
-void TestSettings::eachAdapterHasItsOwn_data()
+void TestSettings::eachAdapterHasItsOwnSettings_data()
 {
     QTest::addColumn<QString>("key");
     // What would be groups, comments, escapes or equal after folding in an ini file.
@@ -123,7 +123,7 @@ void TestSettings::eachAdapterHasItsOwn_data()
         QTest::newRow(key) << QString::fromUtf8(key);
 }
 
-void TestSettings::eachAdapterHasItsOwn()
+void TestSettings::eachAdapterHasItsOwnSettings()
 {
     QFETCH(const QString, key);
     const auto requestAt = [](int baud) {
@@ -135,36 +135,36 @@ void TestSettings::eachAdapterHasItsOwn()
     {
         Settings settings(path());
         for (const char* other : {"usb:1a86:7523#B", "/dev/ttyUSB", "tcp://bench:400", "General/"})
-            settings.remember(QString::fromLatin1(other), requestAt(9600));
-        settings.remember(key, requestAt(57600));
+            settings.saveRequest(QString::fromLatin1(other), requestAt(9600));
+        settings.saveRequest(key, requestAt(57600));
     }
     const Settings settings(path());
     QVERIFY(settings.brokenCopy().isEmpty());
-    QCOMPARE(settings.usedWith(key).baud.value_or(0), 57600);
-    QCOMPARE(settings.usedWith(QStringLiteral("/dev/ttyUSB")).baud.value_or(0), 9600);
-    QVERIFY(!settings.usedWith(QStringLiteral("usb:1a86")).baud);
+    QCOMPARE(settings.lastRequestFor(key).baud.value_or(0), 57600);
+    QCOMPARE(settings.lastRequestFor(QStringLiteral("/dev/ttyUSB")).baud.value_or(0), 9600);
+    QVERIFY(!settings.lastRequestFor(QStringLiteral("usb:1a86")).baud);
 }
 
-void TestSettings::whatIsNoLongerSetIsForgotten()
+void TestSettings::clearedSettingsAreRemoved()
 {
     const QString key = QStringLiteral("usb:1a86:7523#A");
     PortRequest request;
     request.name = QStringLiteral("/dev/ttyUSB0");
     request.baud = 38400;
-    request.silence = std::chrono::microseconds(3000);
+    request.frameSilence = std::chrono::microseconds(3000);
     {
         Settings settings(path());
-        settings.remember(key, request);
+        settings.saveRequest(key, request);
         request.baud.reset();
-        request.silence.reset();
-        settings.remember(key, request);
+        request.frameSilence.reset();
+        settings.saveRequest(key, request);
     }
-    const PortRequest again = Settings(path()).usedWith(key);
+    const PortRequest again = Settings(path()).lastRequestFor(key);
     QVERIFY(!again.baud);
-    QVERIFY(!again.silence);
+    QVERIFY(!again.frameSilence);
 }
 
-void TestSettings::brokenFilesArePutAside_data()
+void TestSettings::brokenFilesAreBackedUp_data()
 {
     QTest::addColumn<QByteArray>("content");
     QTest::newRow("no ini") << QByteArray("{\"version\": 1}\nlanguage\n");
@@ -174,7 +174,7 @@ void TestSettings::brokenFilesArePutAside_data()
     QTest::newRow("endless") << QByteArray(2 * 1024 * 1024, 'x');
 }
 
-void TestSettings::brokenFilesArePutAside()
+void TestSettings::brokenFilesAreBackedUp()
 {
     QFETCH(const QByteArray, content);
     write(content);
@@ -193,7 +193,7 @@ void TestSettings::brokenFilesArePutAside()
     QCOMPARE(again.language(), QStringLiteral("en"));
 }
 
-void TestSettings::nonsenseIsPassedOver_data()
+void TestSettings::invalidValuesAreIgnored_data()
 {
     QTest::addColumn<QByteArray>("line");
     QTest::newRow("no number") << QByteArray("baud=fast");
@@ -207,7 +207,7 @@ void TestSettings::nonsenseIsPassedOver_data()
     QTest::newRow("rectangle") << QByteArray("baud=@Rect(1 2 3 4)");
 }
 
-void TestSettings::nonsenseIsPassedOver()
+void TestSettings::invalidValuesAreIgnored()
 {
     QFETCH(const QByteArray, line);
     write("[General]\nversion=1\n[interface]\nlanguage=klingon\ntheme=pink\n[adapters]\nX\\" +
@@ -218,13 +218,13 @@ void TestSettings::nonsenseIsPassedOver()
     QVERIFY(settings.brokenCopy().isEmpty());
     QVERIFY(settings.language().isEmpty());
     QCOMPARE(settings.theme(), session::Theme::System);
-    const PortRequest request = settings.usedWith(QStringLiteral("X"));
+    const PortRequest request = settings.lastRequestFor(QStringLiteral("X"));
     QVERIFY(!request.baud);
     QVERIFY(request.parity == session::Parity::None);
     QVERIFY(!request.protocol);
     QVERIFY(!request.retries);
-    QVERIFY(!request.patience);
-    QVERIFY(!request.silence);
+    QVERIFY(!request.maxReplyLateness);
+    QVERIFY(!request.frameSilence);
     QCOMPARE(settings.lastPort(), QStringLiteral("/dev/ttyUSB0")); // the good part counts
 }
 
@@ -240,7 +240,7 @@ void TestSettings::aNewerVersionsFileSurvives()
         PortRequest request;
         request.name = QStringLiteral("X");
         request.baud = 19200;
-        settings.remember(QStringLiteral("X"), request);
+        settings.saveRequest(QStringLiteral("X"), request);
     }
     const QByteArray now = read();
     for (const char* line :
@@ -274,14 +274,14 @@ void TestSettings::choicesKeepTheirType()
     const QString key = QStringLiteral("page/choice");
     {
         Settings settings(path());
-        QCOMPARE(settings.choice(key, byDefault), byDefault);
-        settings.setChoice(key, value);
-        QCOMPARE(settings.choice(key, byDefault), value);
+        QCOMPARE(settings.pageValue(key, byDefault), byDefault);
+        settings.setPageValue(key, value);
+        QCOMPARE(settings.pageValue(key, byDefault), value);
     }
-    QCOMPARE(Settings(path()).choice(key, byDefault), value);
+    QCOMPARE(Settings(path()).pageValue(key, byDefault), value);
 }
 
-void TestSettings::choicesOfAnotherTypeArePassedOver_data()
+void TestSettings::choicesOfAnotherTypeAreIgnored_data()
 {
     QTest::addColumn<QByteArray>("stored");
     QTest::addColumn<QVariant>("byDefault");
@@ -294,15 +294,15 @@ void TestSettings::choicesOfAnotherTypeArePassedOver_data()
     QTest::newRow("bytes for a list") << QByteArray("@ByteArray(a)") << QVariant(QStringList());
 }
 
-void TestSettings::choicesOfAnotherTypeArePassedOver()
+void TestSettings::choicesOfAnotherTypeAreIgnored()
 {
     QFETCH(const QByteArray, stored);
     QFETCH(const QVariant, byDefault);
     write("[General]\nversion=1\n[page]\nchoice=" + stored + "\n");
-    QCOMPARE(Settings(path()).choice(QStringLiteral("page/choice"), byDefault), byDefault);
+    QCOMPARE(Settings(path()).pageValue(QStringLiteral("page/choice"), byDefault), byDefault);
 }
 
-void TestSettings::anUnwritablePlaceIsNoTrouble()
+void TestSettings::anUnwritablePathIsIgnored()
 {
     // A folder where the file should be: neither readable nor writable, for root as well.
     QVERIFY(QDir().mkpath(path()));

@@ -52,12 +52,12 @@ inline sim::ServoConfig configOf(const QString& modelName)
 {
     sim::ServoConfig config;
     if (modelName.startsWith(QLatin1String("LX"))) {
-        config.surroundings.supplyVolts = modelName.endsWith(QLatin1String("HV")) ? 11.1 : 7.4;
+        config.environment.supplyVolts = modelName.endsWith(QLatin1String("HV")) ? 11.1 : 7.4;
         config.initialDegrees = 120;
     } else if (modelName.startsWith(QLatin1String("SM")) || modelName == QLatin1String("STS3250")) {
-        config.surroundings.supplyVolts = 12.0;
+        config.environment.supplyVolts = 12.0;
     } else if (modelName.startsWith(QLatin1String("SCS"))) {
-        config.surroundings.supplyVolts = 6.0;
+        config.environment.supplyVolts = 6.0;
     }
     return config;
 }
@@ -71,17 +71,17 @@ public:
         : VirtualServo(profileOf(model), config)
     {}
 
-    std::optional<sim::ServoAnswer> ask(std::uint8_t instruction,
-                                        std::initializer_list<std::uint8_t> params = {})
+    std::optional<sim::ServoReply> ask(std::uint8_t instruction,
+                                       std::initializer_list<std::uint8_t> params = {})
     {
         return handle({false, instruction, base::Bytes(params), -1});
     }
-    std::optional<sim::ServoAnswer> shout(std::uint8_t instruction,
-                                          std::initializer_list<std::uint8_t> params = {})
+    std::optional<sim::ServoReply> sendBroadcast(std::uint8_t instruction,
+                                                 std::initializer_list<std::uint8_t> params = {})
     {
         return handle({true, instruction, base::Bytes(params), -1});
     }
-    std::optional<sim::ServoAnswer> write(std::initializer_list<std::uint8_t> params)
+    std::optional<sim::ServoReply> write(std::initializer_list<std::uint8_t> params)
     {
         return ask(0x03, params);
     }

@@ -21,7 +21,7 @@ struct Case {
     int way = 0;
     int speed = 0;
     int acceleration = 0;
-    double gravity = 0;
+    double severity = 0;
     sim::Defects defects{};
 };
 
@@ -31,8 +31,8 @@ int startOf(const QString& model)
 }
 
 /// At its start, ready to move, having come from below.
-struct Table {
-    explicit Table(const Case& test, sim::ServoConfig config)
+struct DefectFixture {
+    explicit DefectFixture(const Case& test, sim::ServoConfig config)
         : servo(test.model, with(test, std::move(config)))
         , plant(servo)
         , start(startOf(test.model))
@@ -49,14 +49,14 @@ struct Table {
         }
         plant.move(start, milliseconds(4000));
     }
-    explicit Table(const Case& test)
-        : Table(test, fixture::configOf(test.model))
+    explicit DefectFixture(const Case& test)
+        : DefectFixture(test, fixture::configOf(test.model))
     {}
 
     static sim::ServoConfig with(const Case& test, sim::ServoConfig config)
     {
         config.defects = test.defects;
-        config.load.gravityTorque = test.gravity;
+        config.load.gravityTorque = test.severity;
         return config;
     }
     void put(Role role, int value) { servo.poke(servo.profile().byRole(role)->key, value); }
@@ -64,7 +64,7 @@ struct Table {
     probe::Move back() { return plant.move(start, span); }
 
     Servo servo;
-    probe::Plant plant;
+    probe::ServoPlant plant;
     int start;
     int way;
     milliseconds span;
@@ -75,20 +75,20 @@ QByteArray text(double value)
     return QByteArray::number(value);
 }
 
-void addRows(const std::vector<int>& fineWays)
+void addRows(const std::vector<int>& smallMoves)
 {
     QTest::addColumn<Case>("test");
-    const auto row = [](const char* model, int way, int speed, int acceleration, double gravity) {
+    const auto row = [](const char* model, int way, int speed, int acceleration, double severity) {
         const auto name = QStringLiteral("%1, %2 steps, speed %3, acceleration %4, %5 N·m")
                               .arg(QLatin1String(model))
                               .arg(way)
                               .arg(speed)
                               .arg(acceleration)
-                              .arg(gravity);
+                              .arg(severity);
         QTest::newRow(qPrintable(name))
-            << Case{QString::fromLatin1(model), way, speed, acceleration, gravity, {}};
+            << Case{QString::fromLatin1(model), way, speed, acceleration, severity, {}};
     };
-    for (const int way : fineWays) {
+    for (const int way : smallMoves) {
         row("STS3215", way, 0, 0, 0);
         row("STS3215", way, 400, 0, 0.3);
         row("STS3215", way, 1500, 20, 0.1);
@@ -101,7 +101,7 @@ void addRows(const std::vector<int>& fineWays)
 }
 
 /// A path through moves of every kind, as the registers tell it.
-std::vector<std::int64_t> diary(Servo& servo)
+std::vector<std::int64_t> positionTrace(Servo& servo)
 {
     std::vector<std::int64_t> seen;
     for (const int goal : {2600, 1500, 1510, 2048}) {
@@ -118,7 +118,7 @@ std::vector<std::int64_t> diary(Servo& servo)
 
 Q_DECLARE_METATYPE(Case)
 
-class tst_Defects : public QObject {
+class TestDefects : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -130,25 +130,25 @@ private Q_SLOTS:
         QFETCH(Case, test);
         for (const double steps : {12.0, 7.0}) {
             test.defects.restHysteresis = steps;
-            Table table(test);
+            DefectFixture table(test);
             const probe::Move up = table.out();
             const probe::Move down = table.back();
-            const double below = up.rest() - double(up.goal);
-            const double above = down.rest() - double(down.goal);
+            const double below = up.restPosition() - double(up.goal);
+            const double above = down.restPosition() - double(down.goal);
             QVERIFY2(std::abs(above - below - steps) <= 1, text(above - below));
             QVERIFY2(below < 0 && above > 0, text(below));
-            QVERIFY(std::abs(up.shaftRest() - up.rest()) <= 1);
+            QVERIFY(std::abs(up.shaftRestPosition() - up.restPosition()) <= 1);
         }
     }
 
     // As dry friction does it: a step back that is smaller than it is not made.
-    void aSmallStepBackIsLostInTheHysteresis()
+    void aSmallStepBackIsAbsorbedByHysteresis()
     {
-        Table table({QStringLiteral("STS3215"), 500, 0, 0, 0, {}});
+        DefectFixture table({QStringLiteral("STS3215"), 500, 0, 0, 0, {}});
         table.servo.defects().restHysteresis = 12;
-        const double up = table.out().rest();
-        const double less = table.plant.move(table.start + 490, milliseconds(1000)).rest();
-        const double more = table.plant.move(table.start + 480, milliseconds(1000)).rest();
+        const double up = table.out().restPosition();
+        const double less = table.plant.move(table.start + 490, milliseconds(1000)).restPosition();
+        const double more = table.plant.move(table.start + 480, milliseconds(1000)).restPosition();
         QVERIFY2(std::abs(less - up) <= 1, text(less - up));
         QVERIFY2(std::abs(more - (up - 8)) <= 1, text(more - up));
     }
@@ -159,9 +159,10 @@ private Q_SLOTS:
         QFETCH(Case, test);
         for (const double steps : {9.0, -14.0}) {
             test.defects.staticError = steps;
-            Table table(test);
+            DefectFixture table(test);
             for (const probe::Move& move : {table.out(), table.back()})
-                QVERIFY2(std::abs(move.rest() - double(move.goal) - steps) <= 1, text(move.rest()));
+                QVERIFY2(std::abs(move.restPosition() - double(move.goal) - steps) <= 1,
+                         text(move.restPosition()));
         }
     }
 
@@ -171,54 +172,57 @@ private Q_SLOTS:
         QFETCH(Case, test);
         for (const double percent : {5.0, 8.0}) {
             test.defects.overshootPercent = percent;
-            Table table(test);
+            DefectFixture table(test);
             for (const probe::Move& move : {table.out(), table.back()}) {
                 const double wanted = std::abs(move.way()) * percent / 100;
                 const double allowed = std::max(1.0, std::abs(move.way()) * 0.005);
-                QVERIFY2(std::abs(move.beyond() - wanted) <= allowed, text(move.beyond()));
-                QVERIFY2(std::abs(move.rest() - double(move.goal)) <= 1, text(move.rest()));
+                QVERIFY2(std::abs(move.peakBeyondGoal() - wanted) <= allowed,
+                         text(move.peakBeyondGoal()));
+                QVERIFY2(std::abs(move.restPosition() - double(move.goal)) <= 1,
+                         text(move.restPosition()));
             }
         }
     }
 
-    void theReturnFromAnOvershootIsQuickAndTheFlagKnowsOfIt()
+    void theReturnFromAnOvershootIsFastAndFlagged()
     {
         Case test{QStringLiteral("STS3215"), 1000, 0, 0, 0, {}};
         test.defects.overshootPercent = 8;
-        Table table(test);
+        DefectFixture table(test);
         table.servo.set("goal_position", table.start + table.way);
         int peak = 0;
         int settled = 0;
         int flagFell = 0;
-        std::int64_t most = 0;
+        std::int64_t maximum = 0;
         for (int ms = 1; ms <= 2000; ++ms) {
             table.servo.run(1);
-            const auto beyond = table.plant.reported() - table.start - table.way;
-            peak = beyond > most ? ms : peak;
-            most = std::max(most, beyond);
-            settled = std::abs(beyond) > 2 ? ms : settled;
+            const auto peakBeyondGoal = table.plant.reported() - table.start - table.way;
+            peak = peakBeyondGoal > maximum ? ms : peak;
+            maximum = std::max(maximum, peakBeyondGoal);
+            settled = std::abs(peakBeyondGoal) > 2 ? ms : settled;
             flagFell = table.servo.at("moving") != 0 ? ms : flagFell;
         }
         QVERIFY2(settled - peak >= 50 && settled - peak <= 250, text(settled - peak));
         QVERIFY2(flagFell >= settled, text(flagFell - settled));
     }
 
-    void allOfThemTogether_data() { addRows({450, 1500}); }
-    void allOfThemTogether()
+    void allDefectsTogether_data() { addRows({450, 1500}); }
+    void allDefectsTogether()
     {
         QFETCH(Case, test);
         test.defects.restHysteresis = 12;
         test.defects.staticError = -5;
         test.defects.overshootPercent = 8;
-        Table table(test);
+        DefectFixture table(test);
         const probe::Move up = table.out();
         const probe::Move down = table.back();
-        QVERIFY2(std::abs(up.rest() - double(up.goal) + 11) <= 1, text(up.rest()));
-        QVERIFY2(std::abs(down.rest() - double(down.goal) - 1) <= 1, text(down.rest()));
+        QVERIFY2(std::abs(up.restPosition() - double(up.goal) + 11) <= 1, text(up.restPosition()));
+        QVERIFY2(std::abs(down.restPosition() - double(down.goal) - 1) <= 1,
+                 text(down.restPosition()));
         for (const probe::Move& move : {up, down}) {
             const double wanted = test.way * 0.08;
-            QVERIFY2(std::abs(move.beyond() - wanted) <= std::max(2.0, test.way * 0.005),
-                     text(move.beyond()));
+            QVERIFY2(std::abs(move.peakBeyondGoal() - wanted) <= std::max(2.0, test.way * 0.005),
+                     text(move.peakBeyondGoal()));
         }
     }
 
@@ -235,25 +239,25 @@ private Q_SLOTS:
         QFETCH(QString, model);
         QFETCH(int, way);
         const Case healthy{model, way, 0, 0, 0, {}};
-        const double full = Table(healthy).out().topSpeed();
+        const double full = DefectFixture(healthy).out().topSpeed();
         for (const double factor : {0.8, 0.5}) {
             Case test = healthy;
             test.defects.speedFactor = factor;
-            Table table(test);
+            DefectFixture table(test);
             for (const probe::Move& move : {table.out(), table.back()})
                 QVERIFY2(std::abs(move.topSpeed() / full / factor - 1) <= 0.01,
                          text(move.topSpeed() / full));
         }
     }
 
-    void aSlowerSpeedIsKept()
+    void aSlowerSpeedIsRespected()
     {
         Case test{QStringLiteral("STS3215"), 1500, 1500, 0, 0, {}};
-        const double full = Table(test).out().topSpeed();
+        const double full = DefectFixture(test).out().topSpeed();
         test.defects.speedFactor = 0.7;
-        QCOMPARE(Table(test).out().topSpeed(), full);
+        QCOMPARE(DefectFixture(test).out().topSpeed(), full);
         test.speed = 2500;
-        const double capped = Table(test).out().topSpeed();
+        const double capped = DefectFixture(test).out().topSpeed();
         QVERIFY2(capped < 2150 && capped > 1950, text(capped));
     }
 
@@ -262,16 +266,16 @@ private Q_SLOTS:
         Case test{QStringLiteral("STS3215"), 1500, 0, 0, 0, {}};
         test.defects.speedFactor = 0.8;
         test.defects.speedPerLoad = 1.5;
-        const double free = Table(test).out().topSpeed();
+        const double free = DefectFixture(test).out().topSpeed();
         for (const double share : {0.1, 0.2}) {
             sim::ServoConfig config = fixture::configOf(test.model);
             config.load.coulombFriction = share * 1.91; // of its stall torque
-            const double loaded = Table(test, config).out().topSpeed();
+            const double loaded = DefectFixture(test, config).out().topSpeed();
             QVERIFY2(std::abs(loaded / free / (1 - 1.5 * share) - 1) <= 0.01, text(loaded / free));
         }
     }
 
-    void wheelsAreWornToo()
+    void wheelModeHasDefectsToo()
     {
         Servo servo(QStringLiteral("STS3215"));
         servo.defects().speedFactor = 0.6;
@@ -297,9 +301,9 @@ private Q_SLOTS:
         Case test{model, 300, 0, 0, 0, {}};
         test.defects.positionNoise = 3;
         test.defects.staticError = 9; // rests exactly
-        Table table(test);
+        DefectFixture table(test);
         probe::Move move = table.out();
-        const double shaft = move.shaftRest();
+        const double shaft = move.shaftRestPosition();
         QVERIFY(std::abs(shaft - double(move.goal) - 9) <= 1);
         // Many, since a deviation found in few samples is a rough one.
         double sum = 0;
@@ -327,7 +331,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, model);
         for (const bool stuck : {true, false}) {
-            Table table({model, 300, 0, 0, 0, {}});
+            DefectFixture table({model, 300, 0, 0, 0, {}});
             const auto flag = [&] {
                 return table.servo.raw(table.servo.profile().byRole(Role::Moving)->key) != 0;
             };
@@ -345,25 +349,26 @@ private Q_SLOTS:
     void withoutDefectsNothingIsDifferent()
     {
         Servo never(QStringLiteral("STS3215"));
-        Servo cured(QStringLiteral("STS3215"));
-        cured.defects().restHysteresis = 30;
-        cured.defects() = {};
-        QVERIFY(diary(never) == diary(cured));
+        Servo repaired(QStringLiteral("STS3215"));
+        repaired.defects().restHysteresis = 30;
+        repaired.defects() = {};
+        QVERIFY(positionTrace(never) == positionTrace(repaired));
     }
 
-    void defectsComeAndGoWhileItRuns()
+    void defectsCanChangeAtRuntime()
     {
-        Table table({QStringLiteral("STS3215"), 450, 1500, 20, 0, {}});
-        const double before = table.out().beyond();
+        DefectFixture table({QStringLiteral("STS3215"), 450, 1500, 20, 0, {}});
+        const double before = table.out().peakBeyondGoal();
         table.back();
         table.servo.defects().overshootPercent = 10;
         table.servo.defects().staticError = 20;
-        const probe::Move ill = table.out();
-        QVERIFY2(std::abs(ill.beyond() - 45) <= 3, text(ill.beyond()));
-        QVERIFY2(std::abs(ill.rest() - double(ill.goal) - 20) <= 1, text(ill.rest()));
+        const probe::Move defective = table.out();
+        QVERIFY2(std::abs(defective.peakBeyondGoal() - 45) <= 3, text(defective.peakBeyondGoal()));
+        QVERIFY2(std::abs(defective.restPosition() - double(defective.goal) - 20) <= 1,
+                 text(defective.restPosition()));
         table.servo.defects() = {};
         table.back();
-        const double after = table.out().beyond();
+        const double after = table.out().peakBeyondGoal();
         QVERIFY2(std::abs(after - before) <= 1, text(after));
     }
 
@@ -375,13 +380,14 @@ private Q_SLOTS:
         test.defects.restHysteresis = 12;
         sim::ServoConfig config = fixture::configOf(test.model);
         config.load.stopHigh = 2500 * 2 * 3.14159265358979 / 4096;
-        Table table(test, config);
+        DefectFixture table(test, config);
         const probe::Move move = table.out();
-        QVERIFY2(move.beyond() <= -495, text(move.beyond()));
+        QVERIFY2(move.peakBeyondGoal() <= -495, text(move.peakBeyondGoal()));
         constexpr int overload = 32;
         QVERIFY((table.servo.at("servo_status") & overload) != 0);
         const probe::Move back = table.back();
-        QVERIFY2(std::abs(back.rest() - double(back.goal) - 6) <= 1, text(back.rest()));
+        QVERIFY2(std::abs(back.restPosition() - double(back.goal) - 6) <= 1,
+                 text(back.restPosition()));
         QCOMPARE(table.servo.at("servo_status"), 0);
     }
 
@@ -390,13 +396,13 @@ private Q_SLOTS:
     {
         Case test{QStringLiteral("SCS15"), 600, 0, 0, 0, {}};
         test.defects.overshootPercent = 10;
-        Table table(test);
+        DefectFixture table(test);
         constexpr int last = 1023;
         const int goal = int(table.servo.raw(table.servo.profile().byRole(Role::MaxAngle)->key));
         const probe::Move move = table.plant.move(goal, milliseconds(4000));
         QVERIFY(goal > last - 40);
-        QVERIFY2(std::abs(move.rest() - goal) <= 1, text(move.rest()));
-        QCOMPARE(move.beyond(), double(last - goal));
+        QVERIFY2(std::abs(move.restPosition() - goal) <= 1, text(move.restPosition()));
+        QCOMPARE(move.peakBeyondGoal(), double(last - goal));
     }
 
     void aSoftSupplySagsWhileItMoves()
@@ -404,8 +410,8 @@ private Q_SLOTS:
         Case test{QStringLiteral("STS3215"), 1500, 0, 0, 0, {}};
         sim::ServoConfig config = fixture::configOf(test.model);
         config.load.coulombFriction = 0.3;
-        config.surroundings.supplyOhms = 1.5;
-        Table table(test, config);
+        config.environment.supplyOhms = 1.5;
+        DefectFixture table(test, config);
         const int before = table.servo.at("present_voltage");
         table.put(Role::GoalPosition, table.start + table.way);
         int lowest = before;
@@ -416,28 +422,28 @@ private Q_SLOTS:
         QVERIFY(std::abs(table.servo.at("present_voltage") - before) <= 1);
     }
 
-    void workHeatsAndHeatTrips()
+    void loadHeatsAndTrips()
     {
         Case test{QStringLiteral("STS3215"), 1500, 0, 0, 0, {}};
         sim::ServoConfig config = fixture::configOf(test.model);
         config.load.coulombFriction = 0.4;
-        config.surroundings.ambientCelsius = 65;
-        Table table(test, config);
-        constexpr int tooHot = 4;
+        config.environment.ambientCelsius = 65;
+        DefectFixture table(test, config);
+        constexpr int overtemperature = 4;
         int moves = 0;
-        while ((table.servo.at("servo_status") & tooHot) == 0 && moves < 400) {
+        while ((table.servo.at("servo_status") & overtemperature) == 0 && moves < 400) {
             table.put(Role::GoalPosition, table.start + (moves++ % 2 == 0 ? table.way : 0));
             table.servo.run(1000);
         }
         QVERIFY2(moves > 1 && moves < 400, text(moves));
         QVERIFY(table.servo.at("present_temperature") > 70);
-        table.servo.surroundings().ambientCelsius = 30;
+        table.servo.environment().ambientCelsius = 30;
         table.servo.setTemperature(30);
         table.servo.run(50);
-        QCOMPARE(table.servo.at("servo_status") & tooHot, 0);
+        QCOMPARE(table.servo.at("servo_status") & overtemperature, 0);
     }
 
-    void listsSayDefects()
+    void listsContainDefects()
     {
         const auto bus = sim::makeServos(
             QStringLiteral("sts3215@1:500000+overshoot=5+rest-hysteresis=12+static-error=-9,"
@@ -461,11 +467,11 @@ private Q_SLOTS:
         QVERIFY(servos[2]->defects() == sim::Defects());
         QCOMPARE(servos[2]->load().coulombFriction, 0.3);
         QVERIFY(std::abs(servos[2]->load().stopHigh.value_or(0) - 3.4907) < 0.001);
-        QCOMPARE(servos[2]->surroundings().supplyOhms, 1.5);
-        QCOMPARE(servos[2]->surroundings().ambientCelsius, 60.0);
+        QCOMPARE(servos[2]->environment().supplyOhms, 1.5);
+        QCOMPARE(servos[2]->environment().ambientCelsius, 60.0);
     }
 
-    void listsNameTheDefectThatIsWrong_data()
+    void listsNameTheInvalidDefect_data()
     {
         QTest::addColumn<QString>("said");
         QTest::addColumn<QString>("named");
@@ -485,7 +491,7 @@ private Q_SLOTS:
         row("sts3215+speed=0.5@1", "MODEL@ID");
         row("+speed=0.5", "MODEL@ID");
     }
-    void listsNameTheDefectThatIsWrong()
+    void listsNameTheInvalidDefect()
     {
         QFETCH(QString, said);
         QFETCH(QString, named);
@@ -500,24 +506,25 @@ private Q_SLOTS:
         const auto bus = sim::makePreset(QStringLiteral("sweep"), fixture::models());
         QVERIFY(bus.has_value());
         std::vector<double> hysteresis;
-        std::vector<double> beyond;
+        std::vector<double> peakBeyondGoal;
         std::vector<double> speed;
         for (sim::VirtualServo* servo : (*bus)->servos()) {
-            probe::Plant plant(*servo);
+            probe::ServoPlant plant(*servo);
             plant.move(1500, milliseconds(2000));
             const probe::Move up = plant.move(2500, milliseconds(2000));
             const probe::Move down = plant.move(1500, milliseconds(2000));
-            hysteresis.push_back(down.rest() - 1500 - (up.rest() - 2500));
-            beyond.push_back(up.beyond());
+            hysteresis.push_back(down.restPosition() - 1500 - (up.restPosition() - 2500));
+            peakBeyondGoal.push_back(up.peakBeyondGoal());
             speed.push_back(up.topSpeed());
         }
         QCOMPARE(hysteresis.size(), std::size_t{3});
         QVERIFY(hysteresis[0] < 9 && std::abs(hysteresis[1] - 12) <= 1 && hysteresis[2] <= 1);
-        QVERIFY(beyond[0] < 10 && beyond[1] < 10 && std::abs(beyond[2] - 80) <= 5);
+        QVERIFY(peakBeyondGoal[0] < 10 && peakBeyondGoal[1] < 10 &&
+                std::abs(peakBeyondGoal[2] - 80) <= 5);
         QVERIFY(std::abs(speed[1] / speed[0] - 0.8) <= 0.01);
         QVERIFY(std::abs(speed[2] / speed[0] - 1) <= 0.01);
     }
 };
 
-QTEST_GUILESS_MAIN(tst_Defects)
+QTEST_GUILESS_MAIN(TestDefects)
 #include "tst_defects.moc"

@@ -22,7 +22,7 @@ public:
         : Servo(QStringLiteral("HLS3625"), config)
     {}
     void mode(int value) { set("operating_mode", value); }
-    bool isAt(int steps, int tolerance = 12) const
+    bool isAtPosition(int steps, int tolerance = 12) const
     {
         return std::abs(at("present_position") - steps) <= tolerance;
     }
@@ -98,11 +98,11 @@ private Q_SLOTS:
         servo.set("goal_speed", speed);
         servo.set("goal_position", 3000);
         servo.run(2500);
-        QCOMPARE(servo.isAt(3000), moves);
-        QCOMPARE(servo.isAt(2048), !moves);
+        QCOMPARE(servo.isAtPosition(3000), moves);
+        QCOMPARE(servo.isAtPosition(2048), !moves);
         servo.set("torque_switch", 1);
         servo.run(500);
-        QCOMPARE(servo.isAt(3000), moves);
+        QCOMPARE(servo.isAtPosition(3000), moves);
     }
 
     void theCurrentLimitHolds_data()
@@ -130,13 +130,13 @@ private Q_SLOTS:
         QVERIFY(std::abs(servo.at("present_current")) >= 190);
     }
 
-    void aConstantCurrentPushesBothWays_data()
+    void aConstantCurrentActsBothWays_data()
     {
         QTest::addColumn<int>("current");
         QTest::newRow("one way") << 150;
         QTest::newRow("the other") << -150;
     }
-    void aConstantCurrentPushesBothWays()
+    void aConstantCurrentActsBothWays()
     {
         QFETCH(int, current);
         sim::ServoConfig config = turned(180);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QVERIFY(servo.at("present_speed") * load < 0);
     }
 
-    void modeFourKnowsOneTurn_data()
+    void modeFourIsSingleTurn_data()
     {
         QTest::addColumn<int>("goal");
         QTest::addColumn<int>("reached");
@@ -176,7 +176,7 @@ private Q_SLOTS:
         QTest::newRow("below zero") << -500 << 0;
         QTest::newRow("the long way round") << 4000 << 4000;
     }
-    void modeFourKnowsOneTurn()
+    void modeFourIsSingleTurn()
     {
         QFETCH(int, goal);
         QFETCH(int, reached);
@@ -209,12 +209,12 @@ private Q_SLOTS:
         QCOMPARE(servo.at("present_position"), before);
         QCOMPARE(servo.at("position_offset"), 0);
         QVERIFY(servo.ask(0x0B));
-        QVERIFY(servo.isAt(2048, 1));
+        QVERIFY(servo.isAtPosition(2048, 1));
         servo.run(20);
         QVERIFY(servo.ask(0x0B, {0x00, 0x04}));
-        QVERIFY(servo.isAt(1024, 1));
+        QVERIFY(servo.isAtPosition(1024, 1));
         servo.powerCycle();
-        QVERIFY(servo.isAt(1024, 1));
+        QVERIFY(servo.isAtPosition(1024, 1));
     }
 
     void anOffsetHasItsSignInBitFifteen()
@@ -222,7 +222,7 @@ private Q_SLOTS:
         Hls servo;
         servo.write({31, 0xB8, 0x8B}); // −3000
         QCOMPARE(servo.at("position_offset"), -3000);
-        QVERIFY(servo.isAt((2048 + 3000) % 4096, 1));
+        QVERIFY(servo.isAtPosition((2048 + 3000) % 4096, 1));
     }
 
     void hasNoOverloadProtection()
@@ -254,7 +254,7 @@ private Q_SLOTS:
         servo.set("goal_position", 1500);
         servo.run(3000);
         QCOMPARE(servo.at("servo_status"), 0);
-        QVERIFY(servo.isAt(1500));
+        QVERIFY(servo.isAtPosition(1500));
     }
 
     void movingHasTwoFlags()
@@ -275,7 +275,7 @@ private Q_SLOTS:
         QCOMPARE(held.at("moving"), 2);
     }
 
-    void theIdTakesTheSecondAlong()
+    void theSecondaryIdFollowsTheId()
     {
         Hls servo;
         servo.keep("id", 12);

@@ -97,7 +97,7 @@ class TestLxServo : public QObject {
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void everyReadAnswersItsDefault_data()
+    void everyReadReturnsItsDefault_data()
     {
         QTest::addColumn<int>("command");
         QTest::addColumn<Bytes>("reply");
@@ -116,7 +116,7 @@ private Q_SLOTS:
         row("LED", ReadLed, {0});
         row("fault mask", ReadMask, {7});
     }
-    void everyReadAnswersItsDefault()
+    void everyReadReturnsItsDefault()
     {
         QFETCH(int, command);
         QFETCH(Bytes, reply);
@@ -159,7 +159,7 @@ private Q_SLOTS:
         QCOMPARE(servo.tell(ReadWait), answers ? std::optional(words(300, 500)) : std::nullopt);
     }
 
-    void powerOffKeepsWhatTheSheetSays_data()
+    void powerOffKeepsPersistentParameters_data()
     {
         QTest::addColumn<int>("write");
         QTest::addColumn<int>("read");
@@ -179,7 +179,7 @@ private Q_SLOTS:
         row("fault mask", WriteMask, ReadMask, {5}, true);
         row("move", Move, ReadMove, words(300, 500), false);
     }
-    void powerOffKeepsWhatTheSheetSays()
+    void powerOffKeepsPersistentParameters()
     {
         QFETCH(int, write);
         QFETCH(int, read);
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QCOMPARE(servo.id(), 9);
     }
 
-    void nonsenseIsIgnored_data()
+    void invalidFramesAreIgnored_data()
     {
         QTest::addColumn<int>("write");
         QTest::addColumn<int>("read");
@@ -239,7 +239,7 @@ private Q_SLOTS:
         row("too short", WriteAngles, ReadAngles, {100, 0, 200});
         row("too long", WriteLimit, ReadLimit, {60, 0});
     }
-    void nonsenseIsIgnored()
+    void invalidFramesAreIgnored()
     {
         QFETCH(int, write);
         QFETCH(int, read);
@@ -262,7 +262,7 @@ private Q_SLOTS:
         QCOMPARE(servo.tell(ReadMove), std::optional(words(750, 2000)));
     }
 
-    void timeZeroIsAsFastAsItCan()
+    void timeZeroIsFullSpeed()
     {
         Lx servo("LX-16A", at(60));
         servo.load();
@@ -374,7 +374,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(steps(servo) - before) < 1);
     }
 
-    void movesAreForPositionMode()
+    void movesNeedPositionMode()
     {
         Lx servo;
         servo.load();
@@ -388,7 +388,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(steps(servo) - before) < 2, "coming back to position mode holds");
     }
 
-    void positionsGoRoundTheFullTurn_data()
+    void positionsWrapAroundAFullTurn_data()
     {
         QTest::addColumn<double>("degrees");
         QTest::addColumn<int>("position");
@@ -397,7 +397,7 @@ private Q_SLOTS:
         QTest::newRow("far below 0") << 312.0 << -200;
         QTest::newRow("above 1000") << 264.0 << 1100;
     }
-    void positionsGoRoundTheFullTurn()
+    void positionsWrapAroundAFullTurn()
     {
         QFETCH(double, degrees);
         QFETCH(int, position);
@@ -449,7 +449,7 @@ private Q_SLOTS:
         Lx servo;
         servo.load();
         servo.run(200);
-        servo.surroundings().supplyVolts = volts;
+        servo.environment().supplyVolts = volts;
         servo.run(500);
         servo.move(700);
         servo.run(1500);
@@ -497,7 +497,7 @@ private Q_SLOTS:
         QCOMPARE(off, everOff);
     }
 
-    void aStallBlinksButDoesNotUnload()
+    void aStallBlinksButKeepsTorque()
     {
         sim::ServoConfig config = at(120);
         config.load.stopHigh = 2.3;
@@ -513,7 +513,7 @@ private Q_SLOTS:
         QCOMPARE(servo.tell(ReadLoad), std::optional(Bytes{1}));
     }
 
-    void theImageBringsBackWhatIsKept()
+    void theImageRestoresPersistentValues()
     {
         Lx servo;
         servo.tell(WriteId, {42});

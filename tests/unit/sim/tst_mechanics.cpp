@@ -17,20 +17,20 @@ class TestMechanics : public QObject {
 
 private Q_SLOTS:
     void init();
-    void dataSheetFiguresComeOut_data();
-    void dataSheetFiguresComeOut();
-    void belowFrictionNothingCreeps();
+    void dataSheetFiguresAreMet_data();
+    void dataSheetFiguresAreMet();
+    void noCreepBelowFriction();
     void shaftIsFreeWithinThePlay();
     void pendulumSwingsOutAndHangs();
-    void springPullsToItsCentre();
+    void springPullsToItsCenter();
     void stopsHold();
-    void brakedMotorHoldsBackAFreeOneDoesNot();
+    void brakedMotorResistsAFreeOneDoesNot();
     void currentFollowsTheLoad();
     void supplySagIsOhmsLaw();
     void extremesStayFinite_data();
     void extremesStayFinite();
-    void slicingOfTimeDoesNotMatter();
-    void sameSeedSameLife();
+    void timeStepDoesNotMatter();
+    void sameSeedSameBehavior();
     void aSleepingServoWakes();
 };
 
@@ -39,15 +39,15 @@ constexpr double dt = 0.001;
 constexpr double pi = std::numbers::pi;
 
 struct Rig {
-    sim::Drive drive;
+    sim::MotorModel motorModel;
     sim::Mechanics mechanics;
     sim::Load load;
-    sim::Surroundings around;
+    sim::Environment around;
 
     explicit Rig(const QString& model = QStringLiteral("STS3215"), double play = 0.0,
                  double angle = pi)
-        : drive(sim::driveOf(sim::servoType(*fixture::profileOf(model))))
-        , mechanics(drive, play, angle, pi)
+        : motorModel(sim::motorModelOf(sim::servoType(*fixture::profileOf(model))))
+        , mechanics(motorModel, play, angle, pi)
     {
         around.supplyVolts = sim::servoType(*fixture::profileOf(model)).nominalVolts;
         around.supplyOhms = 0.0;
@@ -66,7 +66,7 @@ void TestMechanics::init()
     QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
 }
 
-void TestMechanics::dataSheetFiguresComeOut_data()
+void TestMechanics::dataSheetFiguresAreMet_data()
 {
     QTest::addColumn<QString>("model");
     for (const char* model : {"STS3215", "STS3250", "SM40BLHV", "SM45BLHV", "SCS15", "SCS0009"}) {
@@ -74,7 +74,7 @@ void TestMechanics::dataSheetFiguresComeOut_data()
     }
 }
 
-void TestMechanics::dataSheetFiguresComeOut()
+void TestMechanics::dataSheetFiguresAreMet()
 {
     QFETCH(QString, model);
     const sim::ServoType type = sim::servoType(*fixture::profileOf(model));
@@ -86,7 +86,7 @@ void TestMechanics::dataSheetFiguresComeOut()
     // A spring is wound until the motor stands still: its torque is the stall torque.
     Rig stalled(model);
     stalled.load.springRate = type.stallTorque;
-    stalled.load.springCentre = pi;
+    stalled.load.springCenter = pi;
     stalled.run(3.0, Bridge::Driven, 1.0);
     QVERIFY(std::abs(stalled.mechanics.speed()) < 1e-6);
     const double torque = stalled.load.springRate * (stalled.mechanics.angle() - pi);
@@ -94,10 +94,10 @@ void TestMechanics::dataSheetFiguresComeOut()
     QVERIFY(std::abs(stalled.mechanics.motorAmps() / type.stallAmps - 1.0) < 0.02);
 }
 
-void TestMechanics::belowFrictionNothingCreeps()
+void TestMechanics::noCreepBelowFriction()
 {
-    const sim::Drive drive = Rig().drive;
-    const double slides = drive.coulomb + drive.shaftFriction; // sticking takes more
+    const sim::MotorModel motorModel = Rig().motorModel;
+    const double slides = motorModel.coulomb + motorModel.shaftFriction; // sticking takes more
     const double start = pi + 1.0;
     Rig tilted(QStringLiteral("STS3215"), 0.002, start);
     tilted.load.gravityTorque = 0.9 * slides / std::sin(1.0);
@@ -106,7 +106,7 @@ void TestMechanics::belowFrictionNothingCreeps()
     QVERIFY(start - resting <= 0.002);
     tilted.run(60.0);
     QCOMPARE(tilted.mechanics.angle(), resting);
-    QVERIFY(tilted.mechanics.atRest());
+    QVERIFY(tilted.mechanics.isAtRest());
     tilted.load.gravityTorque = 1.5 * slides / std::sin(1.0);
     tilted.run(2.0);
     QVERIFY(resting - tilted.mechanics.angle() > 0.01);
@@ -147,27 +147,27 @@ void TestMechanics::pendulumSwingsOutAndHangs()
     rig.load.inertia = 0.05;
     double peak = 1.5;
     double side = 1.0;
-    double furthest = 0.0;
+    double maxDeflection = 0.0;
     for (int i = 0; i < 20000; ++i) {
         rig.mechanics.step(Bridge::Open, 0.0, rig.load, rig.around, dt);
         const double swing = rig.mechanics.angle() - pi;
         if (swing * side < 0.0) { // passed the lowest point
-            QVERIFY(furthest <= peak + 1e-9);
-            peak = std::max(furthest, 0.0001);
-            furthest = 0.0;
+            QVERIFY(maxDeflection <= peak + 1e-9);
+            peak = std::max(maxDeflection, 0.0001);
+            maxDeflection = 0.0;
             side = -side;
         }
-        furthest = std::max(furthest, std::abs(swing));
+        maxDeflection = std::max(maxDeflection, std::abs(swing));
     }
-    QVERIFY(rig.mechanics.atRest());
+    QVERIFY(rig.mechanics.isAtRest());
     QVERIFY(std::abs(rig.mechanics.angle() - pi) < 0.1);
 }
 
-void TestMechanics::springPullsToItsCentre()
+void TestMechanics::springPullsToItsCenter()
 {
     Rig rig;
     rig.load.springRate = 5.0;
-    rig.load.springCentre = pi + 0.5;
+    rig.load.springCenter = pi + 0.5;
     rig.run(5.0);
     QVERIFY(std::abs(rig.mechanics.angle() - (pi + 0.5)) < 0.05);
 }
@@ -184,7 +184,7 @@ void TestMechanics::stopsHold()
     QCOMPARE(rig.mechanics.angle(), pi - 0.2);
 }
 
-void TestMechanics::brakedMotorHoldsBackAFreeOneDoesNot()
+void TestMechanics::brakedMotorResistsAFreeOneDoesNot()
 {
     const auto runOut = [](Bridge bridge, double strength) {
         Rig rig;
@@ -223,7 +223,7 @@ void TestMechanics::supplySagIsOhmsLaw()
     QVERIFY(amps > 0.5);
     QCOMPARE(rig.mechanics.supplyVolts(rig.around), 7.4 - 2.0 * amps);
     // What is left over the winding drives exactly this current.
-    QVERIFY(std::abs(rig.mechanics.motorAmps() * rig.drive.resistance -
+    QVERIFY(std::abs(rig.mechanics.motorAmps() * rig.motorModel.resistance -
                      rig.mechanics.supplyVolts(rig.around)) < 1e-9);
 }
 
@@ -256,7 +256,7 @@ void TestMechanics::extremesStayFinite()
     }
 }
 
-void TestMechanics::slicingOfTimeDoesNotMatter()
+void TestMechanics::timeStepDoesNotMatter()
 {
     const auto life = [](base::Duration slice) {
         Servo servo(QStringLiteral("STS3215"));
@@ -271,7 +271,7 @@ void TestMechanics::slicingOfTimeDoesNotMatter()
     QCOMPARE(life(std::chrono::milliseconds(4)), whole);
 }
 
-void TestMechanics::sameSeedSameLife()
+void TestMechanics::sameSeedSameBehavior()
 {
     const auto life = [](std::uint64_t seed) {
         auto config = fixture::configOf(QStringLiteral("STS3215"));
@@ -294,7 +294,7 @@ void TestMechanics::aSleepingServoWakes()
     servo.run(5000);
     QCOMPARE(servo.shaftDegrees(), start);
     servo.load().springRate = 5.0; // somebody pulls
-    servo.load().springCentre = pi + 0.5;
+    servo.load().springCenter = pi + 0.5;
     servo.run(2000);
     const double pulled = servo.shaftDegrees();
     QVERIFY(pulled > start + 15);

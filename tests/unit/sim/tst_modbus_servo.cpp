@@ -38,8 +38,8 @@ public:
         : Servo(QStringLiteral("SMSMB"), config)
     {}
 
-    std::optional<sim::ServoAnswer> call(std::uint8_t function, const Bytes& params,
-                                         bool broadcast = false)
+    std::optional<sim::ServoReply> call(std::uint8_t function, const Bytes& params,
+                                        bool broadcast = false)
     {
         return handle({broadcast, function, params, -1});
     }
@@ -138,7 +138,7 @@ private Q_SLOTS:
                  "nothing of it was taken");
     }
 
-    void takesWhatTheSheetLists_data()
+    void acceptsDocumentedRequests_data()
     {
         QTest::addColumn<int>("number");
         QTest::addColumn<int>("value");
@@ -150,7 +150,7 @@ private Q_SLOTS:
         QTest::newRow("goal -32768") << int(goal) << -32768;
         QTest::newRow("factory block, open") << 396 << 120;
     }
-    void takesWhatTheSheetLists()
+    void acceptsDocumentedRequests()
     {
         QFETCH(int, number);
         QFETCH(int, value);
@@ -160,7 +160,7 @@ private Q_SLOTS:
         QCOMPARE(servo.get(number), value);
     }
 
-    void answersAsTheSheetSays_data()
+    void repliesAsDocumented_data()
     {
         QTest::addColumn<int>("function");
         QTest::addColumn<Bytes>("params");
@@ -171,7 +171,7 @@ private Q_SLOTS:
         QTest::newRow("read") << 0x03 << Bytes{0, 10, 0, 2} << Bytes{4, 0, 1, 0, 2};
         QTest::newRow("report ID") << 0x11 << Bytes{} << Bytes{3, 1, 0, 0};
     }
-    void answersAsTheSheetSays()
+    void repliesAsDocumented()
     {
         QFETCH(int, function);
         QFETCH(Bytes, params);
@@ -184,7 +184,7 @@ private Q_SLOTS:
         QCOMPARE(answer->id, 1);
     }
 
-    void broadcastIsObeyedInSilence()
+    void broadcastIsExecutedWithoutReply()
     {
         Station servo;
         QVERIFY(!servo.call(0x06, {0, 129, 0, 1}, true));
@@ -195,13 +195,13 @@ private Q_SLOTS:
         QVERIFY(servo.call(0x11, {}, true));
     }
 
-    void rebootsWithoutAWord_data()
+    void rebootsWithoutReply_data()
     {
         QTest::addColumn<bool>("broadcast");
         QTest::newRow("alone") << false;
         QTest::newRow("all") << true;
     }
-    void rebootsWithoutAWord()
+    void rebootsWithoutReply()
     {
         QFETCH(bool, broadcast);
         Station servo;
@@ -212,9 +212,9 @@ private Q_SLOTS:
         QVERIFY(servo.get(131) != 33);
     }
 
-    void locksDecideWhatStays_data()
+    void locksDecidePersistence_data()
     {
-        QTest::addColumn<int>("lockWord");
+        QTest::addColumn<int>("lockLabel");
         QTest::addColumn<int>("number");
         QTest::addColumn<int>("value");
         QTest::addColumn<bool>("acts");
@@ -227,9 +227,9 @@ private Q_SLOTS:
         QTest::newRow("factory block, closed") << 1 << 395 << 60 << false << false;
         QTest::newRow("RAM") << 0 << 131 << 60 << true << false;
     }
-    void locksDecideWhatStays()
+    void locksDecidePersistence()
     {
-        QFETCH(int, lockWord);
+        QFETCH(int, lockLabel);
         QFETCH(int, number);
         QFETCH(int, value);
         QFETCH(bool, acts);
@@ -237,7 +237,7 @@ private Q_SLOTS:
         Station servo;
         const int before = servo.get(number);
         QVERIFY(before != value);
-        servo.put(lock, lockWord);
+        servo.put(lock, lockLabel);
         QCOMPARE(servo.put(number, value), acts); // what does not act is refused
         QCOMPARE(servo.get(number), acts ? value : before);
         servo.powerCycle();
@@ -281,7 +281,7 @@ private Q_SLOTS:
         QCOMPARE(servo.baud(), 9600);
     }
 
-    void knowsItsOwnRates_data()
+    void supportsItsRates_data()
     {
         QTest::addColumn<int>("code");
         QTest::addColumn<int>("baud");
@@ -290,7 +290,7 @@ private Q_SLOTS:
             QTest::addRow("%d", code) << code << rates[code];
         }
     }
-    void knowsItsOwnRates()
+    void supportsItsRates()
     {
         QFETCH(int, code);
         QFETCH(int, baud);
@@ -308,7 +308,7 @@ private Q_SLOTS:
         QCOMPARE(servo.replyDelay(), base::Duration(0));
     }
 
-    void aGoalMovesItAndItsStatusSaysTorqueIsOn()
+    void aGoalMovesItAndStatusShowsTorqueOn()
     {
         Station servo;
         QCOMPARE(servo.get(status), 0);
@@ -322,7 +322,7 @@ private Q_SLOTS:
         QCOMPARE(servo.get(status), 0);
     }
 
-    void aBurstDoesWhatItSaysAboutTorque()
+    void aBurstWriteSetsTorque()
     {
         Station servo;
         servo.call(0x10, {0, 128, 0, 2, 4, high(3000), low(3000), 0, 0});
@@ -346,7 +346,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(servo.get(position) - 3000) <= 4);
     }
 
-    void fourMakesThePresentPositionTheMiddle()
+    void valueFourCentersThePosition()
     {
         sim::ServoConfig config = fixture::configOf(QStringLiteral("SMSMB"));
         config.initialDegrees = 100;
@@ -403,7 +403,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(servo.get(258)) > 10);
     }
 
-    void modeThreeLetsGoAtTheGoal()
+    void modeThreeReleasesTorqueAtTheGoal()
     {
         Station servo;
         servo.put(mode, 3);
@@ -449,7 +449,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(servo.get(position) - 2500) <= 4);
     }
 
-    void anOverloadWeakensUntilReleased_data()
+    void anOverloadReducesTorqueUntilCleared_data()
     {
         QTest::addColumn<int>("phaseWord");
         QTest::addColumn<int>("number");
@@ -464,7 +464,7 @@ private Q_SLOTS:
         QTest::newRow("by command: torque off") << 8 << torque << 0 << false;
         QTest::newRow("by command: reset bit") << 8 << reset << 1 << true;
     }
-    void anOverloadWeakensUntilReleased()
+    void anOverloadReducesTorqueUntilCleared()
     {
         QFETCH(int, phaseWord);
         QFETCH(int, number);
@@ -482,7 +482,7 @@ private Q_SLOTS:
         QCOMPARE((servo.get(status) & 32) == 0, releases);
     }
 
-    void anOvercurrentOpensTheBridge()
+    void anOvercurrentReleasesTorque()
     {
         Station servo(jammed());
         servo.factory(393, 8);
@@ -513,7 +513,7 @@ private Q_SLOTS:
         Station servo;
         const auto provoke = [&](bool on) {
             if (bit == 1) {
-                servo.surroundings().supplyVolts = on ? 20.0 : 12.0;
+                servo.environment().supplyVolts = on ? 20.0 : 12.0;
             } else if (bit == 4) {
                 servo.setTemperature(on ? 90.0 : 25.0);
             } else if (on) {
@@ -546,7 +546,7 @@ private Q_SLOTS:
         QCOMPARE(servo.get(status), 0);
     }
 
-    void theImageBringsBackBothBlocks()
+    void theImageRestoresBothBlocks()
     {
         Station servo;
         servo.put(lock, 0);

@@ -9,19 +9,19 @@
 using base::Bytes;
 
 namespace {
-class Bench : public fixture::Servo {
+class OlderServo : public fixture::Servo {
 public:
-    explicit Bench(const QString& model, const sim::ServoConfig& config)
+    explicit OlderServo(const QString& model, const sim::ServoConfig& config)
         : Servo(model, config)
     {}
-    explicit Bench(const QString& model)
-        : Bench(model, supplied(model))
+    explicit OlderServo(const QString& model)
+        : OlderServo(model, withSupply(model))
     {}
 
-    static sim::ServoConfig supplied(const QString& model)
+    static sim::ServoConfig withSupply(const QString& model)
     {
         sim::ServoConfig config;
-        config.surroundings.supplyVolts = model.startsWith(QLatin1String("SM")) ? 12.0 : 7.4;
+        config.environment.supplyVolts = model.startsWith(QLatin1String("SM")) ? 12.0 : 7.4;
         return config;
     }
     void write(const Bytes& params)
@@ -55,7 +55,7 @@ private Q_SLOTS:
         QFETCH(QString, model);
         QFETCH(int, lock);
         QFETCH(bool, kept);
-        Bench servo(model);
+        OlderServo servo(model);
         servo.write({std::uint8_t(lock), 0});
         servo.write({13, 66});
         QCOMPARE(servo.read(13, 1), Bytes{66});
@@ -77,7 +77,7 @@ private Q_SLOTS:
     void startsWithoutAnAlarm()
     {
         QFETCH(QString, model);
-        Bench servo(model);
+        OlderServo servo(model);
         servo.set("goal_position", servo.profile().stepsPerTurn * 5 / 8);
         servo.run(3000);
         QCOMPARE(servo.at("servo_status"), 0);
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QFETCH(QString, model);
         QFETCH(Bytes, goal);
         QFETCH(int, reached);
-        Bench servo(model);
+        OlderServo servo(model);
         servo.write(goal);
         servo.run(4000);
         QVERIFY(std::abs(servo.at("present_position") - reached) <= 12);
@@ -119,7 +119,7 @@ private Q_SLOTS:
         QFETCH(QString, model);
         QFETCH(Bytes, offset);
         QFETCH(int, shift);
-        Bench servo(model);
+        OlderServo servo(model);
         const int before = servo.at("present_position");
         servo.write(offset);
         QVERIFY(std::abs(servo.at("present_position") - before - shift) <= 1);
@@ -127,7 +127,7 @@ private Q_SLOTS:
 
     void smclKeepsItsModeAtThirtyFive()
     {
-        Bench servo(smcl);
+        OlderServo servo(smcl);
         servo.write({35, 1});
         servo.write({46, 0xE8, 0x03});
         servo.run(1500);
@@ -140,7 +140,7 @@ private Q_SLOTS:
 
     void smclTurnsManyTimes()
     {
-        Bench servo(smcl);
+        OlderServo servo(smcl);
         servo.write({9, 0, 0, 0, 0});
         const double before = servo.shaftSteps();
         servo.write({42, 0x00, 0x28}); // 10240
@@ -150,7 +150,7 @@ private Q_SLOTS:
 
     void smclTakesItsTorqueFromTheEprom()
     {
-        Bench servo(smcl);
+        OlderServo servo(smcl);
         servo.write({35, 2});
         servo.write({16, 0x2C, 0x01}); // 30 %
         servo.write({44, 0x58, 0x02}); // 600
@@ -160,7 +160,7 @@ private Q_SLOTS:
 
     void smclWaitsItsReplyDelay()
     {
-        Bench servo(smcl);
+        OlderServo servo(smcl);
         QCOMPARE(servo.baud(), 115200);
         QCOMPARE(servo.replyDelay(), base::Duration(500));
         servo.write({7, 10});
@@ -178,7 +178,7 @@ private Q_SLOTS:
     {
         QFETCH(Bytes, word);
         QFETCH(int, load);
-        Bench servo(scs2);
+        OlderServo servo(scs2);
         servo.write({9, 0, 0, 0, 0});
         servo.write(word);
         servo.run(1000);
@@ -186,16 +186,16 @@ private Q_SLOTS:
         QVERIFY(servo.at("present_speed") * load < 0);
     }
 
-    void theyLackWhatTheirSheetsLack_data()
+    void undocumentedFeaturesAreMissing_data()
     {
         QTest::addColumn<QString>("model");
         QTest::newRow("SMCL") << smcl;
         QTest::newRow("SCS2") << scs2;
     }
-    void theyLackWhatTheirSheetsLack()
+    void undocumentedFeaturesAreMissing()
     {
         QFETCH(QString, model);
-        Bench servo(model);
+        OlderServo servo(model);
         const int before = servo.at("present_position");
         QVERIFY(!servo.handle({true, 0x82, {56, 2, 1}, 0}));
         QVERIFY(!servo.ask(0x0B));
@@ -205,18 +205,18 @@ private Q_SLOTS:
         QCOMPARE(servo.at("torque_switch"), 0);
     }
 
-    void overloadWeakens_data()
+    void overloadReducesTorque_data()
     {
         QTest::addColumn<QString>("model");
         QTest::newRow("SMCL") << smcl;
         QTest::newRow("SCS2") << scs2;
     }
-    void overloadWeakens()
+    void overloadReducesTorque()
     {
         QFETCH(QString, model);
-        sim::ServoConfig config = Bench::supplied(model);
+        sim::ServoConfig config = OlderServo::withSupply(model);
         config.load.stopHigh = 3.3;
-        Bench servo(model, config);
+        OlderServo servo(model, config);
         servo.set("goal_position", servo.profile().stepsPerTurn * 3 / 4);
         servo.run(5000);
         QCOMPARE(servo.at("servo_status") & 32, 32);

@@ -22,20 +22,20 @@ bool answers(sim::VirtualBus& bus, int id, Duration& now, int baud = 1'000'000)
 }
 } // namespace
 
-class tst_Plugs : public QObject {
+class TestHotplug : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void unpluggedServosAreSilentAndForgetWhatIsNotKept()
+    void unpluggedServosAreSilentAndLoseRam()
     {
         const auto bus = wire::bus("sts3215@1,sts3215@2", 1'000'000);
         Duration now = 1ms;
         bus->hostReads(now);
         bus->servos()[0]->poke(QStringLiteral("torque_switch"), 1);
         bus->unplug(0);
-        QVERIFY(!bus->plugged(0) && bus->plugged(1));
+        QVERIFY(!bus->isPlugged(0) && bus->isPlugged(1));
         QVERIFY(!answers(*bus, 1, now));
         QVERIFY(answers(*bus, 2, now));
         bus->powerCycle(); // of those on the wire
@@ -46,7 +46,7 @@ private Q_SLOTS:
         QCOMPARE(bus->servos()[0]->raw(QStringLiteral("torque_switch")), 0);
     }
 
-    void whoIsPulledInTheMiddleOfAnAnswerDoesNotEndIt()
+    void unpluggingDuringAReplyTruncatesIt()
     {
         const auto bus = wire::bus("sts3215@1", 38'400);
         Duration now = 1ms;
@@ -54,39 +54,39 @@ private Q_SLOTS:
         bus->setHostBaud(38'400);
         bus->hostWrites(wire::ping(1), 38'400, now);
         now += 2300us; // six bytes take 1.6 ms, and so does the answer
-        auto heard = bus->hostReads(now);
+        auto received = bus->hostReads(now);
         bus->unplug(0);
         now += 50ms;
         const auto rest = bus->hostReads(now);
-        heard.insert(heard.end(), rest.begin(), rest.end());
-        QVERIFY(!heard.empty());
-        QVERIFY(heard.size() < 6);
+        received.insert(received.end(), rest.begin(), rest.end());
+        QVERIFY(!received.empty());
+        QVERIFY(received.size() < 6);
     }
 
-    void aBagGivesOneAfterTheOther()
+    void hotplugQueueGivesOneServoAtATime()
     {
         const auto bus = bag("line");
         Duration now = 1ms;
         bus->hostReads(now);
-        QVERIFY(bus->isBag());
-        QCOMPARE(bus->inBag(), std::size_t{6});
+        QVERIFY(bus->hasHotplugQueue());
+        QCOMPARE(bus->pendingServoCount(), std::size_t{6});
         QVERIFY(!answers(*bus, 1, now));
         for (std::size_t place = 0; place < 6; ++place) {
-            QCOMPARE(bus->plugNext(), std::optional(place));
-            QCOMPARE(bus->inBag(), 5 - place);
+            QCOMPARE(bus->connectNext(), std::optional(place));
+            QCOMPARE(bus->pendingServoCount(), 5 - place);
             now += 2s;
             QVERIFY(answers(*bus, 1, now, bus->servos()[place]->baud()));
             for (std::size_t other = 0; other < 6; ++other)
-                QCOMPARE(bus->plugged(other), other == place);
+                QCOMPARE(bus->isPlugged(other), other == place);
         }
-        QCOMPARE(bus->plugNext(), std::nullopt);
+        QCOMPARE(bus->connectNext(), std::nullopt);
         QVERIFY(!answers(*bus, 1, now));
         bus->plug(3); // one that has been on already
         now += 2s;
         QVERIFY(answers(*bus, 1, now));
     }
 
-    void factoryServosHaveTheirFactorysRate()
+    void factoryServosHaveTheirFactoryRate()
     {
         const auto bus = bag("line");
         for (const sim::VirtualServo* servo : bus->servos()) {
@@ -96,5 +96,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Plugs)
+QTEST_APPLESS_MAIN(TestHotplug)
 #include "tst_plugs.moc"

@@ -31,7 +31,7 @@ std::unique_ptr<sim::VirtualBus> preset(const char* name, std::optional<int> bau
 }
 } // namespace
 
-class tst_Presets : public QObject {
+class TestPresets : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -71,7 +71,7 @@ private Q_SLOTS:
         QVERIFY(found(*bus, now, 57'600).empty());
     }
 
-    void troubleHasTwins()
+    void troubleHasDuplicateIds()
     {
         const auto bus = preset("trouble");
         std::map<int, int> ids;
@@ -122,13 +122,13 @@ private Q_SLOTS:
         QCOMPARE(bus->servos()[0]->baud(), 115'200);
         Duration now = 1ms;
         bus->hostReads(now);
-        const Bytes whoIsThere{0x00, 0x11, 0xC1, 0xBC};
+        const Bytes pingRequest{0x00, 0x11, 0xC1, 0xBC};
         const Bytes stationOne{0x01, 0x11, 0x03, 0x01, 0x00, 0x00, 0xAC, 0x4D};
-        QCOMPARE(wire::ask(*bus, whoIsThere, now, 115'200), stationOne);
+        QCOMPARE(wire::ask(*bus, pingRequest, now, 115'200), stationOne);
     }
 
     // What a table of the preset would show: IDs, an offset that was saved, a motor too warm.
-    void lxHasSomethingToSee()
+    void lxPresetIsInteresting()
     {
         const auto bus = preset("lx");
         bus->hostReads(1ms);
@@ -155,7 +155,7 @@ private Q_SLOTS:
         QCOMPARE(warm, 1);
     }
 
-    void oneRateForAllMayBeAskedFor()
+    void oneRateForAll()
     {
         const auto bus = preset("demo", 57'600);
         Duration now = 1ms;
@@ -163,7 +163,7 @@ private Q_SLOTS:
         QCOMPARE(found(*bus, now, 57'600).size(), std::size_t{6});
     }
 
-    void everyPresetCanBeMade()
+    void everyPresetCanBeCreated()
     {
         QVERIFY(sim::presetNames().contains(QStringLiteral("demo")));
         QVERIFY(sim::presetNames().contains(QStringLiteral("trouble")));
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QCOMPARE(servos[2]->profile().modelName, QStringLiteral("SCS15"));
     }
 
-    void namesMatchHoweverTheyAreWritten_data()
+    void namesMatchInAnySpelling_data()
     {
         QTest::addColumn<QString>("written");
         QTest::addColumn<QString>("model");
@@ -208,7 +208,7 @@ private Q_SLOTS:
         row("sm80360m", "SM80-360M");
         row("smsmb", "SMSMB");
     }
-    void namesMatchHoweverTheyAreWritten()
+    void namesMatchInAnySpelling()
     {
         QFETCH(QString, written);
         QFETCH(QString, model);
@@ -247,7 +247,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(servo.raw(position) - before * 3 / 4) <= 15);
     }
 
-    void servosComeWithTheirFactoryRate()
+    void servosHaveTheirFactoryRate()
     {
         const auto bus = wire::bus("sts3215@1,sm40blhv@2,scs0009@3,hls3606@4,smsmb@5,lx16a@6,"
                                    "sm60-360m@7,scs15-2@8");
@@ -257,7 +257,7 @@ private Q_SLOTS:
             QCOMPARE(bus->servos()[i]->baud(), rates[i]);
     }
 
-    void refusesWhatItCannotMake_data()
+    void refusesUnknownServos_data()
     {
         QTest::addColumn<QString>("list");
         QTest::addColumn<QString>("culprit");
@@ -282,7 +282,7 @@ private Q_SLOTS:
         row("Modbus at a Feetech rate", "smsmb@1:1000000", "1000000");
         row("comma at the end", "sts3215@1,", "MODEL@ID");
     }
-    void refusesWhatItCannotMake()
+    void refusesUnknownServos()
     {
         QFETCH(QString, list);
         QFETCH(QString, culprit);
@@ -293,5 +293,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_Presets)
+QTEST_GUILESS_MAIN(TestPresets)
 #include "tst_presets.moc"

@@ -19,7 +19,7 @@ QByteArray text(const base::Bytes& bytes)
 }
 } // namespace
 
-class tst_PtyDevice : public QObject {
+class TestPtyDevice : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -37,29 +37,29 @@ private Q_SLOTS:
         m_device.reset();
     }
 
-    void answersWhoCameSinceItLastLooked()
+    void answersClientsConnectedSinceTheLastPoll()
     {
-        m_client->say(request);
+        m_client->send(request);
         QCOMPARE(text(m_device->read()), request);
         m_device->write(reply);
-        QCOMPARE(m_client->hear(4), text(reply));
+        QCOMPARE(m_client->receive(4), text(reply));
     }
 
-    void keepsTheAnswerToWhoCameRightAfterAnother()
+    void keepsTheReplyForAQuickSuccessor()
     {
         m_device->wait(noWait);
         m_client.emplace(m_device->path());
-        m_client->say(request);
+        m_client->send(request);
         QCOMPARE(text(m_device->read()), request);
         m_device->write(reply);
         m_device->wait(noWait);
-        QCOMPARE(m_client->hear(4), text(reply));
+        QCOMPARE(m_client->receive(4), text(reply));
     }
 
-    void dropsTheAnswerToWhoHasLeft()
+    void dropsTheReplyToADisconnectedClient()
     {
         m_device->wait(noWait);
-        m_client->say(request);
+        m_client->send(request);
         QCOMPARE(text(m_device->read()), request);
         m_client.reset();
         m_device->write(reply);
@@ -72,5 +72,5 @@ private:
     std::optional<raw::Client> m_client;
 };
 
-QTEST_GUILESS_MAIN(tst_PtyDevice)
+QTEST_GUILESS_MAIN(TestPtyDevice)
 #include "tst_pty_device.moc"

@@ -13,8 +13,8 @@ class TestServoGoals : public QObject {
 
 private Q_SLOTS:
     void init();
-    void goalsAreHeldWithinTheLimits_data();
-    void goalsAreHeldWithinTheLimits();
+    void goalsAreClampedToTheLimits_data();
+    void goalsAreClampedToTheLimits();
     void resolutionMultipliesTheGoalOnly();
     void offsetShiftsThePosition_data();
     void offsetShiftsThePosition();
@@ -26,7 +26,7 @@ private Q_SLOTS:
     void goalSpeedZero_data();
     void goalSpeedZero();
     void speedAndAccelerationShapeTheMove();
-    void aNewGoalOnTheWayTurnsRound();
+    void aNewGoalMidwayReverses();
     void scsRunningTimeIsMilliseconds();
     void movingFlagFollowsTheMove();
     void movingFlagStaysDownForTheSameGoal();
@@ -40,7 +40,7 @@ void TestServoGoals::init()
     QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
 }
 
-void TestServoGoals::goalsAreHeldWithinTheLimits_data()
+void TestServoGoals::goalsAreClampedToTheLimits_data()
 {
     QTest::addColumn<QString>("model");
     QTest::addColumn<int>("goal");
@@ -53,7 +53,7 @@ void TestServoGoals::goalsAreHeldWithinTheLimits_data()
     QTest::newRow("SCS below") << QStringLiteral("SCS15") << 5 << 100;
 }
 
-void TestServoGoals::goalsAreHeldWithinTheLimits()
+void TestServoGoals::goalsAreClampedToTheLimits()
 {
     QFETCH(QString, model);
     QFETCH(int, goal);
@@ -203,7 +203,7 @@ void TestServoGoals::speedAndAccelerationShapeTheMove()
     QVERIFY(std::abs(servo.at("present_position") - 4000) <= 8);
 }
 
-void TestServoGoals::aNewGoalOnTheWayTurnsRound()
+void TestServoGoals::aNewGoalMidwayReverses()
 {
     Servo servo(QStringLiteral("STS3215"));
     servo.set("acceleration", 20);
@@ -211,9 +211,9 @@ void TestServoGoals::aNewGoalOnTheWayTurnsRound()
     servo.run(800);
     QVERIFY(servo.at("present_speed") > 1000);
     servo.set("goal_position", 2100); // behind it: it has to brake first
-    double furthest = 0;
-    servo.run(4000, [&] { furthest = std::max(furthest, servo.shaftSteps()); });
-    QVERIFY(furthest > 2700 && furthest < 3900);
+    double maxDeflection = 0;
+    servo.run(4000, [&] { maxDeflection = std::max(maxDeflection, servo.shaftSteps()); });
+    QVERIFY(maxDeflection > 2700 && maxDeflection < 3900);
     QVERIFY(std::abs(servo.at("present_position") - 2100) <= 8);
     QCOMPARE(servo.at("moving"), 0);
 }
@@ -313,13 +313,14 @@ void TestServoGoals::torqueOnWithoutAGoal()
     const auto turned = [&](double from) { return std::abs(servo.shaftDegrees() - from); };
     for (const bool afterAMove : {false, true}) {
         servo.powerCycle();
-        const double stood = servo.shaftDegrees();
+        const double startAngle = servo.shaftDegrees();
         const int goalRead = servo.at("goal_position");
         servo.set("torque_switch", 1);
         servo.run(1500);
         QCOMPARE(servo.at("torque_switch"), 1);
-        QVERIFY2((turned(stood) > 20) == runs, qPrintable(QString::number(turned(stood))));
-        QVERIFY(runs || turned(stood) < 1);
+        QVERIFY2((turned(startAngle) > 20) == runs,
+                 qPrintable(QString::number(turned(startAngle))));
+        QVERIFY(runs || turned(startAngle) < 1);
         QCOMPARE(servo.at("goal_position"), goalRead); // the register is as it was
         if (afterAMove)
             break;
@@ -327,7 +328,7 @@ void TestServoGoals::torqueOnWithoutAGoal()
         servo.set("goal_position", model == QLatin1String("SCS15") ? 700 : 2500);
         servo.run(2500);
         const double there = servo.shaftDegrees();
-        QVERIFY(runs || turned(stood) > 20);
+        QVERIFY(runs || turned(startAngle) > 20);
         servo.set("torque_switch", 0);
         servo.run(300);
         servo.set("torque_switch", 1);

@@ -23,7 +23,7 @@ private Q_SLOTS:
     void restErrorIsAFewSteps_data();
     void restErrorIsAFewSteps();
     void integralRemovesTheRestError();
-    void integralLimitBindsTheIntegral();
+    void integralLimitClampsTheIntegral();
     void farTooMuchIntegralOscillates();
     void deadZoneStopsJitter();
     void deadZonesActPerDirection_data();
@@ -54,7 +54,7 @@ Servo servoWith(const Gains& gains,
 }
 
 /// How far the shaft wanders, in steps of travel, while it should rest.
-double wandering(Servo& servo, int ms)
+double restAmplitude(Servo& servo, int ms)
 {
     double travel = 0;
     double last = servo.shaftSteps();
@@ -86,7 +86,7 @@ double settleTime(Servo& servo, double goal, double within)
 }
 
 /// Each value below the one before it by at least the factor.
-bool falls(const std::vector<double>& values, double factor)
+bool isDecreasing(const std::vector<double>& values, double factor)
 {
     for (std::size_t i = 1; i < values.size(); ++i) {
         if (values[i] > factor * values[i - 1]) {
@@ -123,7 +123,7 @@ void TestServoLoops::moreProportionalLessLag()
         servo.run(500, [&] { lag += servo.at("active_goal_position") - servo.shaftSteps(); });
         lags.push_back(lag / 500);
     }
-    QVERIFY2(falls(lags, 0.7) && lags.back() > 0, text(lags));
+    QVERIFY2(isDecreasing(lags, 0.7) && lags.back() > 0, text(lags));
 }
 
 void TestServoLoops::moreProportionalLessSagUnderLoad()
@@ -137,7 +137,7 @@ void TestServoLoops::moreProportionalLessSagUnderLoad()
         servo.run(2000);
         sags.push_back(3072 - servo.shaftSteps());
     }
-    QVERIFY2(falls(sags, 0.7) && sags.back() > 0, text(sags));
+    QVERIFY2(isDecreasing(sags, 0.7) && sags.back() > 0, text(sags));
 }
 
 void TestServoLoops::farTooMuchProportionalOscillates()
@@ -148,7 +148,7 @@ void TestServoLoops::farTooMuchProportionalOscillates()
         Servo servo = servoWith({p, 0, 0});
         servo.set("goal_position", 2500);
         servo.run(1500);
-        travel.push_back(wandering(servo, 1000));
+        travel.push_back(restAmplitude(servo, 1000));
         current.push_back(meanCurrent(servo, 1000));
     }
     QVERIFY2(travel[0] < 1.0, text(travel));
@@ -164,11 +164,12 @@ void TestServoLoops::moreDifferentialLessOvershoot()
         config.load.inertia = 0.02;
         Servo servo = servoWith({32, 0, d}, config);
         servo.set("goal_position", 2600);
-        double furthest = 0;
-        servo.run(3000, [&] { furthest = std::max(furthest, servo.shaftSteps() - 2600); });
-        overshoots.push_back(furthest);
+        double maxDeflection = 0;
+        servo.run(3000,
+                  [&] { maxDeflection = std::max(maxDeflection, servo.shaftSteps() - 2600); });
+        overshoots.push_back(maxDeflection);
     }
-    QVERIFY2(falls(overshoots, 0.9) && overshoots[0] > 10, text(overshoots));
+    QVERIFY2(isDecreasing(overshoots, 0.9) && overshoots[0] > 10, text(overshoots));
 }
 
 void TestServoLoops::farTooMuchDifferentialJitters()
@@ -228,7 +229,7 @@ void TestServoLoops::integralRemovesTheRestError()
     QVERIFY2(worsts[0] >= 2.0 && worsts[1] <= 2.0 && worsts[1] < 0.6 * worsts[0], text(worsts));
 }
 
-void TestServoLoops::integralLimitBindsTheIntegral()
+void TestServoLoops::integralLimitClampsTheIntegral()
 {
     // Against a steady load the integral has to carry it; 10 × 4 is 4 % duty only, 0 is no limit.
     std::vector<double> sags;
@@ -241,7 +242,7 @@ void TestServoLoops::integralLimitBindsTheIntegral()
         servo.run(6000);
         sags.push_back(std::abs(3072 - servo.shaftSteps()));
     }
-    QVERIFY2(falls(sags, 0.8) && sags[2] <= 2.0, text(sags));
+    QVERIFY2(isDecreasing(sags, 0.8) && sags[2] <= 2.0, text(sags));
 }
 
 void TestServoLoops::farTooMuchIntegralOscillates()
@@ -251,7 +252,7 @@ void TestServoLoops::farTooMuchIntegralOscillates()
         Servo servo = servoWith({32, i, 0});
         servo.set("goal_position", 2500);
         servo.run(3000);
-        travel.push_back(wandering(servo, 2000));
+        travel.push_back(restAmplitude(servo, 2000));
     }
     QVERIFY2(travel[1] > 20.0 && travel[1] > 10.0 * travel[0], text(travel));
 }
@@ -266,7 +267,7 @@ void TestServoLoops::deadZoneStopsJitter()
         servo.set("ccw_dead_zone", zone);
         servo.set("goal_position", 2500);
         servo.run(4000);
-        travel.push_back(wandering(servo, 6000));
+        travel.push_back(restAmplitude(servo, 6000));
     }
     QVERIFY2(travel[0] > 4.0 && travel[1] < 0.1, text(travel));
 }
@@ -311,7 +312,7 @@ void TestServoLoops::startupForceHelpsUntilItJitters()
             error = std::max(error, std::abs(servo.shaftSteps() - goal));
         }
         errors.push_back(error);
-        travel.push_back(wandering(servo, 2000));
+        travel.push_back(restAmplitude(servo, 2000));
     }
     QVERIFY2(errors[1] < 0.7 * errors[0], text(errors));
     QVERIFY2(travel[0] < 1.0 && travel[1] < 1.0 && travel[2] > 20.0, text(travel));
@@ -326,7 +327,7 @@ void TestServoLoops::moreAccelerationIsFaster()
         servo.set("goal_position", 3000);
         times.push_back(settleTime(servo, 3000, 12));
     }
-    QVERIFY2(falls(times, 0.95) && times.back() > 0, text(times));
+    QVERIFY2(isDecreasing(times, 0.95) && times.back() > 0, text(times));
 }
 
 void TestServoLoops::lowerTorqueLimitIsSlower()
@@ -336,13 +337,13 @@ void TestServoLoops::lowerTorqueLimitIsSlower()
         Servo servo = servoWith({32, 0, 32});
         servo.set("torque_limit", limit);
         servo.set("goal_position", 3500);
-        int most = 0;
+        int maximum = 0;
         times.push_back(settleTime(servo, 3500, 12));
         servo.set("goal_position", 1000);
-        servo.run(500, [&] { most = std::max(most, std::abs(servo.at("present_load"))); });
-        QVERIFY(most <= limit);
+        servo.run(500, [&] { maximum = std::max(maximum, std::abs(servo.at("present_load"))); });
+        QVERIFY(maximum <= limit);
     }
-    QVERIFY2(falls(times, 0.9), text(times));
+    QVERIFY2(isDecreasing(times, 0.9), text(times));
 }
 
 void TestServoLoops::speedIsHeldUnderLoadPwmIsNot()
@@ -379,7 +380,7 @@ void TestServoLoops::speedGainsAct()
         servo.run(2000);
         dips.push_back(3000 - (servo.shaftSteps() - start));
     }
-    QVERIFY2(falls(dips, 0.8), text(dips));
+    QVERIFY2(isDecreasing(dips, 0.8), text(dips));
     dips.clear();
     for (const int p : {0, 10, 40}) {
         Servo servo(QStringLiteral("STS3215"));
@@ -390,7 +391,7 @@ void TestServoLoops::speedGainsAct()
         servo.run(1500);
         dips.push_back(1500 - servo.at("present_speed"));
     }
-    QVERIFY2(falls(dips, 0.8), text(dips));
+    QVERIFY2(isDecreasing(dips, 0.8), text(dips));
 }
 
 void TestServoLoops::heavierLoadsTakeLonger()
@@ -410,7 +411,7 @@ void TestServoLoops::heavierLoadsTakeLonger()
         }
         times.push_back(ms);
     }
-    QVERIFY2(falls(times, 0.95), text(times));
+    QVERIFY2(isDecreasing(times, 0.95), text(times));
 }
 
 QTEST_GUILESS_MAIN(TestServoLoops)

@@ -16,9 +16,9 @@ private Q_SLOTS:
     void lockedWriteIsLostUnlockedIsKept();
     void lockClosesAtPowerOn_data();
     void lockClosesAtPowerOn();
-    void lockOfTheOtherFamilyDoesItsHarm();
-    void lockAddressOfStsIsNothingOnScs();
-    void unlockingAfterwardsKeepsNothing();
+    void lockAddressOfTheOtherFamilyOverwritesData();
+    void lockAddressOfStsIsUnusedOnScs();
+    void unlockingAfterwardsSavesNothing();
     void readOnlyRegistersIgnoreWrites();
     void undefinedBytesReadZero();
     void oneByteOfAWordCanBeWritten();
@@ -27,18 +27,18 @@ private Q_SLOTS:
     void torqueLimitComesFromMaximumTorque();
     void powerOnRestoresRam();
     void turnsAreForgottenAtPowerOff();
-    void deafOnlyWhileTheEpromIsWritten_data();
-    void deafOnlyWhileTheEpromIsWritten();
-    void busyOnlyWhileTheEpromIsWritten_data();
-    void busyOnlyWhileTheEpromIsWritten();
-    void whatLeRobotWritesIsTaken_data();
-    void whatLeRobotWritesIsTaken();
+    void unresponsiveOnlyDuringEpromWrites_data();
+    void unresponsiveOnlyDuringEpromWrites();
+    void busyOnlyDuringEpromWrites_data();
+    void busyOnlyDuringEpromWrites();
+    void leRobotWritesAreAccepted_data();
+    void leRobotWritesAreAccepted();
     void identityAndFactoryValues_data();
     void identityAndFactoryValues();
-    void imageCarriesEpromAndBackup();
+    void imageHasEpromAndBackup();
     void foreignImagesAreRefused_data();
     void foreignImagesAreRefused();
-    void restoreBringsBackWhatBackupStored();
+    void restoreReturnsTheBackup();
     void restoreWithoutBackupIsTheFactory();
     void restoreBehindAClosedLockDoesNothing();
 };
@@ -49,7 +49,7 @@ void TestServoMemory::init()
 }
 
 namespace {
-void familyRows()
+void addFamilyRows()
 {
     QTest::addColumn<QString>("model");
     QTest::addColumn<int>("lockAddress");
@@ -61,7 +61,7 @@ void familyRows()
 
 void TestServoMemory::lockedWriteIsLostUnlockedIsKept_data()
 {
-    familyRows();
+    addFamilyRows();
 }
 
 void TestServoMemory::lockedWriteIsLostUnlockedIsKept()
@@ -84,7 +84,7 @@ void TestServoMemory::lockedWriteIsLostUnlockedIsKept()
 
 void TestServoMemory::lockClosesAtPowerOn_data()
 {
-    familyRows();
+    addFamilyRows();
 }
 
 void TestServoMemory::lockClosesAtPowerOn()
@@ -99,7 +99,7 @@ void TestServoMemory::lockClosesAtPowerOn()
     QCOMPARE(servo.read(std::uint8_t(lockAddress), 1), base::Bytes{1});
 }
 
-void TestServoMemory::lockOfTheOtherFamilyDoesItsHarm()
+void TestServoMemory::lockAddressOfTheOtherFamilyOverwritesData()
 {
     Servo servo(QStringLiteral("STS3215"));
     QCOMPARE(servo.at("torque_limit"), 1000);
@@ -110,7 +110,7 @@ void TestServoMemory::lockOfTheOtherFamilyDoesItsHarm()
     QCOMPARE(servo.at("lock"), 1);
 }
 
-void TestServoMemory::lockAddressOfStsIsNothingOnScs()
+void TestServoMemory::lockAddressOfStsIsUnusedOnScs()
 {
     Servo servo(QStringLiteral("SCS15"));
     QVERIFY(servo.write({55, 0}));
@@ -119,7 +119,7 @@ void TestServoMemory::lockAddressOfStsIsNothingOnScs()
     QVERIFY(servo.at("max_temperature") != 61);
 }
 
-void TestServoMemory::unlockingAfterwardsKeepsNothing()
+void TestServoMemory::unlockingAfterwardsSavesNothing()
 {
     Servo servo(QStringLiteral("STS3215"));
     servo.write({13, 61});
@@ -135,7 +135,7 @@ void TestServoMemory::readOnlyRegistersIgnoreWrites()
     Servo servo(QStringLiteral("STS3215"));
     servo.write({55, 0});
     QVERIFY(servo.write({3, 77}));
-    QVERIFY(!servo.deaf());
+    QVERIFY(!servo.isDeaf());
     QCOMPARE(servo.at("model_major"), 9);
     QVERIFY(servo.write({63, 99}));
     QCOMPARE(servo.at("present_temperature"), 25);
@@ -218,7 +218,7 @@ void TestServoMemory::turnsAreForgottenAtPowerOff()
     QVERIFY(std::abs(servo.at("present_position") - 10000 % 4096) <= 8);
 }
 
-void TestServoMemory::deafOnlyWhileTheEpromIsWritten_data()
+void TestServoMemory::unresponsiveOnlyDuringEpromWrites_data()
 {
     QTest::addColumn<bool>("unlocked");
     QTest::addColumn<int>("address");
@@ -229,7 +229,7 @@ void TestServoMemory::deafOnlyWhileTheEpromIsWritten_data()
     QTest::newRow("unlocked, read-only") << true << 4 << false;
 }
 
-void TestServoMemory::deafOnlyWhileTheEpromIsWritten()
+void TestServoMemory::unresponsiveOnlyDuringEpromWrites()
 {
     QFETCH(bool, unlocked);
     QFETCH(int, address);
@@ -240,21 +240,21 @@ void TestServoMemory::deafOnlyWhileTheEpromIsWritten()
     Servo servo(QStringLiteral("STS3215"), config);
     servo.write({55, std::uint8_t(unlocked ? 0 : 1)});
     QVERIFY(servo.write({std::uint8_t(address), 60})); // acknowledged in any case
-    QCOMPARE(servo.deaf(), deaf);
+    QCOMPARE(servo.isDeaf(), deaf);
     QCOMPARE(servo.ask(0x01).has_value(), !deaf);
     servo.run(14);
-    QCOMPARE(servo.deaf(), deaf);
+    QCOMPARE(servo.isDeaf(), deaf);
     servo.run(3);
-    QVERIFY(!servo.deaf());
+    QVERIFY(!servo.isDeaf());
     QVERIFY(servo.ask(0x01));
 }
 
-void TestServoMemory::busyOnlyWhileTheEpromIsWritten_data()
+void TestServoMemory::busyOnlyDuringEpromWrites_data()
 {
-    deafOnlyWhileTheEpromIsWritten_data();
+    unresponsiveOnlyDuringEpromWrites_data();
 }
 
-void TestServoMemory::busyOnlyWhileTheEpromIsWritten()
+void TestServoMemory::busyOnlyDuringEpromWrites()
 {
     QFETCH(bool, unlocked);
     QFETCH(int, address);
@@ -266,21 +266,21 @@ void TestServoMemory::busyOnlyWhileTheEpromIsWritten()
     QCOMPARE(servo.writeTime(), base::Duration());
     QVERIFY(servo.write({std::uint8_t(address), 60}));
     QCOMPARE(servo.writeTime(), deaf ? config.epromTime : base::Duration());
-    QVERIFY(!servo.deaf());
+    QVERIFY(!servo.isDeaf());
     QVERIFY(servo.ask(0x01));
     QCOMPARE(servo.writeTime(), base::Duration());
 }
 
 // LeRobot writes both at every set-up. 7 has no function on STS, but is stored; 85 acts as its own
 // maximum, and nothing says whether it is kept.
-void TestServoMemory::whatLeRobotWritesIsTaken_data()
+void TestServoMemory::leRobotWritesAreAccepted_data()
 {
     QTest::addColumn<QString>("model");
     QTest::newRow("STS") << QStringLiteral("STS3215");
     QTest::newRow("SMS") << QStringLiteral("SM40BLHV");
 }
 
-void TestServoMemory::whatLeRobotWritesIsTaken()
+void TestServoMemory::leRobotWritesAreAccepted()
 {
     QFETCH(QString, model);
     Servo servo(model);
@@ -335,7 +335,7 @@ void TestServoMemory::identityAndFactoryValues()
     QCOMPARE(servo.at("servo_status"), 0);
 }
 
-void TestServoMemory::imageCarriesEpromAndBackup()
+void TestServoMemory::imageHasEpromAndBackup()
 {
     Servo servo(QStringLiteral("STS3215"));
     servo.keep("position_p", 50);
@@ -381,7 +381,7 @@ void TestServoMemory::foreignImagesAreRefused()
     QCOMPARE(servo.at("position_p"), 50);
 }
 
-void TestServoMemory::restoreBringsBackWhatBackupStored()
+void TestServoMemory::restoreReturnsTheBackup()
 {
     Servo servo(QStringLiteral("STS3215"));
     servo.keep("position_p", 50);
@@ -415,7 +415,7 @@ void TestServoMemory::restoreBehindAClosedLockDoesNothing()
     servo.keep("position_p", 50);
     QVERIFY(servo.ask(0x09));
     QVERIFY(servo.ask(0x06));
-    QVERIFY(!servo.deaf());
+    QVERIFY(!servo.isDeaf());
     QCOMPARE(servo.at("position_p"), 50);
     servo.set("lock", 0);
     servo.ask(0x06);

@@ -15,9 +15,9 @@ private Q_SLOTS:
     void init();
     void directions_data();
     void directions();
-    void aGoalEnergises_data();
-    void aGoalEnergises();
-    void modeSwitchTakesTorqueOffAndKeepsCommands();
+    void aGoalSwitchesTorqueOn_data();
+    void aGoalSwitchesTorqueOn();
+    void modeSwitchReleasesTorqueAndKeepsCommands();
     void torqueOnGoesToTheStoredGoal();
     void invalidTorqueValuesSwitchOff_data();
     void invalidTorqueValuesSwitchOff();
@@ -28,9 +28,9 @@ private Q_SLOTS:
     void stepModeShowsTheRemainingDifference();
     void stepModeNeedsOpenLimits();
     void stepModeEndsAtSevenAndAHalfTurns();
-    void scsMotorModeTurnsOnAndOn();
+    void scsMotorModeTurnsContinuously();
     void dutyOfThePwmModeIsTheLoad();
-    void torqueOffLetsTheShaftFall();
+    void torqueOffReleasesTheShaft();
 };
 
 namespace {
@@ -105,12 +105,12 @@ void TestServoModes::directions()
     }
 }
 
-void TestServoModes::aGoalEnergises_data()
+void TestServoModes::aGoalSwitchesTorqueOn_data()
 {
     QTest::addColumn<QString>("model");
     QTest::addColumn<int>("mode");
     QTest::addColumn<QString>("command");
-    QTest::addColumn<bool>("energises");
+    QTest::addColumn<bool>("energizes");
     const QString sts = QStringLiteral("STS3215");
     QTest::newRow("position") << sts << 0 << QStringLiteral("goal_position") << true;
     QTest::newRow("speed") << sts << 1 << QStringLiteral("goal_speed") << true;
@@ -125,22 +125,22 @@ void TestServoModes::aGoalEnergises_data()
         << QStringLiteral("SCS15") << -1 << QStringLiteral("goal_time") << false;
 }
 
-void TestServoModes::aGoalEnergises()
+void TestServoModes::aGoalSwitchesTorqueOn()
 {
     QFETCH(QString, model);
     QFETCH(int, mode);
     QFETCH(QString, command);
-    QFETCH(bool, energises);
+    QFETCH(bool, energizes);
     Servo servo(model);
     if (mode >= 0) {
         enterMode(servo, mode);
     }
     QCOMPARE(servo.at("torque_switch"), 0);
     servo.poke(command, 300);
-    QCOMPARE(servo.at("torque_switch"), energises ? 1 : 0);
+    QCOMPARE(servo.at("torque_switch"), energizes ? 1 : 0);
 }
 
-void TestServoModes::modeSwitchTakesTorqueOffAndKeepsCommands()
+void TestServoModes::modeSwitchReleasesTorqueAndKeepsCommands()
 {
     Servo servo(QStringLiteral("STS3215"));
     servo.write({42, 0, 8, 0xE8, 3, 0, 2}); // a "running time" of 1000 left in 44
@@ -290,7 +290,7 @@ void TestServoModes::stepModeEndsAtSevenAndAHalfTurns()
     QVERIFY(std::abs(servo.shaftSteps() - 30719) <= 8);
 }
 
-void TestServoModes::scsMotorModeTurnsOnAndOn()
+void TestServoModes::scsMotorModeTurnsContinuously()
 {
     Servo servo(QStringLiteral("SCS15"));
     openLimits(servo);
@@ -323,7 +323,7 @@ void TestServoModes::dutyOfThePwmModeIsTheLoad()
     QCOMPARE(servo.at("present_load"), 100);
 }
 
-void TestServoModes::torqueOffLetsTheShaftFall()
+void TestServoModes::torqueOffReleasesTheShaft()
 {
     auto config = fixture::configOf(QStringLiteral("STS3215"));
     config.load.gravityTorque = 1.0;

@@ -12,9 +12,9 @@ class TestServoProtection : public QObject {
 
 private Q_SLOTS:
     void init();
-    void overloadWeakensAfterItsTime_data();
-    void overloadWeakensAfterItsTime();
-    void overloadIsReleasedByAnOppositeGoalOnly();
+    void overloadReducesTorqueAfterItsTime_data();
+    void overloadReducesTorqueAfterItsTime();
+    void overloadIsClearedByAnOppositeGoalOnly();
     void overloadOfTheOpenLoopModes_data();
     void overloadOfTheOpenLoopModes();
     void overloadTimerRestarts();
@@ -29,8 +29,8 @@ private Q_SLOTS:
     void scsCanTurnVoltageOff();
     void temperatureUnloadsAndRecovers();
     void stallHeatsAndRestCools();
-    void sensorFaultUnloadsWhereAsked_data();
-    void sensorFaultUnloadsWhereAsked();
+    void sensorFaultUnloadsIfConfigured_data();
+    void sensorFaultUnloadsIfConfigured();
     void led_data();
     void led();
     void powerOffForgetsTrips();
@@ -62,7 +62,7 @@ void TestServoProtection::init()
     QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
 }
 
-void TestServoProtection::overloadWeakensAfterItsTime_data()
+void TestServoProtection::overloadReducesTorqueAfterItsTime_data()
 {
     QTest::addColumn<int>("time"); // 10 ms
     QTest::addColumn<int>("holdTorque");
@@ -70,7 +70,7 @@ void TestServoProtection::overloadWeakensAfterItsTime_data()
     QTest::newRow("0.8 s, 40 %") << 80 << 40;
 }
 
-void TestServoProtection::overloadWeakensAfterItsTime()
+void TestServoProtection::overloadReducesTorqueAfterItsTime()
 {
     QFETCH(int, time);
     QFETCH(int, holdTorque);
@@ -90,7 +90,7 @@ void TestServoProtection::overloadWeakensAfterItsTime()
     QCOMPARE(servo.at("torque_switch"), 1);
 }
 
-void TestServoProtection::overloadIsReleasedByAnOppositeGoalOnly()
+void TestServoProtection::overloadIsClearedByAnOppositeGoalOnly()
 {
     Servo servo = blockedServo();
     stall(servo);
@@ -275,13 +275,13 @@ void TestServoProtection::voltageShowsAndClears()
     servo.run(1000);
     QVERIFY(servo.at("present_load") != 0);
 
-    servo.surroundings().supplyVolts = supply;
+    servo.environment().supplyVolts = supply;
     servo.run(300);
     QCOMPARE(servo.at("servo_status"), 1);
     QVERIFY(std::abs(servo.at("present_voltage") - int(supply * 10)) <= 1);
     QCOMPARE(servo.at("present_load") == 0, unloads);
 
-    servo.surroundings().supplyVolts = 7.4;
+    servo.environment().supplyVolts = 7.4;
     servo.run(1500);
     QCOMPARE(servo.at("servo_status"), 0);
     QVERIFY(servo.at("present_load") != 0); // it holds again
@@ -290,7 +290,7 @@ void TestServoProtection::voltageShowsAndClears()
 void TestServoProtection::voltageSagsUnderLoad()
 {
     Servo servo = blockedServo();
-    servo.surroundings().supplyOhms = 1.0;
+    servo.environment().supplyOhms = 1.0;
     QCOMPARE(servo.at("present_voltage"), 74);
     stall(servo);
     const int sagging = servo.at("present_voltage");
@@ -304,7 +304,7 @@ void TestServoProtection::voltageSagsUnderLoad()
 void TestServoProtection::scsCanTurnVoltageOff()
 {
     Servo servo(QStringLiteral("SCS15"));
-    servo.surroundings().supplyVolts = 12;
+    servo.environment().supplyVolts = 12;
     servo.run(200);
     QCOMPARE(servo.at("servo_status"), 1);
     servo.set("max_voltage", 0);
@@ -355,7 +355,7 @@ void TestServoProtection::stallHeatsAndRestCools()
     QCOMPARE(servo.at("present_temperature"), 25);
 }
 
-void TestServoProtection::sensorFaultUnloadsWhereAsked_data()
+void TestServoProtection::sensorFaultUnloadsIfConfigured_data()
 {
     QTest::addColumn<int>("condition");
     QTest::addColumn<bool>("unloads");
@@ -363,7 +363,7 @@ void TestServoProtection::sensorFaultUnloadsWhereAsked_data()
     QTest::newRow("19 with bit 1") << 46 << true;
 }
 
-void TestServoProtection::sensorFaultUnloadsWhereAsked()
+void TestServoProtection::sensorFaultUnloadsIfConfigured()
 {
     QFETCH(int, condition);
     QFETCH(bool, unloads);

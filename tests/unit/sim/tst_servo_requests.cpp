@@ -16,22 +16,22 @@ private Q_SLOTS:
     void init();
     void answers_data();
     void answers();
-    void malformedStaysUnanswered_data();
-    void malformedStaysUnanswered();
-    void readAnswersTheTable();
+    void malformedIsNotAnswered_data();
+    void malformedIsNotAnswered();
+    void readReturnsTheTable();
     void errorByteIsTheLiveStatus();
-    void newIdActsAtOnce_data();
-    void newIdActsAtOnce();
-    void newRateActsAtOnceOrAfterRestart_data();
-    void newRateActsAtOnceOrAfterRestart();
+    void newIdTakesEffectAtOnce_data();
+    void newIdTakesEffectAtOnce();
+    void newRateTakesEffectAtOnceOrAfterRestart_data();
+    void newRateTakesEffectAtOnceOrAfterRestart();
     void ratesByCode_data();
     void ratesByCode();
-    void refusesWhatItCannotBe_data();
-    void refusesWhatItCannotBe();
+    void refusesInvalidIdentity_data();
+    void refusesInvalidIdentity();
     void broadcastPingInTurn();
     void rebootIsSilentAndReloads();
-    void heldWriteWaitsForAction();
-    void syncWriteFindsItsOwnPart();
+    void storedWriteWaitsForAction();
+    void syncWriteExtractsItsOwnPart();
     void syncReadNeedsTheFamily_data();
     void syncReadNeedsTheFamily();
     void replyDelay_data();
@@ -39,14 +39,14 @@ private Q_SLOTS:
     void calibration_data();
     void calibration();
     void olderFirmwareCannotCalibrate();
-    void centringBy128_data();
-    void centringBy128();
-    void calibrationSurvivesOnlyUnlocked();
+    void centeringBy128_data();
+    void centeringBy128();
+    void calibrationPersistsOnlyUnlocked();
     void stateResetClearsTheTurns();
-    void offNothingIsHeard();
+    void poweredOffReceivesNothing();
     void broadcastIdWriteRenumbers();
-    void noRequestBreaksIt_data();
-    void noRequestBreaksIt();
+    void noRequestCrashes_data();
+    void noRequestCrashes();
 };
 
 void TestServoRequests::init()
@@ -98,7 +98,7 @@ void TestServoRequests::answers()
     QCOMPARE(answered(1, true), broadcast);
 }
 
-void TestServoRequests::malformedStaysUnanswered_data()
+void TestServoRequests::malformedIsNotAnswered_data()
 {
     QTest::addColumn<int>("instruction");
     QTest::addColumn<base::Bytes>("params");
@@ -115,18 +115,18 @@ void TestServoRequests::malformedStaysUnanswered_data()
     QTest::newRow("reboot with a parameter") << 0x08 << base::Bytes{1};
 }
 
-void TestServoRequests::malformedStaysUnanswered()
+void TestServoRequests::malformedIsNotAnswered()
 {
     QFETCH(int, instruction);
     QFETCH(base::Bytes, params);
     Servo servo(QStringLiteral("STS3215"));
     const base::Bytes before = servo.read(0, 86);
     QVERIFY(!servo.handle({false, std::uint8_t(instruction), params, -1}));
-    QVERIFY(!servo.deaf());
+    QVERIFY(!servo.isDeaf());
     QCOMPARE(servo.read(0, 86), before);
 }
 
-void TestServoRequests::readAnswersTheTable()
+void TestServoRequests::readReturnsTheTable()
 {
     // Worked frame of the vendor: READ 56, 2 of a servo at 1304 → 18 05.
     auto config = fixture::configOf(QStringLiteral("STS3215"));
@@ -142,20 +142,20 @@ void TestServoRequests::readAnswersTheTable()
 void TestServoRequests::errorByteIsTheLiveStatus()
 {
     Servo servo(QStringLiteral("STS3215"));
-    servo.surroundings().supplyVolts = 9.5; // register 14 says 8.0 V
+    servo.environment().supplyVolts = 9.5; // register 14 says 8.0 V
     servo.run(200);
     QCOMPARE(int(servo.ask(0x01)->status), 1);
     QCOMPARE(servo.at("servo_status"), 1);
     servo.injectStatus(2);
     QCOMPARE(int(servo.write({41, 0})->status), 3);
-    servo.surroundings().supplyVolts = 7.4;
+    servo.environment().supplyVolts = 7.4;
     servo.run(200);
     QCOMPARE(int(servo.ask(0x01)->status), 2);
     servo.powerCycle();
     QCOMPARE(int(servo.ask(0x01)->status), 0);
 }
 
-void TestServoRequests::newIdActsAtOnce_data()
+void TestServoRequests::newIdTakesEffectAtOnce_data()
 {
     QTest::addColumn<bool>("answersNew");
     QTest::addColumn<int>("answerId");
@@ -163,7 +163,7 @@ void TestServoRequests::newIdActsAtOnce_data()
     QTest::newRow("acknowledged with the new ID") << true << 5;
 }
 
-void TestServoRequests::newIdActsAtOnce()
+void TestServoRequests::newIdTakesEffectAtOnce()
 {
     QFETCH(bool, answersNew);
     QFETCH(int, answerId);
@@ -179,14 +179,14 @@ void TestServoRequests::newIdActsAtOnce()
     QCOMPARE(servo.id(), 1);
 }
 
-void TestServoRequests::newRateActsAtOnceOrAfterRestart_data()
+void TestServoRequests::newRateTakesEffectAtOnceOrAfterRestart_data()
 {
     QTest::addColumn<bool>("afterRestart");
     QTest::newRow("at once") << false;
     QTest::newRow("after a restart") << true;
 }
 
-void TestServoRequests::newRateActsAtOnceOrAfterRestart()
+void TestServoRequests::newRateTakesEffectAtOnceOrAfterRestart()
 {
     QFETCH(bool, afterRestart);
     auto config = fixture::configOf(QStringLiteral("STS3215"));
@@ -221,7 +221,7 @@ void TestServoRequests::ratesByCode()
     QCOMPARE(servo.at("baud_rate"), code < 12 ? code : 4);
 }
 
-void TestServoRequests::refusesWhatItCannotBe_data()
+void TestServoRequests::refusesInvalidIdentity_data()
 {
     QTest::addColumn<QString>("model");
     QTest::addColumn<int>("address");
@@ -241,7 +241,7 @@ void TestServoRequests::refusesWhatItCannotBe_data()
     row("mode 77", "STS3215", 33, 77, false);
 }
 
-void TestServoRequests::refusesWhatItCannotBe()
+void TestServoRequests::refusesInvalidIdentity()
 {
     QFETCH(QString, model);
     QFETCH(int, address);
@@ -268,9 +268,9 @@ void TestServoRequests::broadcastPingInTurn()
     auto config = fixture::configOf(QStringLiteral("STS3215"));
     config.id = 5;
     Servo servo(QStringLiteral("STS3215"), config);
-    QCOMPARE(servo.shout(0x01)->wait, base::Duration());
+    QCOMPARE(servo.sendBroadcast(0x01)->wait, base::Duration());
     servo.behavior().staggersBroadcastPing = true;
-    QCOMPARE(servo.shout(0x01)->wait, base::Duration(15'000)); // 3 ms for each ID
+    QCOMPARE(servo.sendBroadcast(0x01)->wait, base::Duration(15'000)); // 3 ms for each ID
     QCOMPARE(servo.ask(0x01)->wait, base::Duration());
 }
 
@@ -290,7 +290,7 @@ void TestServoRequests::rebootIsSilentAndReloads()
     servo.write({41, 20, 0x00, 0x0C});
     QVERIFY(!servo.ask(0x08));
     servo.run(700);
-    QVERIFY(servo.deaf());
+    QVERIFY(servo.isDeaf());
     QVERIFY(!servo.ask(0x01));
     servo.run(150);
     QVERIFY(servo.ask(0x01));
@@ -299,7 +299,7 @@ void TestServoRequests::rebootIsSilentAndReloads()
     QCOMPARE(servo.at("torque_switch"), 0);
 }
 
-void TestServoRequests::heldWriteWaitsForAction()
+void TestServoRequests::storedWriteWaitsForAction()
 {
     Servo servo(QStringLiteral("STS3215"));
     QVERIFY(servo.ask(0x04, {42, 0x00, 0x09}));
@@ -307,7 +307,7 @@ void TestServoRequests::heldWriteWaitsForAction()
     servo.run(50);
     QCOMPARE(servo.at("goal_position"), 0);
     QCOMPARE(servo.at("torque_switch"), 0);
-    servo.shout(0x05);
+    servo.sendBroadcast(0x05);
     QCOMPARE(servo.at("goal_position"), 0x900);
     QCOMPARE(servo.at("torque_switch"), 1);
     QCOMPARE(servo.at("async_write_flag"), 0);
@@ -318,7 +318,7 @@ void TestServoRequests::heldWriteWaitsForAction()
     QCOMPARE(servo.at("goal_position"), 0);
 }
 
-void TestServoRequests::syncWriteFindsItsOwnPart()
+void TestServoRequests::syncWriteExtractsItsOwnPart()
 {
     // Worked frame: position 2048, time 0, speed 1000 for IDs 1 to 4.
     auto config = fixture::configOf(QStringLiteral("STS3215"));
@@ -330,9 +330,9 @@ void TestServoRequests::syncWriteFindsItsOwnPart()
     QCOMPARE(servo.at("goal_position"), 2048);
     QCOMPARE(servo.at("goal_speed"), 1000);
 
-    QVERIFY(!servo.shout(0x83, {42, 2, 9, 0, 1})); // somebody else's
-    QVERIFY(!servo.shout(0x83, {42, 2, 3, 0}));    // cut short
-    QVERIFY(!servo.shout(0x83, {42, 0, 3}));
+    QVERIFY(!servo.sendBroadcast(0x83, {42, 2, 9, 0, 1})); // somebody else's
+    QVERIFY(!servo.sendBroadcast(0x83, {42, 2, 3, 0}));    // cut short
+    QVERIFY(!servo.sendBroadcast(0x83, {42, 0, 3}));
     QCOMPARE(servo.at("goal_position"), 2048);
 }
 
@@ -423,22 +423,22 @@ void TestServoRequests::olderFirmwareCannotCalibrate()
     QVERIFY(servo.handle({false, 0x01, {}, -1}));
 }
 
-void TestServoRequests::centringBy128_data()
+void TestServoRequests::centeringBy128_data()
 {
     QTest::addColumn<QString>("model");
     QTest::addColumn<int>("phase");
-    QTest::addColumn<bool>("centres");
+    QTest::addColumn<bool>("centers");
     QTest::newRow("STS") << QStringLiteral("STS3215") << 12 << true;
     QTest::newRow("STS, reversed") << QStringLiteral("STS3215") << 12 + 128 + 1 << true;
     QTest::newRow("SMS") << QStringLiteral("SM40BLHV") << 44 << true;
     QTest::newRow("SCS has none") << QStringLiteral("SCS15") << 8 << false;
 }
 
-void TestServoRequests::centringBy128()
+void TestServoRequests::centeringBy128()
 {
     QFETCH(QString, model);
     QFETCH(int, phase);
-    QFETCH(bool, centres);
+    QFETCH(bool, centers);
     auto config = fixture::configOf(model);
     config.initialDegrees = 100; // step 1138 of 4096
     Servo servo(model, config);
@@ -447,27 +447,27 @@ void TestServoRequests::centringBy128()
     QVERIFY(servo.write({40, 128}));
     servo.run(10);
     QCOMPARE(servo.at("torque_switch"), 0);
-    QVERIFY(std::abs(servo.at("present_position") - (centres ? 2048 : before)) <= 1);
+    QVERIFY(std::abs(servo.at("present_position") - (centers ? 2048 : before)) <= 1);
     QVERIFY(std::abs(servo.shaftDegrees() - 100) < 0.2); // nothing turned
-    if (centres) {
+    if (centers) {
         // present = sensor − offset
         QVERIFY(std::abs(servo.at("position_offset") - (before - 2048)) <= 1);
     }
 }
 
-void TestServoRequests::calibrationSurvivesOnlyUnlocked()
+void TestServoRequests::calibrationPersistsOnlyUnlocked()
 {
     auto config = fixture::configOf(QStringLiteral("STS3215"));
     config.initialDegrees = 100;
     config.behavior.deafWhileWriting = true;
     Servo servo(QStringLiteral("STS3215"), config);
     servo.write({40, 128});
-    QVERIFY(!servo.deaf());
+    QVERIFY(!servo.isDeaf());
     servo.powerCycle();
     QCOMPARE(servo.at("position_offset"), 0);
     servo.write({55, 0});
     servo.write({40, 128});
-    QVERIFY(servo.deaf());
+    QVERIFY(servo.isDeaf());
     servo.powerCycle();
     QVERIFY(std::abs(servo.at("present_position") - 2048) <= 1);
 }
@@ -486,12 +486,12 @@ void TestServoRequests::stateResetClearsTheTurns()
     QVERIFY(std::abs(servo.at("present_position") - 9000 % 4096) <= 8);
 }
 
-void TestServoRequests::offNothingIsHeard()
+void TestServoRequests::poweredOffReceivesNothing()
 {
     Servo servo(QStringLiteral("STS3215"));
     servo.powerOff();
     QVERIFY(!servo.powered());
-    QVERIFY(servo.deaf());
+    QVERIFY(servo.isDeaf());
     QVERIFY(!servo.ask(0x01));
     QVERIFY(!servo.write({13, 50}));
     servo.powerOn();
@@ -505,11 +505,11 @@ void TestServoRequests::broadcastIdWriteRenumbers()
     auto config = fixture::configOf(QStringLiteral("STS3215"));
     config.id = 44;
     Servo servo(QStringLiteral("STS3215"), config);
-    QVERIFY(!servo.shout(0x03, {5, 1}));
+    QVERIFY(!servo.sendBroadcast(0x03, {5, 1}));
     QCOMPARE(servo.id(), 1);
 }
 
-void TestServoRequests::noRequestBreaksIt_data()
+void TestServoRequests::noRequestCrashes_data()
 {
     QTest::addColumn<QString>("model");
     for (const char* model : {"STS3215", "SM40BLHV", "SCS15"}) {
@@ -517,7 +517,7 @@ void TestServoRequests::noRequestBreaksIt_data()
     }
 }
 
-void TestServoRequests::noRequestBreaksIt()
+void TestServoRequests::noRequestCrashes()
 {
     QFETCH(QString, model);
     Servo servo(model);
@@ -533,7 +533,7 @@ void TestServoRequests::noRequestBreaksIt()
         if (!request.params.empty()) {
             request.params[0] %= 70; // mostly where registers are
         }
-        const bool deaf = servo.deaf();
+        const bool deaf = servo.isDeaf();
         const auto answer = servo.handle(request);
         QVERIFY(!(deaf && answer));
         servo.run(int(random() % 3));

@@ -16,13 +16,13 @@
 
 namespace {
 bool waitedForDisk = false;
-struct Kept {
+struct PersistenceCase {
     const char* model;
     const char* key; ///< survives
     int value;
     const char* lostKey; ///< does not
 };
-constexpr Kept rows[] = {
+constexpr PersistenceCase rows[] = {
     {"sts3215", "max_temperature", 61, "goal_position"},
     {"scs15", "max_temperature", 61, "goal_position"},
     {"sm40blhv", "max_temperature", 61, "goal_position"},
@@ -56,26 +56,26 @@ private Q_SLOTS:
         m_folder = std::make_unique<QTemporaryDir>();
     }
 
-    void carryWhatIsKept_data()
+    void storePersistentValues_data()
     {
         QTest::addColumn<int>("row");
         for (int i = 0; i < int(std::size(rows)); ++i)
             QTest::newRow(rows[i].model) << i;
     }
-    void carryWhatIsKept()
+    void storePersistentValues()
     {
         QFETCH(int, row);
-        const Kept& kept = rows[row];
+        const PersistenceCase& kept = rows[row];
         const QString key = QString::fromLatin1(kept.key);
         const QString lostKey = QString::fromLatin1(kept.lostKey);
         const QByteArray servos = QByteArray(kept.model) + "@1," + kept.model + "@2";
-        std::int64_t usual = 0;
+        std::int64_t defaultValue = 0;
         {
             const auto bus = wire::bus(servos);
             auto store = sim::EpromStore::open(file(), *bus);
             QVERIFY(store);
             sim::VirtualServo& servo = *bus->servo(2);
-            usual = servo.raw(lostKey);
+            defaultValue = servo.raw(lostKey);
             if (servo.profile().byRole(catalog::Role::Lock) != nullptr)
                 servo.poke(QStringLiteral("lock"), 0);
             servo.poke(key, kept.value);
@@ -85,7 +85,7 @@ private Q_SLOTS:
         const auto bus = wire::bus(servos);
         QVERIFY(sim::EpromStore::open(file(), *bus));
         QCOMPARE(bus->servo(2)->raw(key), kept.value);
-        QCOMPARE(bus->servo(2)->raw(lostKey), usual);
+        QCOMPARE(bus->servo(2)->raw(lostKey), defaultValue);
         QVERIFY(bus->servo(1)->raw(key) != kept.value);
     }
 

@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 using base::Bytes;
 using base::Duration;
 using sim::Burst;
-using sim::Listens;
+using sim::RxFilter;
 using sim::UartReceiver;
 using sim::WireLine;
 
@@ -22,60 +22,60 @@ struct Byte {
     bool operator==(const Byte&) const = default;
 };
 
-std::vector<Byte> listen(const WireLine& line, int baud, Listens whom = Listens::All)
+std::vector<Byte> listen(const WireLine& line, int baud, RxFilter filter = RxFilter::All)
 {
-    UartReceiver receiver(whom, baud, 0);
+    UartReceiver receiver(filter, baud, 0);
     std::vector<Byte> bytes;
-    while (const auto heard = receiver.peek(line)) {
-        receiver.take(*heard);
-        bytes.push_back({heard->value, heard->framed});
+    while (const auto received = receiver.peek(line)) {
+        receiver.take(*received);
+        bytes.push_back({received->value, received->framed});
     }
     return bytes;
 }
 } // namespace
 
-class tst_WireCollisions : public QObject {
+class TestWireCollisions : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void everyByteIsHeardAtTheRightRate()
+    void everyByteIsReceivedAtTheRightRate()
     {
         Bytes all(256);
         for (std::size_t i = 0; i < all.size(); ++i)
             all[i] = static_cast<std::uint8_t>(i);
         WireLine line;
-        line.speak(Burst(0, 1000, 115'200, all));
-        const auto heard = listen(line, 115'200);
-        QCOMPARE(heard.size(), all.size());
+        line.transmit(Burst(0, 1000, 115'200, all));
+        const auto received = listen(line, 115'200);
+        QCOMPARE(received.size(), all.size());
         for (std::size_t i = 0; i < all.size(); ++i)
-            QVERIFY((heard[i] == Byte{all[i], true}));
+            QVERIFY((received[i] == Byte{all[i], true}));
     }
 
     // 2.4 % apart: less than half a bit at the end of a byte, so real receivers manage, too.
-    void nearbyRatesUnderstandEachOther()
+    void nearbyRatesAreCompatible()
     {
         WireLine line;
-        line.speak(Burst(0, 0, 256'000, {0x00, 0x55, 0xFF, 0x01, 0x80}));
+        line.transmit(Burst(0, 0, 256'000, {0x00, 0x55, 0xFF, 0x01, 0x80}));
         const std::vector<Byte> expected{
             {0x00, true}, {0x55, true}, {0xFF, true}, {0x01, true}, {0x80, true}};
         QVERIFY(listen(line, 250'000) == expected);
     }
 
     // 0x00 at half the listener's rate: start bit and eight low bits last 18 of its bits.
-    void aSlowSpeakerIsHeardAsFramingErrors()
+    void aSlowSenderCausesFramingErrors()
     {
         WireLine line;
-        line.speak(Burst(0, 0, 500'000, {0x00}));
+        line.transmit(Burst(0, 0, 500'000, {0x00}));
         QVERIFY((listen(line, 1'000'000) == std::vector<Byte>{{0x00, false}}));
     }
 
     // Nine low bits of the speaker last four and a half of the listener's: start bit and three.
-    void aFastSpeakerIsHeardAsOtherBytes()
+    void aFastSenderIsReceivedAsOtherBytes()
     {
         WireLine line;
-        line.speak(Burst(0, 0, 1'000'000, {0x00}));
+        line.transmit(Burst(0, 0, 1'000'000, {0x00}));
         QVERIFY((listen(line, 500'000) == std::vector<Byte>{{0xF8, true}}));
     }
 
@@ -83,7 +83,7 @@ private Q_SLOTS:
     void aShortPulseIsNoStartBit()
     {
         WireLine line;
-        line.speak(Burst(0, 0, 1'000'000, {0xFF}));
+        line.transmit(Burst(0, 0, 1'000'000, {0xFF}));
         QVERIFY(listen(line, 125'000).empty());
     }
 
@@ -101,8 +101,8 @@ private Q_SLOTS:
         QFETCH(int, first);
         QFETCH(int, second);
         WireLine line;
-        line.speak(Burst(0, 0, 1'000'000, {static_cast<std::uint8_t>(first)}));
-        line.speak(Burst(1, 0, 1'000'000, {static_cast<std::uint8_t>(second)}));
+        line.transmit(Burst(0, 0, 1'000'000, {static_cast<std::uint8_t>(first)}));
+        line.transmit(Burst(1, 0, 1'000'000, {static_cast<std::uint8_t>(second)}));
         const auto expected = static_cast<std::uint8_t>(first & second);
         QVERIFY((listen(line, 1'000'000) == std::vector<Byte>{{expected, true}}));
     }
@@ -111,37 +111,37 @@ private Q_SLOTS:
     void offsetBytesCombineBitByBit()
     {
         WireLine line;
-        line.speak(Burst(0, 0, 1'000'000, {0xFF}));
-        line.speak(Burst(1, 2000, 1'000'000, {0xFF}));
+        line.transmit(Burst(0, 0, 1'000'000, {0xFF}));
+        line.transmit(Burst(1, 2000, 1'000'000, {0xFF}));
         QVERIFY((listen(line, 1'000'000) == std::vector<Byte>{{0xFD, true}}));
     }
 
     void cleanBytesAroundACollisionSurvive()
     {
         WireLine line;
-        line.speak(Burst(0, 0, 1'000'000, {0x11, 0xFF, 0x33}));
-        line.speak(Burst(1, 10'000, 1'000'000, {0x0F}));
+        line.transmit(Burst(0, 0, 1'000'000, {0x11, 0xFF, 0x33}));
+        line.transmit(Burst(1, 10'000, 1'000'000, {0x0F}));
         const std::vector<Byte> expected{{0x11, true}, {0x0F, true}, {0x33, true}};
         QVERIFY(listen(line, 1'000'000) == expected);
     }
 
-    void listenersHearOnlyWhomTheyListenTo()
+    void receiversGetOnlyTheirSenders()
     {
         WireLine line;
-        line.speak(Burst(sim::hostSpeaker, 0, 1'000'000, {0x11}));
-        line.speak(Burst(0, 20'000, 1'000'000, {0x22}));
-        QVERIFY((listen(line, 1'000'000, Listens::Host) == std::vector<Byte>{{0x11, true}}));
-        QVERIFY((listen(line, 1'000'000, Listens::Servos) == std::vector<Byte>{{0x22, true}}));
-        QCOMPARE(listen(line, 1'000'000, Listens::All).size(), std::size_t{2});
+        line.transmit(Burst(sim::hostSender, 0, 1'000'000, {0x11}));
+        line.transmit(Burst(0, 20'000, 1'000'000, {0x22}));
+        QVERIFY((listen(line, 1'000'000, RxFilter::Host) == std::vector<Byte>{{0x11, true}}));
+        QVERIFY((listen(line, 1'000'000, RxFilter::Servos) == std::vector<Byte>{{0x22, true}}));
+        QCOMPARE(listen(line, 1'000'000, RxFilter::All).size(), std::size_t{2});
     }
 
-    void aServoAtAnotherRateHearsNothing_data()
+    void aServoAtAnotherRateReceivesNothing_data()
     {
         QTest::addColumn<int>("hostBaud");
         for (const int baud : {1'000'000, 500'000, 250'000, 57'600, 9'600})
             QTest::addRow("%d", baud) << baud;
     }
-    void aServoAtAnotherRateHearsNothing()
+    void aServoAtAnotherRateReceivesNothing()
     {
         QFETCH(int, hostBaud);
         const auto bus = wire::bus("sts3215@1:115200");
@@ -152,7 +152,7 @@ private Q_SLOTS:
         QVERIFY(wire::isStatusOf(wire::ask(*bus, wire::ping(1), now, 115'200), 1));
     }
 
-    void aHostThatListensAtAnotherRateGetsGarbage()
+    void aHostAtAnotherRateGetsGarbage()
     {
         const auto bus = wire::bus("sts3215@1");
         Duration now = 1ms;
@@ -160,9 +160,9 @@ private Q_SLOTS:
         bus->hostWrites(wire::read(1, 0, 5), 1'000'000, now);
         bus->setHostBaud(500'000);
         now += 10ms;
-        const Bytes heard = bus->hostReads(now);
-        QVERIFY(!heard.empty());
-        QVERIFY(!wire::isStatusOf(heard, 1));
+        const Bytes received = bus->hostReads(now);
+        QVERIFY(!received.empty());
+        QVERIFY(!wire::isStatusOf(received, 1));
         QVERIFY(wire::isStatusOf(wire::ask(*bus, wire::read(1, 0, 5), now), 1));
     }
 
@@ -182,7 +182,7 @@ private Q_SLOTS:
     }
 
     // Same ID, same answer, same instant: two equal replies cannot be told from one.
-    void twinsWithOneAnswerSoundLikeOneServo()
+    void duplicatesWithEqualRepliesLookLikeOneServo()
     {
         const auto bus = wire::bus("sts3215@1,sts3215@1");
         Duration now = 1ms;
@@ -190,23 +190,23 @@ private Q_SLOTS:
         QVERIFY(wire::isStatusOf(wire::ask(*bus, wire::ping(1), now), 1));
     }
 
-    void twinsThatDifferSpoilEachOther()
+    void differingDuplicatesCorruptEachOther()
     {
         const auto bus = wire::bus("sts3215@1,sts3215@1");
         bus->servos()[0]->poke(QStringLiteral("position_p"), 0x1E);
         bus->servos()[1]->poke(QStringLiteral("position_p"), 0x2D);
         Duration now = 1ms;
         bus->hostReads(now);
-        const Bytes heard = wire::ask(*bus, wire::read(1, 21, 1), now);
+        const Bytes received = wire::ask(*bus, wire::read(1, 21, 1), now);
         const Bytes one = wire::frame(1, 0, {0x1E});
         const Bytes other = wire::frame(1, 0, {0x2D});
-        QCOMPARE(heard.size(), one.size());
-        for (std::size_t i = 0; i < heard.size(); ++i)
-            QCOMPARE(int{heard[i]}, one[i] & other[i]);
-        QVERIFY(!wire::isStatusOf(heard, 1));
+        QCOMPARE(received.size(), one.size());
+        for (std::size_t i = 0; i < received.size(); ++i)
+            QCOMPARE(int{received[i]}, one[i] & other[i]);
+        QVERIFY(!wire::isStatusOf(received, 1));
     }
 
-    void aHostThatTalksIntoAReplySpoilsBoth()
+    void aHostSendingIntoAReplyCorruptsBoth()
     {
         const auto bus = wire::bus("sts3215@1,sts3215@2");
         Duration now = 1ms;
@@ -214,16 +214,16 @@ private Q_SLOTS:
         bus->hostWrites(wire::read(1, 0, 40), 1'000'000, now);
         const Duration replying = now + 80us + bus->servo(1)->replyDelay() + 105us;
         bus->hostWrites(wire::ping(2), 1'000'000, replying);
-        const Bytes heard = bus->hostReads(now + 10ms);
-        QVERIFY(!heard.empty());
-        QVERIFY(!wire::isStatusOf(heard, 1));
+        const Bytes received = bus->hostReads(now + 10ms);
+        QVERIFY(!received.empty());
+        QVERIFY(!wire::isStatusOf(received, 1));
         // Servo 2 heard its ping through the reply of servo 1, which is no ping.
-        QVERIFY(heard.size() <= 46);
+        QVERIFY(received.size() <= 46);
         now += 50ms;
         QVERIFY(wire::isStatusOf(wire::ask(*bus, wire::ping(2), now), 2));
     }
 
-    void aServoThatIsDeafWhileItWrites()
+    void aServoUnresponsiveWhileWriting()
     {
         const auto bus = wire::bus("sts3215@1+deaf=1");
         Duration now = 1ms;
@@ -236,16 +236,16 @@ private Q_SLOTS:
     }
 
     // Deaf at the start of a frame and awake at its end is not having heard it.
-    void aServoDoesNotHearTheRestOfAFrame()
+    void aServoMissesTheRestOfAFrame()
     {
         const auto bus = wire::bus("sts3215@1+deaf=1", 4'800 * 8); // 38400: a ping takes 1.6 ms
         Duration now = 1ms;
         bus->hostReads(now);
         wire::ask(*bus, wire::write(1, 55, 0), now, 38'400);
         bus->hostWrites(wire::write(1, 21, 40), 38'400, now);
-        while (!bus->servo(1)->deaf())
+        while (!bus->servo(1)->isDeaf())
             bus->hostReads(now += 100us);
-        while (bus->servo(1)->deaf()) {
+        while (bus->servo(1)->isDeaf()) {
             const Duration at = now;
             bus->hostWrites(wire::ping(1), 38'400, at);
             bus->hostReads(now += 1700us);
@@ -254,7 +254,7 @@ private Q_SLOTS:
         QVERIFY(wire::isStatusOf(wire::ask(*bus, wire::ping(1), now, 38'400), 1));
     }
 
-    void servosFindTheRequestBehindRubbish_data()
+    void servosFindTheRequestAfterNoise_data()
     {
         QTest::addColumn<QByteArray>("rubbish");
         QTest::newRow("noise") << QByteArray::fromHex("0055aa17");
@@ -262,7 +262,7 @@ private Q_SLOTS:
         QTest::newRow("wrong checksum") << QByteArray::fromHex("ffff01020100");
         QTest::newRow("another servo's reply") << QByteArray::fromHex("ffff020200fb");
     }
-    void servosFindTheRequestBehindRubbish()
+    void servosFindTheRequestAfterNoise()
     {
         QFETCH(QByteArray, rubbish);
         const auto bus = wire::bus("sts3215@1");
@@ -274,7 +274,7 @@ private Q_SLOTS:
         QVERIFY(wire::isStatusOf(wire::ask(*bus, request, now), 1));
     }
 
-    void anUnfinishedRequestIsForgottenAfterASilence()
+    void anIncompleteRequestIsDroppedAfterASilence()
     {
         const auto bus = wire::bus("sts3215@1");
         Duration now = 1ms;
@@ -297,5 +297,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_WireCollisions)
+QTEST_GUILESS_MAIN(TestWireCollisions)
 #include "tst_wire_collisions.moc"

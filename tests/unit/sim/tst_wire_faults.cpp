@@ -23,11 +23,11 @@ sim::WireConfig faulty(const char* plan, std::uint64_t seed = 1)
 const Bytes question = wire::read(1, 0, 5);
 } // namespace
 
-class tst_WireFaults : public QObject {
+class TestWireFaults : public QObject {
     Q_OBJECT
 
     /// The answer a servo gives on a good wire.
-    static Bytes goodAnswer()
+    static Bytes expectedReply()
     {
         const auto bus = wire::bus("sts3215@1");
         Duration now = 0us;
@@ -47,7 +47,7 @@ private Q_SLOTS:
         QCOMPARE(bus->servo(1)->raw(QStringLiteral("torque_switch")), 1);
     }
 
-    void aDroppedRequestIsNotObeyed()
+    void aDroppedRequestIsNotExecuted()
     {
         const auto bus = wire::bus("sts3215@1", {}, faulty("drop-request=1"));
         Duration now = 1ms;
@@ -58,7 +58,7 @@ private Q_SLOTS:
 
     void aCorruptReplyDiffersInOneBit()
     {
-        const Bytes good = goodAnswer();
+        const Bytes good = expectedReply();
         const auto bus = wire::bus("sts3215@1", {}, faulty("corrupt=1"));
         Duration now = 1ms;
         bus->hostReads(now);
@@ -72,36 +72,36 @@ private Q_SLOTS:
         }
     }
 
-    void garbageComesAheadOfAGoodReply()
+    void garbagePrecedesAGoodReply()
     {
-        const Bytes good = goodAnswer();
+        const Bytes good = expectedReply();
         const auto bus = wire::bus("sts3215@1", {}, faulty("garbage=1"));
         Duration now = 1ms;
         bus->hostReads(now);
         for (int round = 0; round < 20; ++round) {
-            const Bytes heard = wire::ask(*bus, question, now);
-            QVERIFY(heard.size() > good.size());
-            QVERIFY(std::equal(good.rbegin(), good.rend(), heard.rbegin()));
+            const Bytes received = wire::ask(*bus, question, now);
+            QVERIFY(received.size() > good.size());
+            QVERIFY(std::equal(good.rbegin(), good.rend(), received.rbegin()));
         }
     }
 
     void aTruncatedReplyEndsEarly()
     {
-        const Bytes good = goodAnswer();
+        const Bytes good = expectedReply();
         const auto bus = wire::bus("sts3215@1", {}, faulty("truncate=1"));
         Duration now = 1ms;
         bus->hostReads(now);
         for (int round = 0; round < 20; ++round) {
-            const Bytes heard = wire::ask(*bus, question, now);
-            QVERIFY(!heard.empty());
-            QVERIFY(heard.size() < good.size());
-            QVERIFY(std::equal(heard.begin(), heard.end(), good.begin()));
+            const Bytes received = wire::ask(*bus, question, now);
+            QVERIFY(!received.empty());
+            QVERIFY(received.size() < good.size());
+            QVERIFY(std::equal(received.begin(), received.end(), good.begin()));
         }
     }
 
-    void aLateReplyComesWhole()
+    void aLateReplyIsComplete()
     {
-        const Bytes good = goodAnswer();
+        const Bytes good = expectedReply();
         const auto bus = wire::bus("sts3215@1", {}, faulty("late=1,late-ms=40"));
         bus->hostReads(0us);
         bus->hostWrites(question, 1'000'000, 0us);
@@ -109,7 +109,7 @@ private Q_SLOTS:
         QCOMPARE(bus->hostReads(42ms), good);
     }
 
-    void aMuteServoObeysInSilence()
+    void aMutedServoExecutesSilently()
     {
         const auto bus = wire::bus("sts3215@1,sts3215@2", {}, faulty("mute=1"));
         Duration now = 1ms;
@@ -219,7 +219,7 @@ private Q_SLOTS:
         QVERIFY(bus->linkCut());
     }
 
-    void aCutLinkLosesWhatWasUnderWay()
+    void aCutLinkLosesDataInTransit()
     {
         const auto bus = wire::bus("sts3215@1");
         Duration now = 1ms;
@@ -234,7 +234,7 @@ private Q_SLOTS:
         QCOMPARE(bus->servo(1)->raw(QStringLiteral("torque_switch")), 0);
     }
 
-    void aPowerCycleEndsAReplyAndForgetsTheRam()
+    void aPowerCycleEndsAReplyAndClearsTheRam()
     {
         const auto bus = wire::bus("sts3215@1");
         Duration now = 1ms;
@@ -252,5 +252,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_WireFaults)
+QTEST_GUILESS_MAIN(TestWireFaults)
 #include "tst_wire_faults.moc"

@@ -13,7 +13,7 @@ using base::Duration;
 
 namespace {
 constexpr int baud = 115'200;
-const char* const mixedLine = "smsmb@1,sm40blhv@1,lx16a@1";
+const char* const mixedServos = "smsmb@1,sm40blhv@1,lx16a@1";
 
 Bytes modbus(Bytes body)
 {
@@ -51,28 +51,28 @@ Bytes joined(std::initializer_list<Bytes> parts)
     return all;
 }
 
-Duration characters(double count)
+Duration characterTime(double count)
 {
     return Duration(static_cast<Duration::rep>(count * 1e7 / baud));
 }
 
 /// A bus at 115200 that has been silent for a while.
-struct Line {
-    explicit Line(const char* servos, const sim::WireConfig& config = {})
+struct IdleBus {
+    explicit IdleBus(const char* servos, const sim::WireConfig& config = {})
         : bus(wire::bus(servos, baud, config))
     {
         bus->setHostBaud(baud);
         bus->hostReads(now);
     }
-    Bytes ask(const Bytes& request, Duration patience = 50ms)
+    Bytes ask(const Bytes& request, Duration timeout = 50ms)
     {
-        return wire::ask(*bus, request, now, baud, patience);
+        return wire::ask(*bus, request, now, baud, timeout);
     }
     /// Sends the parts with pauses between the end of one and the start of the next.
-    Bytes askWithPauses(const Bytes& first, Duration pause, const Bytes& second)
+    Bytes requestWithPauses(const Bytes& first, Duration pause, const Bytes& second)
     {
         bus->hostWrites(first, baud, now);
-        bus->hostWrites(second, baud, now + characters(double(first.size())) + pause);
+        bus->hostWrites(second, baud, now + characterTime(double(first.size())) + pause);
         now += 50ms;
         return bus->hostReads(now);
     }
@@ -82,13 +82,13 @@ struct Line {
 };
 } // namespace
 
-class tst_WireLanguages : public QObject {
+class TestWireProtocols : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
 
-    void eachAnswersItsOwn_data()
+    void eachAnswersItsProtocol_data()
     {
         QTest::addColumn<Bytes>("request");
         QTest::addColumn<Bytes>("reply");
@@ -122,18 +122,18 @@ private Q_SLOTS:
         row("LX wrong checksum", {0x55, 0x55, 0x01, 0x03, 0x0E, 0xEE}, {});
         row("LX other ID", lx(2, 14), {});
     }
-    void eachAnswersItsOwn()
+    void eachAnswersItsProtocol()
     {
         QFETCH(Bytes, request);
         QFETCH(Bytes, reply);
-        Line line(mixedLine);
+        IdleBus line(mixedServos);
         QCOMPARE(line.ask(request), reply);
     }
 
     // One after the other in any order, each with a silence before it.
-    void nobodyIsConfusedByTheOthers()
+    void noneIsConfusedByTheOthers()
     {
-        Line line(mixedLine);
+        IdleBus line(mixedServos);
         const std::pair<Bytes, Bytes> talks[] = {
             {modbusRead, modbusReply}, {wire::ping(1), wire::frame(1, 0x00)}, {lxRead, lxReply}};
         for (const auto& [request, reply] : talks) {
@@ -189,16 +189,16 @@ private Q_SLOTS:
         QFETCH(double, gap);
         QFETCH(bool, whole);
         for (std::size_t cut = 1; cut < modbusRead.size(); ++cut) {
-            Line line("smsmb@1");
+            IdleBus line("smsmb@1");
             const auto middle = modbusRead.begin() + static_cast<std::ptrdiff_t>(cut);
-            const Bytes reply = line.askWithPauses({modbusRead.begin(), middle}, characters(gap),
-                                                   {middle, modbusRead.end()});
+            const Bytes reply = line.requestWithPauses(
+                {modbusRead.begin(), middle}, characterTime(gap), {middle, modbusRead.end()});
             QCOMPARE(reply, whole ? modbusReply : Bytes{});
             QCOMPARE(line.ask(modbusRead), modbusReply);
         }
     }
 
-    void whatComesWithoutASilenceBelongsToTheFrameBefore_data()
+    void bytesWithoutASilenceBelongToTheFrameBefore_data()
     {
         QTest::addColumn<Bytes>("before");
         QTest::addColumn<double>("gap");
@@ -214,20 +214,20 @@ private Q_SLOTS:
         QTest::newRow("one byte of noise, glued") << Bytes{0x00} << 0.0 << false;
         QTest::newRow("one byte of noise, 4 characters") << Bytes{0x00} << 4.0 << true;
     }
-    void whatComesWithoutASilenceBelongsToTheFrameBefore()
+    void bytesWithoutASilenceBelongToTheFrameBefore()
     {
         QFETCH(Bytes, before);
         QFETCH(double, gap);
         QFETCH(bool, heard);
-        Line line(mixedLine);
-        const Bytes reply = line.askWithPauses(before, characters(gap), modbusRead);
+        IdleBus line(mixedServos);
+        const Bytes reply = line.requestWithPauses(before, characterTime(gap), modbusRead);
         QCOMPARE(reply, heard ? modbusReply : Bytes{});
         QCOMPARE(line.bus->servos()[0]->raw(QStringLiteral("lock")),
                  before.size() == 8 && gap > 3.5 ? 0 : 1);
     }
 
     // A station hears the replies of others; its own it does not.
-    void anothersReplyNeedsASilenceBehindIt_data()
+    void anothersReplyNeedsASilenceAfterIt_data()
     {
         QTest::addColumn<Bytes>("first");
         QTest::addColumn<double>("gap");
@@ -238,41 +238,41 @@ private Q_SLOTS:
         QTest::newRow("Feetech reply, silence") << wire::ping(1) << 4.0 << true;
         QTest::newRow("its own reply, at once") << modbusRead << 0.5 << true;
     }
-    void anothersReplyNeedsASilenceBehindIt()
+    void anothersReplyNeedsASilenceAfterIt()
     {
         QFETCH(Bytes, first);
         QFETCH(double, gap);
         QFETCH(bool, heard);
-        Line line(mixedLine);
+        IdleBus line(mixedServos);
         line.bus->hostWrites(first, baud, line.now);
         auto whole = line.bus->nextHostRun(line.now + 100ms);
         while (whole && line.bus->hostReads(*whole).empty())
             whole = line.bus->nextHostRun(line.now + 100ms);
         QVERIFY(whole);
-        line.now = *whole + characters(gap);
+        line.now = *whole + characterTime(gap);
         QCOMPARE(line.ask(modbusRead), heard ? modbusReply : Bytes{});
     }
 
     // However slowly a client hands its bytes over, they are one frame if they leave as one.
-    void aFrameMayComeByteByByte()
+    void aFrameMayArriveByteByByte()
     {
-        Line line("smsmb@1");
+        IdleBus line("smsmb@1");
         for (const std::uint8_t byte : modbusRead) {
             line.bus->hostWrites(Bytes{byte}, baud, line.now);
             line.bus->nextHostRun(line.now + 20ms);
-            line.now += characters(3);
+            line.now += characterTime(3);
         }
         QCOMPARE(line.ask({}), modbusReply);
     }
 
-    void halfAnLxFrameIsForgotten()
+    void anIncompleteLxFrameIsDropped()
     {
-        Line line("lx16a@1");
+        IdleBus line("lx16a@1");
         QVERIFY(line.ask({0x55, 0x55, 0x01}).empty());
         QCOMPARE(line.ask(lxRead), lxReply);
     }
 
-    void theAdapterEchoesAnyLanguage_data()
+    void theAdapterEchoesAnyProtocol_data()
     {
         QTest::addColumn<Bytes>("request");
         QTest::addColumn<Bytes>("reply");
@@ -280,17 +280,17 @@ private Q_SLOTS:
         QTest::newRow("LX") << lxRead << lxReply;
         QTest::newRow("LX write") << lx(1, 33, {1}) << Bytes{};
     }
-    void theAdapterEchoesAnyLanguage()
+    void theAdapterEchoesAnyProtocol()
     {
         QFETCH(Bytes, request);
         QFETCH(Bytes, reply);
         sim::WireConfig config;
         config.echo = true;
-        Line line(mixedLine, config);
+        IdleBus line(mixedServos, config);
         QCOMPARE(line.ask(request), joined({request, reply}));
     }
 
-    void faultsBefallAll_data()
+    void faultsApplyToAll_data()
     {
         QTest::addColumn<QString>("fault");
         QTest::addColumn<Bytes>("request");
@@ -302,21 +302,21 @@ private Q_SLOTS:
             QTest::addRow("LX %s", fault) << QString::fromLatin1(fault) << lxRead << lxReply;
         }
     }
-    void faultsBefallAll()
+    void faultsApplyToAll()
     {
         QFETCH(QString, fault);
         QFETCH(Bytes, request);
         QFETCH(Bytes, reply);
         sim::WireConfig config;
         config.faults = *sim::parseFaults(fault);
-        Line line(mixedLine, config);
+        IdleBus line(mixedServos, config);
         const Bytes early = line.ask(request, 25ms);
         QVERIFY(early != reply);
         const Bytes later = line.ask({}, 100ms);
         QCOMPARE(later, fault == QLatin1String("late=1") ? reply : Bytes{});
     }
 
-    void twinsCollide_data()
+    void duplicateIdsCollide_data()
     {
         QTest::addColumn<QString>("servos");
         QTest::addColumn<Bytes>("request");
@@ -324,26 +324,26 @@ private Q_SLOTS:
                                 << modbus({0x01, 0x03, 0x01, 0x00, 0x00, 0x08});
         QTest::newRow("LX") << QStringLiteral("lx16a@1,lx224hv@1") << lx(1, 27);
     }
-    void twinsCollide()
+    void duplicateIdsCollide()
     {
         QFETCH(QString, servos);
         QFETCH(Bytes, request);
         const QString alone = servos.section(QLatin1Char(','), 0, 0);
-        Line both(qPrintable(servos));
-        both.bus->servos()[0]->surroundings().supplyVolts = 7.9;
+        IdleBus both(qPrintable(servos));
+        both.bus->servos()[0]->environment().supplyVolts = 7.9;
         both.bus->servos()[1]->setTemperature(51);
         both.now += 1s;
-        Line one(qPrintable(alone));
-        one.bus->servos()[0]->surroundings().supplyVolts = 7.9;
+        IdleBus one(qPrintable(alone));
+        one.bus->servos()[0]->environment().supplyVolts = 7.9;
         one.now += 1s;
         const Bytes clear = one.ask(request);
         QVERIFY(clear.size() > 7);
         QVERIFY(both.ask(request) != clear);
     }
 
-    void aCutWireCutsThemAllOff()
+    void aCutWireDisconnectsAll()
     {
-        Line line(mixedLine);
+        IdleBus line(mixedServos);
         line.bus->cutLink();
         QVERIFY(line.ask(modbusRead).empty());
         QVERIFY(line.ask(lxRead).empty());
@@ -353,7 +353,7 @@ private Q_SLOTS:
     }
 
     // HLS: the second ID obeys what is meant for groups, and says nothing.
-    void anHlsServoObeysItsSecondId()
+    void anHlsServoAcceptsItsSecondaryId()
     {
         const auto bus = wire::bus("hls3606m@1,hls3606m@2");
         Duration now = 1ms;
@@ -381,5 +381,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_WireLanguages)
+QTEST_GUILESS_MAIN(TestWireProtocols)
 #include "tst_wire_languages.moc"

@@ -30,7 +30,7 @@ std::vector<Reply> syncRead(sim::VirtualBus& bus, const Bytes& ids)
 }
 } // namespace
 
-class tst_WireSyncRead : public QObject {
+class TestWireSyncRead : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -84,7 +84,7 @@ private Q_SLOTS:
         QVERIFY(wire::isStatusOf(replies[0].bytes, 2));
     }
 
-    void aSlowAnswererMovesTheOthersBack()
+    void aSlowServoDelaysTheOthers()
     {
         const auto bus = wire::bus("sm40blhv@1,sts3215@2", 1'000'000);
         bus->servo(1)->poke(QStringLiteral("return_delay"), 250);
@@ -104,12 +104,12 @@ private Q_SLOTS:
         QVERIFY(wire::isStatusOf(replies[0].bytes, 1));
     }
 
-    void anEmptyListIsAnsweredByNobody()
+    void anEmptyListGetsNoReply()
     {
         const auto bus = wire::bus("sts3215@1");
         QVERIFY(syncRead(*bus, {}).empty());
     }
 };
 
-QTEST_GUILESS_MAIN(tst_WireSyncRead)
+QTEST_GUILESS_MAIN(TestWireSyncRead)
 #include "tst_wire_sync_read.moc"

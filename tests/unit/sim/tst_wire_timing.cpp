@@ -13,13 +13,13 @@ using base::Duration;
 
 namespace {
 /// Microseconds that `count` bytes take, rounded up as the bus tells them.
-Duration bytesTake(double count, int baud)
+Duration byteTimes(double count, int baud)
 {
     return Duration(static_cast<Duration::rep>(std::ceil(count * 1e7 / baud - 1e-6)));
 }
 } // namespace
 
-class tst_WireTiming : public QObject {
+class TestWireTiming : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -41,16 +41,16 @@ private Q_SLOTS:
         bus->hostWrites(wire::ping(1), baud, start);
         const Duration delay = bus->servos()[0]->replyDelay();
         // Whether the servo has heard the request is settled when its last byte has passed.
-        QVERIFY(bus->hostReads(start + bytesTake(6, baud)).empty());
+        QVERIFY(bus->hostReads(start + byteTimes(6, baud)).empty());
         const auto first = bus->nextHostByte();
         QVERIFY(first);
-        const Duration expected = start + bytesTake(7, baud) + delay;
+        const Duration expected = start + byteTimes(7, baud) + delay;
         QVERIFY2(std::abs((*first - expected).count()) <= 1, qPrintable(QString::number(baud)));
         QVERIFY(bus->hostReads(*first - 1us).empty());
         QCOMPARE(bus->hostReads(*first), Bytes{0xFF});
         const auto whole = bus->nextHostRun(start + 1s);
         QVERIFY(whole);
-        QVERIFY(std::abs((*whole - start - bytesTake(12, baud) - delay).count()) <= 1);
+        QVERIFY(std::abs((*whole - start - byteTimes(12, baud) - delay).count()) <= 1);
         QCOMPARE(bus->hostReads(*whole - 1us).size(), std::size_t{4});
         QCOMPARE(bus->hostReads(*whole).size(), std::size_t{1});
         QVERIFY(!bus->nextHostByte());
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QCOMPARE(*bus->nextHostRun(1s), 180us + bus->servo(2)->replyDelay());
     }
 
-    void theClockMayCountFromAnywhere()
+    void theClockMayStartAnywhere()
     {
         const auto bus = wire::bus("sts3215@1");
         const Duration boot = 400h;
@@ -137,7 +137,7 @@ private Q_SLOTS:
         QCOMPARE(wire::ask(*bus, wire::read(9, 56, 2), now), wire::read(9, 56, 2));
     }
 
-    void anHourOfSilenceLeavesNothingBehind()
+    void anHourOfSilenceLeavesNoData()
     {
         const auto bus = wire::bus("sts3215@1");
         Duration now = 0us;
@@ -149,5 +149,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_WireTiming)
+QTEST_GUILESS_MAIN(TestWireTiming)
 #include "tst_wire_timing.moc"

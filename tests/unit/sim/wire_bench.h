@@ -10,7 +10,7 @@
 namespace wire {
 inline const catalog::Catalog& models()
 {
-    static const catalog::Catalog::Loaded loaded = catalog::Catalog::load();
+    static const catalog::Catalog::LoadResult loaded = catalog::Catalog::load();
     return loaded.catalog;
 }
 
@@ -54,12 +54,11 @@ inline bool isStatusOf(const base::Bytes& bytes, std::uint8_t id)
 
 /// Sends at `now` and returns what has come back after `patience`.
 inline base::Bytes ask(sim::VirtualBus& bus, const base::Bytes& request, base::Duration& now,
-                       int baud = 1'000'000,
-                       base::Duration patience = std::chrono::milliseconds(50))
+                       int baud = 1'000'000, base::Duration timeout = std::chrono::milliseconds(50))
 {
     bus.setHostBaud(baud);
     bus.hostWrites(request, baud, now);
-    now += patience;
+    now += timeout;
     return bus.hostReads(now);
 }
 } // namespace wire

@@ -49,7 +49,7 @@ QList<Message> messagesOf(const QString& path)
 }
 
 /// "%1", "%2", "%L1", "%n": what the program fills in.
-QStringList gapsOf(const QString& text)
+QStringList placeholdersOf(const QString& text)
 {
     static const QRegularExpression gap(QStringLiteral("%(?:L?\\d+|n)"));
     QStringList gaps;
@@ -83,7 +83,7 @@ private Q_SLOTS:
     void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
     void cleanup() { text::installTranslator(QStringLiteral("en")); }
 
-    void everyTextOfTheSourcesIsThere()
+    void everySourceTextIsInTheTsFiles()
     {
         const QTemporaryDir folder;
         const QString copy = folder.filePath(QFileInfo(m_file).fileName());
@@ -107,12 +107,12 @@ private Q_SLOTS:
         for (const Message& message : m_messages) {
             QVERIFY2(message.finished, qPrintable(message.name()));
             QVERIFY2(!message.translation.isEmpty(), qPrintable(message.name()));
-            QVERIFY2(gapsOf(message.translation) == gapsOf(message.source),
+            QVERIFY2(placeholdersOf(message.translation) == placeholdersOf(message.source),
                      qPrintable(message.name()));
         }
     }
 
-    void theTranslationIsShown()
+    void theTranslationIsUsed()
     {
         const auto shown = [](const Message& message) {
             return QCoreApplication::translate(message.context.toUtf8(), message.source.toUtf8(),
@@ -145,14 +145,14 @@ private Q_SLOTS:
         QFETCH(const bool, chinese);
         const QString expected = chinese ? QStringLiteral("zh_CN") : QStringLiteral("en");
         QCOMPARE(text::installTranslator(asked), expected);
-        QCOMPARE(text::inChinese(), chinese);
+        QCOMPARE(text::isUiChinese(), chinese);
         const Message& message = m_messages.first();
         QCOMPARE(QCoreApplication::translate(message.context.toUtf8(), message.source.toUtf8(),
                                              message.comment.toUtf8()),
                  chinese ? message.translation : message.source);
     }
 
-    void theSystemsLanguageIsFollowed_data()
+    void theSystemLanguageIsUsed_data()
     {
         QTest::addColumn<QStringList>("variables");
         QTest::addColumn<QByteArray>("language");
@@ -173,7 +173,7 @@ private Q_SLOTS:
         row("second choice",
             {QStringLiteral("LANG=de_DE.UTF-8"), QStringLiteral("LANGUAGE=de:zh_CN:en")}, "zh_CN");
     }
-    void theSystemsLanguageIsFollowed()
+    void theSystemLanguageIsUsed()
     {
         QFETCH(const QStringList, variables);
         QFETCH(const QByteArray, language);

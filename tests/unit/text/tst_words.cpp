@@ -17,7 +17,7 @@ namespace {
 constexpr auto lastError = ErrorCode::DiskFull;
 constexpr auto lastNotice = NoticeCode::IdChanged;
 
-bool hasChinese(const QString& text)
+bool containsChinese(const QString& text)
 {
     static const QRegularExpression han(QStringLiteral("\\p{Han}"));
     return text.contains(han);
@@ -38,7 +38,7 @@ base::Error errorOf(ErrorCode code)
 }
 } // namespace
 
-class TestWords : public QObject {
+class TestText : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -47,24 +47,24 @@ private Q_SLOTS:
         QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
         text::installTranslator(QStringLiteral("en"));
     }
-    void everyErrorHasWords_data();
-    void everyErrorHasWords();
-    void everyNoticeHasWords_data();
-    void everyNoticeHasWords();
-    void errorsNameWhatIsConcerned_data();
-    void errorsNameWhatIsConcerned();
+    void everyErrorHasText_data();
+    void everyErrorHasText();
+    void everyNoticeHasText_data();
+    void everyNoticeHasText();
+    void errorsNameTheSubject_data();
+    void errorsNameTheSubject();
     void remediesAreSpecific_data();
     void remediesAreSpecific();
-    void noticesCarryTheirNumbers();
-    void whatIsNotRecordedClaimsNoChange();
+    void noticesIncludeTheirNumbers();
+    void unrecordedClaimsNoChange();
     void outcomesAndLocksInBothLanguages_data();
     void outcomesAndLocksInBothLanguages();
-    void alarmBitsAreNamedByTheFamily();
+    void alarmBitNamesDependOnTheFamily();
     void unnamedAlarmBitsKeepTheirNumber();
-    void recoveryIsNamedAsTheProgramKnowsIt();
+    void recoveryUsesTheProgramsTerm();
 };
 
-void TestWords::everyErrorHasWords_data()
+void TestText::everyErrorHasText_data()
 {
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("language");
@@ -80,21 +80,21 @@ void TestWords::everyErrorHasWords_data()
     }
 }
 
-void TestWords::everyErrorHasWords()
+void TestText::everyErrorHasText()
 {
     QFETCH(int, code);
     QFETCH(QString, language);
     text::installTranslator(language);
     const text::Description words = text::describe(errorOf(ErrorCode(code)));
-    for (const QString& sentence : {words.what, words.cause, words.remedy}) {
+    for (const QString& sentence : {words.message, words.cause, words.remedy}) {
         QVERIFY(!sentence.isEmpty());
         QVERIFY2(!hasPlaceholder(sentence), qPrintable(sentence));
-        QCOMPARE(hasChinese(sentence), language == QLatin1String("zh_CN"));
+        QCOMPARE(containsChinese(sentence), language == QLatin1String("zh_CN"));
     }
-    QVERIFY2(words.what.contains(QLatin1Char('7')), qPrintable(words.what));
+    QVERIFY2(words.message.contains(QLatin1Char('7')), qPrintable(words.message));
 }
 
-void TestWords::everyNoticeHasWords_data()
+void TestText::everyNoticeHasText_data()
 {
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("language");
@@ -110,7 +110,7 @@ void TestWords::everyNoticeHasWords_data()
     }
 }
 
-void TestWords::everyNoticeHasWords()
+void TestText::everyNoticeHasText()
 {
     QFETCH(int, code);
     QFETCH(QString, language);
@@ -121,19 +121,19 @@ void TestWords::everyNoticeHasWords()
     const QString sentence = text::describe(notice);
     QVERIFY(!sentence.isEmpty());
     QVERIFY2(!hasPlaceholder(sentence), qPrintable(sentence));
-    QCOMPARE(hasChinese(sentence), language == QLatin1String("zh_CN"));
+    QCOMPARE(containsChinese(sentence), language == QLatin1String("zh_CN"));
 }
 
-void TestWords::errorsNameWhatIsConcerned_data()
+void TestText::errorsNameTheSubject_data()
 {
     QTest::addColumn<base::Error>("error");
     QTest::addColumn<QString>("what");
     const auto row = [](const char* name, base::Error error, const char* what) {
         QTest::newRow(name) << error << QString::fromUtf8(what);
     };
-    row("silent servo", {ErrorCode::NoAnswer, {}, {}, 9, {}, 3},
+    row("silent servo", {ErrorCode::NoReply, {}, {}, 9, {}, 3},
         "Servo 9: no answer, tried 3 times.");
-    row("nobody in particular", {ErrorCode::NoAnswer}, "No answer.");
+    row("nobody in particular", {ErrorCode::NoReply}, "No answer.");
     row("range",
         {ErrorCode::OutOfRange, {}, QStringLiteral("0 … 4095"), 1, QStringLiteral("goal_position")},
         "Servo 1, goal_position: the value is outside what is allowed (0 … 4095).");
@@ -152,14 +152,14 @@ void TestWords::errorsNameWhatIsConcerned_data()
         "Servo 4: it did not come to rest in time.");
 }
 
-void TestWords::errorsNameWhatIsConcerned()
+void TestText::errorsNameTheSubject()
 {
     QFETCH(base::Error, error);
     QFETCH(QString, what);
-    QCOMPARE(text::describe(error).what, what);
+    QCOMPARE(text::describe(error).message, what);
 }
 
-void TestWords::remediesAreSpecific_data()
+void TestText::remediesAreSpecific_data()
 {
     QTest::addColumn<base::Error>("error");
     QTest::addColumn<QString>("contained");
@@ -181,7 +181,7 @@ void TestWords::remediesAreSpecific_data()
         << QStringLiteral("set-id");
 }
 
-void TestWords::remediesAreSpecific()
+void TestText::remediesAreSpecific()
 {
     QFETCH(base::Error, error);
     QFETCH(QString, contained);
@@ -192,22 +192,22 @@ void TestWords::remediesAreSpecific()
 }
 
 /// It is also said of a write that was refused or never sent.
-void TestWords::whatIsNotRecordedClaimsNoChange()
+void TestText::unrecordedClaimsNoChange()
 {
     const QString said = text::describe({NoticeCode::NotRecorded, 1, QStringLiteral("full")});
     QVERIFY2(!said.contains(QStringLiteral("was made")), qPrintable(said));
     QVERIFY2(said.contains(QStringLiteral("full")), qPrintable(said));
 }
 
-void TestWords::noticesCarryTheirNumbers()
+void TestText::noticesIncludeTheirNumbers()
 {
-    const base::Notice notice{NoticeCode::LimitsKept, 1, {}, 100, 3000};
+    const base::Notice notice{NoticeCode::LimitsSaved, 1, {}, 100, 3000};
     const QString sentence = text::describe(notice);
     QVERIFY2(sentence.contains(QLatin1String("100")), qPrintable(sentence));
     QVERIFY2(sentence.contains(QLatin1String("3000")), qPrintable(sentence));
 }
 
-void TestWords::outcomesAndLocksInBothLanguages_data()
+void TestText::outcomesAndLocksInBothLanguages_data()
 {
     QTest::addColumn<QString>("name");
     QTest::addColumn<bool>("lock");
@@ -218,17 +218,17 @@ void TestWords::outcomesAndLocksInBothLanguages_data()
         QTest::addRow("lock %s", name) << QString::fromLatin1(name) << true;
 }
 
-void TestWords::outcomesAndLocksInBothLanguages()
+void TestText::outcomesAndLocksInBothLanguages()
 {
     QFETCH(QString, name);
     QFETCH(bool, lock);
-    const auto word = [&] { return lock ? text::lockWord(name) : text::outcomeWord(name); };
-    QVERIFY(!word().isEmpty() && !hasChinese(word()));
+    const auto word = [&] { return lock ? text::lockLabel(name) : text::outcomeLabel(name); };
+    QVERIFY(!word().isEmpty() && !containsChinese(word()));
     text::installTranslator(QStringLiteral("zh_CN"));
-    QVERIFY2(hasChinese(word()), qPrintable(word()));
+    QVERIFY2(containsChinese(word()), qPrintable(word()));
 }
 
-void TestWords::alarmBitsAreNamedByTheFamily()
+void TestText::alarmBitNamesDependOnTheFamily()
 {
     catalog::Profile profile;
     catalog::Register status;
@@ -239,26 +239,26 @@ void TestWords::alarmBitsAreNamedByTheFamily()
     profile.registers = {status};
     QCOMPARE(text::statusKeys(0x21, &profile),
              (QStringList{QStringLiteral("voltage"), QStringLiteral("overload")}));
-    QCOMPARE(text::statusWords(0x21, &profile, false), QStringLiteral("voltage + overload"));
-    QCOMPARE(text::statusWords(0x21, &profile, true), QStringLiteral("电压 + 过载"));
-    QCOMPARE(text::statusWords(0, &profile, false), QStringLiteral("none"));
+    QCOMPARE(text::statusText(0x21, &profile, false), QStringLiteral("voltage + overload"));
+    QCOMPARE(text::statusText(0x21, &profile, true), QStringLiteral("电压 + 过载"));
+    QCOMPARE(text::statusText(0, &profile, false), QStringLiteral("none"));
 }
 
-void TestWords::unnamedAlarmBitsKeepTheirNumber()
+void TestText::unnamedAlarmBitsKeepTheirNumber()
 {
     QCOMPARE(text::statusKeys(0x90, nullptr),
              (QStringList{QStringLiteral("bit4"), QStringLiteral("bit7")}));
 }
 
 /// The window has no "recover", the command line no menu.
-void TestWords::recoveryIsNamedAsTheProgramKnowsIt()
+void TestText::recoveryUsesTheProgramsTerm()
 {
     const QString menu = QStringLiteral("Port → Interrupted writes");
     const auto words = [] {
         QStringList all;
         for (const base::NoticeCode code :
-             {base::NoticeCode::LockLeftOpen, base::NoticeCode::LedNotPutBack,
-              base::NoticeCode::NotRecorded, base::NoticeCode::SettingNotPutBack})
+             {base::NoticeCode::LockLeftOpen, base::NoticeCode::LedNotRestored,
+              base::NoticeCode::NotRecorded, base::NoticeCode::SettingNotRestored})
             all << text::describe(base::Notice{code, 1, QStringLiteral("lock")});
         base::Error restarted{base::ErrorCode::Uncertain};
         restarted.detail = QStringLiteral("restarted");
@@ -283,5 +283,5 @@ void TestWords::recoveryIsNamedAsTheProgramKnowsIt()
         QVERIFY2(sentence.contains(QStringLiteral("“端口 → 中断的写入”")), qPrintable(sentence));
 }
 
-QTEST_GUILESS_MAIN(TestWords)
+QTEST_GUILESS_MAIN(TestText)
 #include "tst_words.moc"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A pseudo-terminal for the transport tests: `path` is the port under test, `master` the far end of
-// its cable. POSIX only. hangUp() unplugs it.
+// its cable. POSIX only. dropConnection() unplugs it.
 #pragma once
 
 #include <QString>
@@ -20,25 +20,25 @@ public:
         unlockpt(master);
         path = QString::fromLocal8Bit(ptsname(master));
     }
-    ~PtyPair() { hangUp(); }
+    ~PtyPair() { dropConnection(); }
     PtyPair(const PtyPair&) = delete;
     PtyPair& operator=(const PtyPair&) = delete;
 
-    void hangUp()
+    void dropConnection()
     {
         if (master >= 0)
             close(master);
         master = -1;
     }
 
-    void say(const std::string& bytes) const
+    void send(const std::string& bytes) const
     {
         if (write(master, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
             qFatal("pty write");
     }
 
     /// Whatever has come through, at least `count` bytes.
-    std::string hear(std::size_t count) const
+    std::string receive(std::size_t count) const
     {
         std::string all;
         char chunk[256];

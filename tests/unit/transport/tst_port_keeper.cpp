@@ -8,15 +8,15 @@
 
 using base::ErrorCode;
 using transport::PortInfo;
-using transport::PortKeeper;
+using transport::PortReconnector;
 using transport::PortSpec;
 
 namespace {
-class NoLink final : public transport::Link {
+class NullLink final : public transport::Link {
 public:
     base::Result<void> write(base::ByteView) override { return {}; }
     base::Result<std::size_t> read(base::Bytes&) override { return std::size_t(0); }
-    base::Result<bool> waitReadable(base::Duration) override { return false; }
+    base::Result<bool> waitForReadyRead(base::Duration) override { return false; }
     base::Result<void> setBaud(int) override { return {}; }
     int baud() const override { return 0; }
     QString name() const override { return {}; }
@@ -32,18 +32,18 @@ PortInfo adapter(const char* path, const char* serial, int product = 0x7523)
     return port;
 }
 
-struct Desk {
+struct PortKeeperFixture {
     std::vector<PortInfo> plugged;
     QStringList opened;
-    PortKeeper keeper;
+    PortReconnector keeper;
 
-    explicit Desk(std::vector<PortInfo> ports, const char* name = "/dev/ttyUSB7")
+    explicit PortKeeperFixture(std::vector<PortInfo> ports, const char* name = "/dev/ttyUSB7")
         : plugged(std::move(ports))
         , keeper(
               PortSpec{QString::fromLatin1(name)},
               [this](const PortSpec& spec) -> base::Result<std::unique_ptr<transport::Link>> {
                   opened << spec.name;
-                  return std::make_unique<NoLink>();
+                  return std::make_unique<NullLink>();
               },
               [this] { return plugged; })
     {}
@@ -57,7 +57,7 @@ struct Desk {
 };
 } // namespace
 
-class TestPortKeeper : public QObject {
+class TestPortReconnector : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -65,41 +65,41 @@ private Q_SLOTS:
 
     void theSameAdapterIsOpenedAgain()
     {
-        Desk desk({adapter("/dev/ttyUSB7", "A"), adapter("/dev/ttyUSB8", "B")});
-        QVERIFY(desk.keeper.open());
-        QCOMPARE(desk.again({adapter("/dev/ttyUSB7", "A")}), QStringLiteral("/dev/ttyUSB7"));
-        QCOMPARE(desk.again({adapter("/dev/ttyUSB8", "B"), adapter("/dev/ttyUSB9", "A")}),
+        PortKeeperFixture fixture({adapter("/dev/ttyUSB7", "A"), adapter("/dev/ttyUSB8", "B")});
+        QVERIFY(fixture.keeper.open());
+        QCOMPARE(fixture.again({adapter("/dev/ttyUSB7", "A")}), QStringLiteral("/dev/ttyUSB7"));
+        QCOMPARE(fixture.again({adapter("/dev/ttyUSB8", "B"), adapter("/dev/ttyUSB9", "A")}),
                  QStringLiteral("/dev/ttyUSB9"));
     }
 
     void anotherAdapterIsNot()
     {
         const QString missing = base::errorName(ErrorCode::PortMissing);
-        Desk desk({adapter("/dev/ttyUSB7", "A")});
-        QVERIFY(desk.keeper.open());
-        QCOMPARE(desk.again({}), missing);
-        QCOMPARE(desk.again({adapter("/dev/ttyUSB7", "B")}), missing);
-        QCOMPARE(desk.again({adapter("/dev/ttyUSB7", "A", 0x55d3)}), missing);
-        QVERIFY(desk.opened.isEmpty());
+        PortKeeperFixture fixture({adapter("/dev/ttyUSB7", "A")});
+        QVERIFY(fixture.keeper.open());
+        QCOMPARE(fixture.again({}), missing);
+        QCOMPARE(fixture.again({adapter("/dev/ttyUSB7", "B")}), missing);
+        QCOMPARE(fixture.again({adapter("/dev/ttyUSB7", "A", 0x55d3)}), missing);
+        QVERIFY(fixture.opened.isEmpty());
     }
 
     /// Two of a kind without numbers: only the name tells them apart.
-    void oneWithoutASerialNumberIsKnownByItsName()
+    void withoutASerialNumberTheNameIsUsed()
     {
-        Desk desk({adapter("/dev/ttyUSB7", "")});
-        QVERIFY(desk.keeper.open());
-        QCOMPARE(desk.again({adapter("/dev/ttyUSB8", "")}),
+        PortKeeperFixture fixture({adapter("/dev/ttyUSB7", "")});
+        QVERIFY(fixture.keeper.open());
+        QCOMPARE(fixture.again({adapter("/dev/ttyUSB8", "")}),
                  base::errorName(ErrorCode::PortMissing));
-        QCOMPARE(desk.again({adapter("/dev/ttyUSB7", "")}), QStringLiteral("/dev/ttyUSB7"));
+        QCOMPARE(fixture.again({adapter("/dev/ttyUSB7", "")}), QStringLiteral("/dev/ttyUSB7"));
     }
 
-    void whatIsNoAdapterIsKnownByItsName()
+    void nonAdaptersAreMatchedByName()
     {
-        Desk desk({}, "tcp://bench:5000");
-        QVERIFY(desk.keeper.open());
-        QCOMPARE(desk.again({adapter("/dev/ttyUSB7", "A")}), QStringLiteral("tcp://bench:5000"));
+        PortKeeperFixture fixture({}, "tcp://bench:5000");
+        QVERIFY(fixture.keeper.open());
+        QCOMPARE(fixture.again({adapter("/dev/ttyUSB7", "A")}), QStringLiteral("tcp://bench:5000"));
     }
 };
 
-QTEST_GUILESS_MAIN(TestPortKeeper)
+QTEST_GUILESS_MAIN(TestPortReconnector)
 #include "tst_port_keeper.moc"

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-class tst_Ports : public QObject {
+class TestPorts : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -17,7 +17,7 @@ private Q_SLOTS:
 
     void ratesAreThoseOfTheServosHighestFirst()
     {
-        const std::vector<int>& rates = transport::knownRates();
+        const std::vector<int>& rates = transport::standardBaudRates();
         QVERIFY(std::is_sorted(rates.begin(), rates.end(), std::greater<>()));
         // The baud codes 0 to 11 of the Feetech families, and the odd one of their own tool.
         for (const int rate : {1000000, 500000, 250000, 128000, 115200, 76800, 57600, 38400, 19200,
@@ -42,5 +42,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_Ports)
+QTEST_GUILESS_MAIN(TestPorts)
 #include "tst_ports.moc"

@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 using base::ErrorCode;
 using transport::Parity;
 
-class tst_SerialLink : public QObject {
+class TestSerialLink : public QObject {
     Q_OBJECT
 
     base::SystemClock m_clock;
@@ -37,7 +37,7 @@ class tst_SerialLink : public QObject {
     static base::Bytes readAll(transport::Link& link, std::size_t count)
     {
         base::Bytes all;
-        while (all.size() < count && link.waitReadable(5s).value_or(false) && link.read(all)) {
+        while (all.size() < count && link.waitForReadyRead(5s).value_or(false) && link.read(all)) {
         }
         return all;
     }
@@ -55,14 +55,14 @@ private Q_SLOTS:
             all[i] = static_cast<std::uint8_t>(i);
         const std::string text(all.begin(), all.end());
         QVERIFY((*link)->write(all));
-        QCOMPARE(pty.hear(256), text);
-        pty.say(text);
+        QCOMPARE(pty.receive(256), text);
+        pty.send(text);
         QCOMPARE(readAll(**link, 256), all);
     }
 
     /// It opened the port before, without locking it: answers are missing, but the adapter is
     /// there.
-    void aSecondReaderIsNoLoss()
+    void aSecondReaderLosesNothing()
     {
         PtyPair pty;
         auto link = open(pty.path);
@@ -70,7 +70,7 @@ private Q_SLOTS:
         const int other = ::open(qPrintable(pty.path), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
         QVERIFY(other >= 0);
         std::atomic<bool> ended = false;
-        std::thread thief([&] {
+        std::thread secondReader([&] {
             char chunk[64];
             while (!ended)
                 (void)!::read(other, chunk, sizeof chunk);
@@ -78,16 +78,16 @@ private Q_SLOTS:
         base::Bytes all;
         bool lost = false;
         for (int i = 0; i < 5000 && !lost; ++i) {
-            pty.say("\x02");
-            lost = !(*link)->waitReadable(0us) || !(*link)->read(all);
+            pty.send("\x02");
+            lost = !(*link)->waitForReadyRead(0us) || !(*link)->read(all);
         }
         ended = true;
-        thief.join();
+        secondReader.join();
         ::close(other);
         QVERIFY(!lost);
-        pty.say("\x03");
-        QVERIFY((*link)->waitReadable(5s).value());
-        pty.hangUp();
+        pty.send("\x03");
+        QVERIFY((*link)->waitForReadyRead(5s).value());
+        pty.dropConnection();
         QTRY_VERIFY(!(*link)->read(all));
     }
 
@@ -96,20 +96,20 @@ private Q_SLOTS:
         PtyPair pty;
         auto link = open(pty.path);
         QVERIFY(link);
-        pty.say("\x02");
-        QVERIFY((*link)->waitReadable(5s).value());
+        pty.send("\x02");
+        QVERIFY((*link)->waitForReadyRead(5s).value());
         base::Bytes buffer{1};
         QCOMPARE((*link)->read(buffer).value(), std::size_t{1});
         QCOMPARE(buffer, (base::Bytes{1, 2}));
         QCOMPARE((*link)->read(buffer).value(), std::size_t{0});
-        QVERIFY(!(*link)->waitReadable(0us).value());
-        QVERIFY(!(*link)->waitReadable(1500us).value());
+        QVERIFY(!(*link)->waitForReadyRead(0us).value());
+        QVERIFY(!(*link)->waitForReadyRead(1500us).value());
     }
 
     void opensAtEveryKnownRate_data()
     {
         QTest::addColumn<int>("rate");
-        for (const int rate : transport::knownRates())
+        for (const int rate : transport::standardBaudRates())
             QTest::addRow("%d", rate) << rate;
     }
     void opensAtEveryKnownRate()
@@ -120,7 +120,7 @@ private Q_SLOTS:
         QVERIFY(link);
         QCOMPARE((*link)->baud(), rate);
         QCOMPARE(terminalRate(pty), rate);
-        QVERIFY((*link)->hasBaud());
+        QVERIFY((*link)->canSetBaud());
     }
 
     void changesTheRate()
@@ -128,19 +128,19 @@ private Q_SLOTS:
         PtyPair pty;
         auto link = open(pty.path, 115'200);
         QVERIFY(link);
-        for (const int rate : transport::knownRates()) {
+        for (const int rate : transport::standardBaudRates()) {
             QVERIFY((*link)->setBaud(rate));
             QCOMPARE(terminalRate(pty), rate);
         }
     }
 
-    void refusesARateThatIsNone_data()
+    void refusesAnInvalidRate_data()
     {
         QTest::addColumn<int>("rate");
         QTest::newRow("zero") << 0;
         QTest::newRow("negative") << -9600;
     }
-    void refusesARateThatIsNone()
+    void refusesAnInvalidRate()
     {
         QFETCH(int, rate);
         PtyPair pty;
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QCOMPARE(set.error().code, ErrorCode::RateUnsupported);
         QCOMPARE((*link)->baud(), 57'600);
         QCOMPARE(terminalRate(pty), 57'600);
-        pty.say("x");
+        pty.send("x");
         QCOMPARE(readAll(**link, 1).size(), std::size_t{1});
     }
 
@@ -219,7 +219,7 @@ private Q_SLOTS:
         QVERIFY(other.exitCode() != 0);
     }
 
-    void saysWhatIsNotThere()
+    void reportsAMissingPort()
     {
         const auto link = open(QStringLiteral("/dev/ttyNoSuchPort"));
         QVERIFY(!link);
@@ -242,34 +242,34 @@ private Q_SLOTS:
     void namesTheGroupThatMayOpenThePort()
     {
         PtyPair pty;
-        const auto error = transport::deniedError(pty.path, false);
+        const auto error = transport::accessDeniedError(pty.path, false);
         QCOMPARE(error.code, ErrorCode::PortPermission);
         QCOMPARE(error.detail, QFileInfo(pty.path).group());
         QVERIFY(!error.detail.isEmpty());
-        QCOMPARE(transport::deniedError(pty.path, true).code, ErrorCode::PortBusy);
+        QCOMPARE(transport::accessDeniedError(pty.path, true).code, ErrorCode::PortBusy);
     }
 
-    void noticesTheHangUp_data()
+    void detectsTheHangUp_data()
     {
         QTest::addColumn<bool>("byWriting");
         QTest::newRow("looking") << false;
         QTest::newRow("writing") << true;
     }
-    void noticesTheHangUp()
+    void detectsTheHangUp()
     {
         QFETCH(bool, byWriting);
         PtyPair pty;
         auto link = open(pty.path);
         QVERIFY(link);
-        QVERIFY(!(*link)->waitReadable(0us).value());
-        pty.hangUp();
+        QVERIFY(!(*link)->waitForReadyRead(0us).value());
+        pty.dropConnection();
         if (byWriting)
             QCOMPARE((*link)->write(base::Bytes{1}).error().code, ErrorCode::LinkLost);
         else
-            QCOMPARE((*link)->waitReadable(0us).error().code, ErrorCode::LinkLost);
+            QCOMPARE((*link)->waitForReadyRead(0us).error().code, ErrorCode::LinkLost);
         base::Bytes buffer;
         QCOMPARE((*link)->read(buffer).error().code, ErrorCode::LinkLost);
-        QCOMPARE((*link)->waitReadable(10s).error().code, ErrorCode::LinkLost);
+        QCOMPARE((*link)->waitForReadyRead(10s).error().code, ErrorCode::LinkLost);
         QCOMPARE((*link)->setBaud(9600).error().code, ErrorCode::LinkLost);
         QCOMPARE((*link)->write(base::Bytes{1}).error().code, ErrorCode::LinkLost);
     }
@@ -279,15 +279,15 @@ private Q_SLOTS:
         PtyPair pty;
         auto link = open(pty.path);
         QVERIFY(link);
-        pty.say("ab");
-        QVERIFY((*link)->waitReadable(5s).value());
-        pty.hangUp();
+        pty.send("ab");
+        QVERIFY((*link)->waitForReadyRead(5s).value());
+        pty.dropConnection();
         base::Bytes buffer;
         QCOMPARE((*link)->read(buffer).value(), std::size_t{2});
-        QCOMPARE((*link)->waitReadable(3600s).error().code, ErrorCode::LinkLost);
+        QCOMPARE((*link)->waitForReadyRead(3600s).error().code, ErrorCode::LinkLost);
     }
 
-    void givesEveryNameOneForm()
+    void normalizesNames()
     {
         PtyPair pty;
         QTemporaryDir folder;
@@ -312,5 +312,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_SerialLink)
+QTEST_GUILESS_MAIN(TestSerialLink)
 #include "tst_serial_link.moc"

@@ -19,9 +19,9 @@ using base::ErrorCode;
 
 namespace {
 /// A listening socket on this computer; the kernel completes the connection, no thread needed.
-class Bridge {
+class TcpServer {
 public:
-    Bridge()
+    TcpServer()
     {
         m_listener = socket(AF_INET, SOCK_STREAM, 0);
         sockaddr_in address{};
@@ -34,9 +34,9 @@ public:
             qFatal("no listening socket");
         m_port = ntohs(address.sin_port);
     }
-    ~Bridge()
+    ~TcpServer()
     {
-        hangUp();
+        dropConnection();
         stopListening();
     }
 
@@ -48,18 +48,18 @@ public:
             close(m_listener);
         m_listener = -1;
     }
-    void hangUp()
+    void dropConnection()
     {
         if (m_peer >= 0)
             close(m_peer);
         m_peer = -1;
     }
-    void say(const std::string& bytes) const
+    void sendBytes(const std::string& bytes) const
     {
         if (send(m_peer, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
             qFatal("send");
     }
-    std::string hear(std::size_t count) const
+    std::string receive(std::size_t count) const
     {
         std::string all(count, '\0');
         const ssize_t got = recv(m_peer, all.data(), count, MSG_WAITALL);
@@ -74,7 +74,7 @@ private:
 };
 } // namespace
 
-class tst_TcpLink : public QObject {
+class TestTcpLink : public QObject {
     Q_OBJECT
 
     base::SystemClock m_clock;
@@ -86,55 +86,55 @@ private Q_SLOTS:
 
     void carriesEveryByteBothWays()
     {
-        Bridge bridge;
-        auto link = open(bridge.url());
+        TcpServer server;
+        auto link = open(server.url());
         QVERIFY(link);
-        bridge.accept();
+        server.accept();
         base::Bytes all(256);
         for (std::size_t i = 0; i < all.size(); ++i)
             all[i] = static_cast<std::uint8_t>(i);
         const std::string text(all.begin(), all.end());
         QVERIFY((*link)->write(all));
-        QCOMPARE(bridge.hear(256), text);
-        bridge.say(text);
+        QCOMPARE(server.receive(256), text);
+        server.sendBytes(text);
         base::Bytes back;
-        while (back.size() < all.size() && (*link)->waitReadable(5s).value_or(false))
+        while (back.size() < all.size() && (*link)->waitForReadyRead(5s).value_or(false))
             QVERIFY((*link)->read(back));
         QCOMPARE(back, all);
-        QVERIFY(!(*link)->waitReadable(0us).value());
+        QVERIFY(!(*link)->waitForReadyRead(0us).value());
     }
 
     void leavesTheRateToTheBridge()
     {
-        Bridge bridge;
-        auto link = open(bridge.url());
+        TcpServer server;
+        auto link = open(server.url());
         QVERIFY(link);
-        QVERIFY(!(*link)->hasBaud());
+        QVERIFY(!(*link)->canSetBaud());
         QCOMPARE((*link)->baud(), 115'200);
         QVERIFY((*link)->setBaud(1'000'000));
         QCOMPARE((*link)->baud(), 1'000'000);
-        QCOMPARE((*link)->name(), bridge.url());
+        QCOMPARE((*link)->name(), server.url());
     }
 
-    void noticesTheLostConnection_data()
+    void detectsTheLostConnection_data()
     {
         QTest::addColumn<base::Duration>("span");
         QTest::newRow("looking") << base::Duration{};
         QTest::newRow("waiting") << base::Duration{3600s};
     }
-    void noticesTheLostConnection()
+    void detectsTheLostConnection()
     {
         QFETCH(base::Duration, span);
-        Bridge bridge;
-        auto link = open(bridge.url());
+        TcpServer server;
+        auto link = open(server.url());
         QVERIFY(link);
-        bridge.accept();
-        bridge.say("ab");
-        QVERIFY((*link)->waitReadable(5s).value());
-        bridge.hangUp();
+        server.accept();
+        server.sendBytes("ab");
+        QVERIFY((*link)->waitForReadyRead(5s).value());
+        server.dropConnection();
         base::Bytes buffer;
         QCOMPARE((*link)->read(buffer).value(), std::size_t{2});
-        QCOMPARE((*link)->waitReadable(span).error().code, ErrorCode::LinkLost);
+        QCOMPARE((*link)->waitForReadyRead(span).error().code, ErrorCode::LinkLost);
         QCOMPARE((*link)->write(base::Bytes{1}).error().code, ErrorCode::LinkLost);
         QCOMPARE((*link)->read(buffer).error().code, ErrorCode::LinkLost);
         QCOMPARE((*link)->setBaud(9600).error().code, ErrorCode::LinkLost);
@@ -161,11 +161,11 @@ private Q_SLOTS:
         QVERIFY(link.error().detail.contains(url));
     }
 
-    void saysWhenNobodyListens()
+    void reportsARefusedConnection()
     {
-        Bridge bridge;
-        bridge.stopListening();
-        const auto link = open(bridge.url());
+        TcpServer server;
+        server.stopListening();
+        const auto link = open(server.url());
         QVERIFY(!link);
         QCOMPARE(link.error().code, ErrorCode::PortFailed);
         QVERIFY(!link.error().detail.isEmpty());
@@ -174,5 +174,5 @@ private Q_SLOTS:
     void refusesAnEmptyName() { QCOMPARE(open(QString()).error().code, ErrorCode::BadArgument); }
 };
 
-QTEST_GUILESS_MAIN(tst_TcpLink)
+QTEST_GUILESS_MAIN(TestTcpLink)
 #include "tst_tcp_link.moc"
