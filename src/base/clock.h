@@ -4,7 +4,7 @@
 // measurement.
 #pragma once
 
-#include "base/stop.h"
+#include "base/stop_token.h"
 
 #include <atomic>
 #include <chrono>

@@ -8,8 +8,8 @@
 
 #include "bus/exchange.h"
 #include "bus/hold_table.h"
+#include "bus/poll_buffer.h"
 #include "bus/poll_runner.h"
-#include "bus/sample_store.h"
 
 #include <atomic>
 #include <mutex>

@@ -6,10 +6,10 @@
 
 #include "bus/bus.h"
 #include "bus/interrupt.h"
-#include "bus/late_guard.h"
+#include "bus/late_reply_guard.h"
 #include "bus/line.h"
-#include "bus/stray_list.h"
-#include "bus/unrest_meter.h"
+#include "bus/line_noise_meter.h"
+#include "bus/unexpected_frame_list.h"
 #include "protocol/codec.h"
 
 #include <atomic>

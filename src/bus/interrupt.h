@@ -4,7 +4,7 @@
 
 #include "base/clock.h"
 #include "base/error.h"
-#include "base/stop.h"
+#include "base/stop_token.h"
 
 #include <atomic>
 #include <optional>

@@ -4,7 +4,7 @@
 // that stays unanswered is no time-out: it asks who is there.
 #pragma once
 
-#include "bus/round_trips.h"
+#include "bus/round_trip_histogram.h"
 #include "bus/statistics.h"
 
 #include <map>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/loader.h"
 
-#include "catalog/fields.h"
+#include "catalog/definition_readers.h"
+#include "catalog/json_fields.h"
 #include "catalog/map_check.h"
-#include "catalog/place.h"
-#include "catalog/readers.h"
+#include "catalog/register_location.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/map_check.h"
 
-#include "catalog/place.h"
+#include "catalog/register_location.h"
 
 #include <QSet>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/fields.h"
-#include "catalog/readers.h"
+#include "catalog/definition_readers.h"
+#include "catalog/json_fields.h"
 
 namespace catalog {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/fields.h"
-#include "catalog/place.h"
+#include "catalog/definition_readers.h"
+#include "catalog/json_fields.h"
 #include "catalog/raw_range.h"
-#include "catalog/readers.h"
+#include "catalog/register_location.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/fields.h"
+#include "catalog/json_fields.h"
 
 #include <algorithm>
 #include <iterator>

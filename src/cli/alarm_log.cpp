@@ -2,10 +2,10 @@
 #include "cli/alarm_log.h"
 
 #include "cli/translate.h"
-#include "record/history.h"
+#include "history/history.h"
 #include "session/paths.h"
-#include "text/error_words.h"
-#include "text/notice_words.h"
+#include "text/error_text.h"
+#include "text/notice_text.h"
 
 namespace cli {
 namespace {

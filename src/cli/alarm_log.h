@@ -5,7 +5,7 @@
 // stderr and ends nothing.
 #pragma once
 
-#include "cli/console.h"
+#include "cli/output/console.h"
 #include "device/servo.h"
 
 #include <QDateTime>

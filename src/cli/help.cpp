@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/table.h"
 #include "cli/parser.h"
-#include "cli/table.h"
 #include "cli/translate.h"
 
 namespace cli {

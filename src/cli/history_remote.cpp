@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/history_remote.h"
 
-#include "cli/arguments.h"
-#include "cli/history_input.h"
+#include "cli/input/arguments.h"
+#include "cli/input/history_input.h"
 #include "cli/translate.h"
-#include "session/loose_thread.h"
-#include "text/error_words.h"
+#include "session/detachable_worker.h"
+#include "text/error_text.h"
 
 #include <future>
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "cli/run.h"
-#include "record/history_server.h"
-#include "session/history_server_choice.h"
+#include "history/server/history_server.h"
+#include "session/history/history_server_choice.h"
 
 namespace record {
 class History;

@@ -5,7 +5,7 @@
 // seconds.
 #pragma once
 
-#include "base/stop.h"
+#include "base/stop_token.h"
 
 #include <atomic>
 #include <thread>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/interrupt.h"
+#include "cli/output/utf8_locale.h"
 #include "cli/program.h"
-#include "cli/utf8_locale.h"
-#include "session/loose_thread.h"
+#include "session/detachable_worker.h"
 
 #include <QGuiApplication>
 

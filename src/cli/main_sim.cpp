@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/exit_code.h"
-#include "cli/sim_options.h"
-#include "cli/terminal_text.h"
-#include "cli/utf8_locale.h"
-#include "text/error_words.h"
+#include "cli/input/sim_options.h"
+#include "cli/output/terminal_text.h"
+#include "cli/output/utf8_locale.h"
+#include "text/error_text.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/parser.h"
 
-#include "cli/arguments.h"
+#include "cli/input/arguments.h"
 #include "cli/translate.h"
 
 #include <CLI/CLI.hpp>

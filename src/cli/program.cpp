@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/program.h"
 
+#include "cli/output/report_text.h"
 #include "cli/parser.h"
-#include "cli/report_words.h"
 #include "cli/translate.h"
-#include "record/journal_takeover.h"
+#include "history/journal_import.h"
 #include "text/language.h"
 
 #include <cerrno>

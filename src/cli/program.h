@@ -3,7 +3,7 @@
 // Main thread, inside the application object.
 #pragma once
 
-#include "base/stop.h"
+#include "base/stop_token.h"
 
 #include <QStringList>
 

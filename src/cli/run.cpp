@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/run.h"
 
-#include "cli/arguments.h"
-#include "cli/report_words.h"
+#include "cli/input/arguments.h"
+#include "cli/output/report_text.h"
 #include "cli/translate.h"
 #include "device/reader.h"
 #include "device/write_access.h"
-#include "session/safety_snapshot.h"
-#include "text/error_words.h"
-#include "text/notice_words.h"
+#include "session/snapshot/safety_snapshot.h"
+#include "text/error_text.h"
+#include "text/notice_text.h"
 #include "transport/port_lease.h"
 #include "transport/port_opener.h"
 

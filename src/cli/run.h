@@ -5,7 +5,7 @@
 #pragma once
 
 #include "cli/command.h"
-#include "cli/console.h"
+#include "cli/output/console.h"
 #include "session/session.h"
 
 namespace cli {

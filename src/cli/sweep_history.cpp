@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/sweep_history.h"
 
-#include "cli/arguments.h"
+#include "cli/input/arguments.h"
 #include "cli/translate.h"
-#include "record/sweep_json.h"
+#include "results/sweep_json.h"
 #include "session/paths.h"
-#include "text/error_words.h"
+#include "text/error_text.h"
 
 #include <QFile>
 #include <QRegularExpression>

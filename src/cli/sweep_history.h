@@ -4,10 +4,10 @@
 // servo that is not in the run.
 #pragma once
 
-#include "cli/console.h"
-#include "jobs/sweep.h"
-#include "record/history.h"
-#include "record/sweep_compare.h"
+#include "cli/output/console.h"
+#include "history/history.h"
+#include "jobs/sweep/sweep.h"
+#include "results/sweep_compare.h"
 
 namespace cli {
 /// Answers a line for the user. That the history could not be written is no failure of the test: it

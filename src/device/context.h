@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/journal.h"
-#include "base/stop.h"
+#include "base/stop_token.h"
 #include "bus/bus.h"
 #include "catalog/catalog.h"
 #include "device/notice.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/reader.h"
 
-#include "device/talk.h"
+#include "device/transactions.h"
 
 #include <QStringList>
 

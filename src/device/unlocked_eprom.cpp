@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/persistence.h"
-#include "device/talk.h"
+#include "device/transactions.h"
 #include "device/writer.h"
 
 namespace device {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "device/write_access.h"
 
+#include "device/duplicate_id_check.h"
 #include "device/reader.h"
-#include "device/twin_check.h"
 
 #include <algorithm>
 

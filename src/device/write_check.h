@@ -3,7 +3,7 @@
 // pure functions on what has been read.
 #pragma once
 
-#include "device/talk.h"
+#include "device/transactions.h"
 #include "device/writer.h"
 
 namespace device {

@@ -2,7 +2,7 @@
 #include "device/writer.h"
 
 #include "device/write_access.h"
-#include "device/write_run.h"
+#include "device/write_executor.h"
 
 #include <algorithm>
 

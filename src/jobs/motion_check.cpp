@@ -2,7 +2,7 @@
 #include "jobs/motion_check.h"
 
 #include "device/alarms.h"
-#include "device/motion.h"
+#include "device/motion/motion.h"
 #include "device/reader.h"
 #include "device/write_check.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/stop_check.h"
 
-#include "device/disarm.h"
-#include "device/talk.h"
-#include "jobs/link_return.h"
+#include "device/motion/held_goal.h"
+#include "device/transactions.h"
+#include "jobs/link_reconnect.h"
 
 namespace jobs {
 using base::ErrorCode;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/encode_error.h"
 #include "protocol/feetech_codec.h"
 #include "protocol/feetech_frame.h"
-#include "protocol/refusal.h"
 
 #include <bitset>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Requests to LX bytes, and what must come back for them: writes are never acknowledged.
+#include "protocol/encode_error.h"
 #include "protocol/lx_codec.h"
 #include "protocol/lx_frame.h"
-#include "protocol/refusal.h"
 
 namespace protocol {
 namespace {

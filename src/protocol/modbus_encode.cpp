@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Requests to Modbus bytes, and what must come back for them.
+#include "protocol/encode_error.h"
 #include "protocol/modbus_codec.h"
 #include "protocol/modbus_frame.h"
-#include "protocol/refusal.h"
 
 namespace protocol {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "record/sweep_fields.h"
 #include "report/step_html.h"
+#include "results/sweep_fields.h"
 
 #include <algorithm>
 #include <array>

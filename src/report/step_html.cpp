@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/step_html.h"
 
-#include "record/text_file.h"
-#include "report/step_words.h"
-#include "report/sweep_words.h"
+#include "files/text_file.h"
+#include "report/step_text.h"
+#include "report/sweep_text.h"
 
 namespace report {
 using catalog::Text;

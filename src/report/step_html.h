@@ -5,8 +5,8 @@
 // DiskFull; the old file stays then.
 #pragma once
 
-#include "record/step_run.h"
 #include "report/html_page.h"
+#include "results/step_run.h"
 
 namespace report {
 /// `chinese`: the language it opens in. At least one run; the first and the last are compared.

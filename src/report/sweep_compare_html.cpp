@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sweep_compare_html.h"
 
-#include "record/text_file.h"
-#include "report/sweep_compare_words.h"
+#include "files/text_file.h"
+#include "report/sweep_compare_text.h"
 #include "report/sweep_parts.h"
-#include "report/sweep_words.h"
+#include "report/sweep_text.h"
 
 #include <algorithm>
 #include <cmath>

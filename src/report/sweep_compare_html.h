@@ -3,7 +3,7 @@
 // Pure; any thread. Saving fails with FileUnwritable or DiskFull; the old file stays then.
 #pragma once
 
-#include "record/sweep_compare.h"
+#include "results/sweep_compare.h"
 
 namespace report {
 /// `chinese`: the language it opens in.

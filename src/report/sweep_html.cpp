@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sweep_html.h"
 
-#include "record/text_file.h"
-#include "report/sweep_words.h"
+#include "files/text_file.h"
+#include "report/sweep_text.h"
 
 namespace report {
 QByteArray sweepHtml(const record::SweepRun& run, const std::vector<SweepSeries>& series,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sweep_parts.h"
 
-#include "report/sweep_words.h"
+#include "report/sweep_text.h"
 
 namespace report {
 namespace {

@@ -3,8 +3,8 @@
 // into it differs. Pure; any thread.
 #pragma once
 
-#include "record/sweep_run.h"
 #include "report/svg_chart.h"
+#include "results/sweep_run.h"
 
 #include <functional>
 

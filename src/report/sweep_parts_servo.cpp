@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the report says of one servo.
 #include "report/sweep_parts.h"
-#include "report/sweep_words.h"
+#include "report/sweep_text.h"
 
 #include <algorithm>
 #include <cmath>

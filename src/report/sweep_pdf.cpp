@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sweep_pdf.h"
 
-#include "record/text_file.h"
+#include "files/text_file.h"
 #include "report/fonts.h"
-#include "report/sweep_words.h"
+#include "report/sweep_text.h"
 
 #include <QBuffer>
 #include <QFont>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/connection.h"
 
-#include "device/stop_frames.h"
-#include "sim/sim_link.h"
+#include "device/motion/stop_frames.h"
+#include "sim/host/sim_link.h"
 
 namespace session {
 Connection::Connection(std::unique_ptr<bus::Bus> bus, std::shared_ptr<sim::SharedBus> simulation,

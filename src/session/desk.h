@@ -6,12 +6,12 @@
 // Nothing is written to a servo that was not asked for by write(), perform() or emergencyStop().
 #pragma once
 
-#include "jobs/recover.h"
-#include "jobs/scan.h"
+#include "jobs/recover/recover.h"
+#include "jobs/scan/scan.h"
 #include "session/event.h"
-#include "session/feeder.h"
-#include "session/inbox.h"
 #include "session/job_thread.h"
+#include "session/main_thread_queue.h"
+#include "session/polling/polling_service.h"
 #include "session/session.h"
 #include "session/task.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "record/journal_takeover.h"
+#include "history/journal_import.h"
 #include "session/desk_work.h"
-#include "session/safety_snapshot.h"
+#include "session/snapshot/safety_snapshot.h"
 
 #include <algorithm>
 

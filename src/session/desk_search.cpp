@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "jobs/scan_plan.h"
+#include "jobs/scan/scan_plan.h"
 #include "session/desk_work.h"
 #include "transport/port_lease.h"
 

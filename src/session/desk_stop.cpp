@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The emergency stop: frames first, then proof, then nothing moves until torque is switched on.
-#include "device/disarm.h"
+#include "device/motion/held_goal.h"
 #include "jobs/stop_check.h"
 #include "session/desk_work.h"
 

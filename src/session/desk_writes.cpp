@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/desk_work.h"
+#include "session/history/servo_journal.h"
 #include "session/ordered_write.h"
-#include "session/servo_history.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/ordered_write.h"
 
-#include "device/motion.h"
+#include "device/motion/motion.h"
 #include "device/write_access.h"
-#include "jobs/change.h"
+#include "jobs/change/change.h"
 
 #include <algorithm>
 

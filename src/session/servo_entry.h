@@ -5,10 +5,10 @@
 #pragma once
 
 #include "base/journal.h"
-#include "device/turn_count.h"
+#include "device/motion/turn_count.h"
 #include "device/writer.h"
-#include "session/alarm_latch.h"
-#include "session/link_watch.h"
+#include "session/polling/alarm_latch.h"
+#include "session/polling/link_monitor.h"
 
 #include <map>
 #include <set>

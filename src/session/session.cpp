@@ -4,11 +4,11 @@
 #include "bus/bus_thread.h"
 #include "protocol/codec.h"
 #include "session/paths.h"
-#include "session/safety_snapshot.h"
-#include "sim/presets.h"
-#include "sim/sim_link.h"
-#include "transport/port_keeper.h"
+#include "session/snapshot/safety_snapshot.h"
+#include "sim/host/presets.h"
+#include "sim/host/sim_link.h"
 #include "transport/port_opener.h"
+#include "transport/port_reconnector.h"
 
 #include <algorithm>
 #include <map>

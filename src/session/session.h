@@ -5,7 +5,7 @@
 
 #include "base/clock.h"
 #include "catalog/catalog.h"
-#include "record/history_journal.h"
+#include "history/history_journal.h"
 #include "session/connection.h"
 #include "transport/port_inventory.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Machine time of a commissioning line: from plugging a servo in to "unplug", on simulated time.
 // Usage: bench_commission [preset [baud]]; the goal is 10 s a servo.
-#include "support/commission_bench.h"
+#include "support/commission_fixture.h"
 
 #include <cstdio>
 

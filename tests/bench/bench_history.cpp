@@ -3,9 +3,9 @@
 // register and trouble, and pages far down; counting; what one write costs the journal, beside a
 // bare append that is synced as often. Wanted: opening and filtering in 200 ms.
 //     bench_history [writes [folder]]
-#include "record/history.h"
-#include "record/history_file.h"
-#include "record/history_journal.h"
+#include "history/history.h"
+#include "history/history_file.h"
+#include "history/history_journal.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -3,9 +3,9 @@
 // chart open, against a bare loop without a window on the same pseudo-terminal; frames of the
 // chart, and how long the main thread was busy. Interleaved pairs. Wanted: median ratio 0.93, 30
 // frames a second, p99 16 ms. POSIX, since the bare loop is.
-#include "bench/bare_sync.h"
+#include "bench/baseline_sync.h"
 #include "bench/stall_probe.h"
-#include "gui/window_bench.h"
+#include "gui/main_window_fixture.h"
 #include "ui/charts/trend_chart.h"
 
 #include <QGraphicsView>

@@ -4,7 +4,7 @@
 // beside a bare fwrite() of the same bytes; then reads the file back into a sample store. Wanted:
 // no row lost, memory flat (16 MB of growth are what may wait). `bench_recorder 1000000` does so
 // with fewer rows; the folder is that of temporary files (TMPDIR).
-#include "record/recorder.h"
+#include "recording/recorder.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -4,10 +4,10 @@
 // themes. Usage: bench_scenes FOLDER [FILTER]; packaging/pictures.sh
 // takes the best for README and help. It measures nothing; it stands here because it drives the
 // window as the benches do.
-#include "gui/five_rows.h"
-#include "gui/window_bench.h"
-#include "session/drive.h"
-#include "sim/sim_link.h"
+#include "gui/five_register_write.h"
+#include "gui/main_window_fixture.h"
+#include "session/motion/motion_controller.h"
+#include "sim/host/sim_link.h"
 #include "ui/charts/trend_chart.h"
 
 #include <QAbstractButton>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One hour of simulated time: six servos, steps of 1 ms, each read 20 times a second (15 bytes from
 // 56) by raw requests through the virtual bus. Aim: at most 5 s on one core, at rest and in motion.
-#include "sim/presets.h"
+#include "sim/host/presets.h"
 
 #include <chrono>
 #include <cstdio>

@@ -7,13 +7,13 @@
 // disk takes is another matter. Five interleaved pairs each, every ratio and the median. POSIX.
 #include "base/clock.h"
 #include "bus/bus_thread.h"
-#include "device/talk.h"
+#include "device/transactions.h"
 #include "integration/raw_client.h"
-#include "integration/restore_help.h"
-#include "jobs/restore.h"
-#include "jobs/snapshot.h"
+#include "integration/restore_support.h"
+#include "jobs/restore/restore.h"
+#include "jobs/restore/take_snapshot.h"
 #include "protocol/codec.h"
-#include "record/snapshot_compare.h"
+#include "snapshot/snapshot_compare.h"
 #include "transport/port_opener.h"
 
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 // appending, and what a chart asks for: columns of 1600 pixels and statistics at several zooms;
 // beside a loop that only puts the same samples into vectors. Wanted: 120 MB, 10 M samples/s.
 // Then the same with a budget of a tenth of that, so that the old is thinned.
-#include "record/sample_store.h"
+#include "recording/sample_store.h"
 
 #include <cmath>
 #include <cstdio>

@@ -5,7 +5,7 @@
 // while a dead port is searched, a servo polled as fast as the wire allows and a register edited;
 // memory after that. Wanted: 250 ms, 100 ms, p99 16 ms, 150 MB.
 #include "bench/stall_probe.h"
-#include "gui/window_bench.h"
+#include "gui/main_window_fixture.h"
 
 #include <QProcess>
 #include <QTextStream>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sweep page while a test of six servos runs on a paced wire at 1 Mbaud, its curves, legs and
 // figures in sight: how long the main thread was busy. Wanted: p99 16 ms.
-#include "bench/bare_sync.h"
+#include "bench/baseline_sync.h"
 #include "bench/stall_probe.h"
-#include "gui/window_bench.h"
+#include "gui/main_window_fixture.h"
 
 #include <QAbstractButton>
 

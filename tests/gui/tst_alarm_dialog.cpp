@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clearing alarms in the window: the cause with its value and limit, nothing moves before consent,
 // and where only waiting helps nothing is written until it is over.
-#include "gui/tasks_bench.h"
-#include "ui/dialogs/ask.h"
+#include "gui/servo_tasks_fixture.h"
+#include "ui/widgets/question_dialog.h"
 
 #include <QRegularExpression>
 #include <QTableWidget>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of commands: every command has words in both languages, an icon that is inside the
 // program, a shortcut of its own if it has one, and is of use only when it can be.
-#include "gui/window_bench.h"
-#include "ui/dialogs/help_window.h"
+#include "gui/main_window_fixture.h"
+#include "ui/app/help_window.h"
 
 #include <QSet>
 #include <QToolButton>

@@ -2,11 +2,11 @@
 // The commissioning page on a simulated bag of servos: opening and starting
 // write nothing, one click sets a servo up, the batch grows and can be gone on
 // with, labels are copied. What a servo holds is asked of the simulation.
-#include "gui/window_bench.h"
-#include "record/history.h"
-#include "sim/sim_link.h"
-#include "support/commission_bench.h"
-#include "ui/pages/commission_page.h"
+#include "gui/main_window_fixture.h"
+#include "history/history.h"
+#include "sim/host/sim_link.h"
+#include "support/commission_fixture.h"
+#include "ui/commissioning/commission_page.h"
 
 #include <QCheckBox>
 #include <QClipboard>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The top row: what is opened is what the fields say, what worked is remembered for the adapter,
 // and what failed is told with its cause and its remedy.
-#include "gui/desk_bench.h"
+#include "gui/workbench_fixture.h"
 #include "session/connection.h"
-#include "sim/sim_link.h"
+#include "sim/host/sim_link.h"
 #include "text/language.h"
-#include "ui/models/link_meter.h"
-#include "ui/models/rate_words.h"
+#include "ui/connect/connect_bar.h"
+#include "ui/connect/link_error_banner.h"
+#include "ui/connect/link_meter.h"
+#include "ui/connect/port_picker.h"
 #include "ui/widgets/banner.h"
-#include "ui/widgets/connect_bar.h"
-#include "ui/widgets/link_trouble.h"
 #include "ui/widgets/pill.h"
-#include "ui/widgets/port_picker.h"
+#include "ui/widgets/rate_text.h"
 #include "ui/widgets/welcome.h"
 #include "unit/transport/pty_pair.h"
 

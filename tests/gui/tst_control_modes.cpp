@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every mode of every family through the panel's own widgets: it moves as its sheet says, in the
 // direction the panel shows, and a switch of the mode starts nothing.
-#include "gui/control_bench.h"
+#include "gui/control_panel_fixture.h"
 
 using gui::ControlPanelFixture;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The control panel as a technician meets it: nothing moves unasked, limits and reasons, dragging,
 // write kinds, torque on where the shaft stands, and trouble in the middle of all that.
-#include "gui/control_bench.h"
+#include "gui/control_panel_fixture.h"
 
 using gui::ControlPanelFixture;
 using session::LinkState;

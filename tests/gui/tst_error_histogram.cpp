@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The histogram of steady errors: counts every leg once, around 0, at any size; says its numbers in
 // words; is seen in both themes; and where nothing is measured, says that.
-#include "gui/desk_bench.h"
+#include "gui/workbench_fixture.h"
 #include "text/language.h"
-#include "ui/app/theme.h"
+#include "ui/common/theme.h"
 #include "ui/widgets/error_histogram.h"
 
 #include <QHelpEvent>

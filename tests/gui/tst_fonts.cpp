@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fonts of the program on a machine that has DejaVu only: it uses its own, digits are of one
 // width, and every sign that a text of the program contains is in them.
-#include "gui/window_bench.h"
+#include "gui/main_window_fixture.h"
 #include "report/fonts.h"
-#include "support/font_machine.h"
-#include "ui/dialogs/help_window.h"
+#include "support/font_config.h"
+#include "ui/app/help_window.h"
 
 #include <QAbstractButton>
 #include <QDirIterator>

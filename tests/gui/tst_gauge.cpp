@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gauge and dial: what they say of a value and its limits, and that the dial asks for goals only
 // when it may, within the limits, by mouse, wheel and keys.
-#include "gui/desk_bench.h"
+#include "gui/workbench_fixture.h"
 #include "ui/widgets/circle_text.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/position_dial.h"

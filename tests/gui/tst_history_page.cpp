@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The history page: what was written at the bench is listed with its outcome, found by servo and
 // register, exported, and leads back to the table as it was. Everything from the real database.
-#include "gui/window_bench.h"
-#include "record/history.h"
+#include "gui/main_window_fixture.h"
+#include "history/history.h"
 #include "session/paths.h"
 #include "support/history_example.h"
-#include "ui/models/compare_model.h"
-#include "ui/pages/history_page.h"
-#include "ui/pages/snapshots_page.h"
+#include "ui/history/history_page.h"
+#include "ui/snapshots/compare_model.h"
+#include "ui/snapshots/snapshots_page.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Interrupted writes in the window: found by reading only, offered, never done unasked; finished,
 // undone, forgotten or left for later, each by itself.
-#include "gui/five_rows.h"
-#include "gui/tasks_bench.h"
+#include "gui/five_register_write.h"
+#include "gui/servo_tasks_fixture.h"
 #include "session/paths.h"
 #include "support/cli_program.h"
 #include "support/cut_cable.h"
-#include "ui/app/event_words.h"
-#include "ui/dialogs/intents_dialog.h"
+#include "ui/app/event_text.h"
+#include "ui/tasks/intents_dialog.h"
 
 #include <QAbstractItemModelTester>
 #include <QRegularExpression>

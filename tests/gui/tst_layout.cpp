@@ -2,7 +2,7 @@
 // The window at its smallest useful size, in both languages, in its own font, in larger letters and
 // in the font of a fresh machine: nothing is cut off without a tooltip that says the rest, and
 // whatever can be used has a name for people, for screen readers and for tests.
-#include "gui/window_bench.h"
+#include "gui/main_window_fixture.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The editor of a sweep test's limits: what is typed comes out, what is wrong is said and cannot be
 // used, files come and go without the window waiting, and the keyboard alone is enough.
-#include "gui/desk_bench.h"
+#include "gui/workbench_fixture.h"
 #include "text/language.h"
-#include "ui/dialogs/limits_dialog.h"
-#include "ui/dialogs/limits_model.h"
+#include "ui/sweep/limits_dialog.h"
+#include "ui/sweep/limits_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The light of the port counts what a servo failed to answer, and nothing that the program asked to
 // find out who is there: changes of ID, a servo that is unplugged on the commissioning line.
-#include "gui/window_bench.h"
-#include "sim/sim_link.h"
-#include "ui/models/link_meter.h"
+#include "gui/main_window_fixture.h"
+#include "sim/host/sim_link.h"
+#include "ui/connect/link_meter.h"
 
 class TestLinkMeter : public QObject {
     Q_OBJECT

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The memory table as a model: what each state looks like, what is never shown, which rows change,
 // and what the filters let through.
-#include "gui/entry_help.h"
+#include "gui/servo_entry_builder.h"
 #include "text/language.h"
-#include "ui/models/history_model.h"
-#include "ui/models/memory_filter.h"
-#include "ui/models/memory_model.h"
+#include "ui/memory/memory_filter.h"
+#include "ui/memory/memory_model.h"
+#include "ui/memory/servo_history_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QRegularExpression>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The memory page on the simulated bus: what a technician does with a servo's table, by keyboard
 // and mouse, and what the servo really holds afterwards, proven by switching it off and on.
-#include "gui/steady_clock.h"
+#include "gui/press_clock.h"
 #include "session/settings.h"
-#include "support/own_data_folder.h"
+#include "support/temporary_data_folder.h"
 #include "text/language.h"
-#include "ui/editors/register_delegate.h"
-#include "ui/pages/lock_badge.h"
-#include "ui/pages/memory_page.h"
-#include "ui/pages/memory_view.h"
-#include "ui/pages/register_panel.h"
+#include "ui/memory/lock_badge.h"
+#include "ui/memory/memory_page.h"
+#include "ui/memory/memory_view.h"
+#include "ui/memory/register_delegate.h"
+#include "ui/memory/register_panel.h"
 
 #include <QApplication>
 #include <QCheckBox>

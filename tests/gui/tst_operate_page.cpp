@@ -2,14 +2,14 @@
 // The operate page on the simulated bus: opening it and selecting move nothing, what is read shows
 // on dial, gauges, lights, strip and chart, alarms stay until they are acknowledged, recordings are
 // made and shown again.
-#include "gui/window_bench.h"
-#include "sim/sim_link.h"
+#include "gui/main_window_fixture.h"
+#include "sim/host/sim_link.h"
 #include "ui/charts/trend_chart.h"
-#include "ui/pages/trend_panel.h"
+#include "ui/operate/servo_card.h"
+#include "ui/trends/trend_panel.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/pill.h"
 #include "ui/widgets/position_dial.h"
-#include "ui/widgets/servo_card.h"
 
 #include <QComboBox>
 #include <QFileDialog>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of ports follows what is plugged in; the choice is the user's and stays.
-#include "gui/desk_bench.h"
-#include "ui/dialogs/port_dialog.h"
-#include "ui/widgets/port_picker.h"
+#include "gui/workbench_fixture.h"
+#include "ui/connect/port_dialog.h"
+#include "ui/connect/port_picker.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractItemView>

@@ -2,8 +2,8 @@
 // A thousand things a user might do, in no order at all: clicks, keys, commands, switches, wrong
 // text, trouble on the line. Nothing crashes, nothing hangs, no lock stays open, and what was begun
 // has an end. The seed is printed; SERVODESK_SEED repeats a run.
-#include "gui/window_bench.h"
-#include "sim/sim_link.h"
+#include "gui/main_window_fixture.h"
+#include "sim/host/sim_link.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

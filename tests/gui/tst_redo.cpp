@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Redo in the window: what was asked about the first time is asked about again, and the message
 // says what was done.
-#include "gui/window_bench.h"
+#include "gui/main_window_fixture.h"
 
 #include <QDialog>
 #include <QLabel>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each kind of editor by keyboard and mouse: what it shows, what it takes, and what it says about
 // rubbish. The delegate is tried on a table of its own.
-#include "gui/entry_help.h"
+#include "gui/servo_entry_builder.h"
 #include "text/language.h"
-#include "ui/editors/register_delegate.h"
-#include "ui/editors/value_words.h"
-#include "ui/models/memory_filter.h"
-#include "ui/models/memory_model.h"
-#include "ui/pages/memory_view.h"
+#include "ui/editors/value_error_text.h"
+#include "ui/memory/memory_filter.h"
+#include "ui/memory/memory_model.h"
+#include "ui/memory/memory_view.h"
+#include "ui/memory/register_delegate.h"
 
 #include <QCheckBox>
 #include <QClipboard>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Earlier tests in the window: listed, found, labelled, marked, held against each other, saved as
 // pages, deleted after a question; in both languages.
-#include "record/history_file.h"
-#include "report/sweep_compare_words.h"
+#include "history/history_file.h"
+#include "report/sweep_compare_text.h"
 #include "report/sweep_html.h"
-#include "ui/app/language_switch.h"
-#include "ui/dialogs/compare_dialog.h"
-#include "ui/dialogs/runs_dialog.h"
-#include "unit/record/sweep_example.h"
+#include "ui/common/language_switch.h"
+#include "ui/sweep/compare_dialog.h"
+#include "ui/sweep/runs_dialog.h"
+#include "unit/results/sweep_example.h"
 
 #include <QAbstractItemModelTester>
 #include <QDir>

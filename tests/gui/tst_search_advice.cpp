@@ -2,7 +2,7 @@
 // The checklist says what fits first, rules out what the search has answered, and is complete in
 // both languages.
 #include "session/session.h"
-#include "ui/models/search_advice.h"
+#include "ui/search/search_advice.h"
 
 #include <QtTest>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search as a technician sees it: estimate, progress, stop, servos as they are found, trouble
 // marked, and where nobody answers, why that may be.
-#include "gui/desk_bench.h"
+#include "gui/workbench_fixture.h"
 #include "text/language.h"
-#include "ui/models/servo_list_model.h"
-#include "ui/pages/search_panel.h"
+#include "ui/search/search_panel.h"
+#include "ui/search/servo_list_model.h"
 #include "ui/widgets/thin_progress.h"
 
 #include <QCheckBox>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of servos says of each what is known, in what state it is and what is remarkable, and
 // follows the desk.
-#include "gui/desk_bench.h"
+#include "gui/workbench_fixture.h"
 #include "text/language.h"
-#include "ui/models/servo_list_model.h"
-#include "ui/widgets/servo_delegate.h"
+#include "ui/search/servo_delegate.h"
+#include "ui/search/servo_list_model.h"
 
 #include <QAbstractItemModelTester>
 #include <QPainter>

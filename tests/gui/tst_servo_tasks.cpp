@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one-click tasks by mouse and keyboard on simulated servos: what is said beforehand, what the
 // servo really holds afterwards, and what is said about it.
-#include "gui/tasks_bench.h"
+#include "gui/servo_tasks_fixture.h"
 #include "support/cli_program.h"
 #include "support/cut_cable.h"
-#include "support/sim_bench.h"
-#include "ui/models/servo_row.h"
+#include "support/sim_fixture.h"
+#include "ui/widgets/servo_row.h"
 
 #include <QComboBox>
 #include <QFile>

@@ -2,14 +2,14 @@
 // The snapshots page on a simulated bus: looking writes nothing, what differs is on top with a
 // tick, what is written is what was shown and is asked of the servo again, several servos get a
 // verdict each, and a file that is no snapshot is told about. The history is the real one.
-#include "gui/window_bench.h"
-#include "record/bundle.h"
-#include "record/snapshot_template.h"
+#include "gui/main_window_fixture.h"
 #include "session/paths.h"
-#include "sim/sim_link.h"
+#include "sim/host/sim_link.h"
+#include "snapshot/bundle.h"
+#include "snapshot/snapshot_template.h"
 #include "support/history_example.h"
-#include "ui/models/compare_model.h"
-#include "ui/pages/snapshots_page.h"
+#include "ui/snapshots/compare_model.h"
+#include "ui/snapshots/snapshots_page.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/pill.h"
 

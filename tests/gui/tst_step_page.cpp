@@ -2,11 +2,11 @@
 // The step page on a simulated bus: opening it moves nothing, the first run asks, a trial is over
 // when its run is, both are laid over each other, advice goes into Try, Accept keeps and Back takes
 // back. Whatever is written is asked of the simulation's own table by reading.
-#include "gui/window_bench.h"
-#include "record/step_json.h"
-#include "sim/sim_link.h"
+#include "gui/main_window_fixture.h"
+#include "results/step_json.h"
+#include "sim/host/sim_link.h"
 #include "ui/charts/trend_chart.h"
-#include "ui/pages/step_page.h"
+#include "ui/step/step_page.h"
 
 #include <QCheckBox>
 #include <QComboBox>

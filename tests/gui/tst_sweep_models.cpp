@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of a sweep test: every judged figure with its grade and reason, what was not measured
 // said so, the latest legs and no more, in both languages, and no more changes told than there are.
-#include "gui/desk_bench.h"
-#include "jobs/sweep_meter.h"
+#include "gui/workbench_fixture.h"
+#include "jobs/sweep/sweep_statistics.h"
 #include "text/language.h"
-#include "ui/models/sweep_cells.h"
-#include "ui/models/sweep_legs_model.h"
-#include "ui/models/sweep_verdict_model.h"
+#include "ui/sweep/sweep_legs_model.h"
+#include "ui/sweep/sweep_verdict_model.h"
+#include "ui/widgets/test_text.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>

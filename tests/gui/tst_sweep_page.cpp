@@ -2,15 +2,15 @@
 // The sweep page on the simulated bus: opening it moves nothing, it proposes a range and a delay
 // that fit, tells when the delay is too short, asks before the first move, shows what is measured
 // while it runs, ends by Stop and by Esc, and writes its report.
-#include "device/motion.h"
+#include "device/motion/motion.h"
 #include "gui/dialogs.h"
-#include "gui/window_bench.h"
-#include "record/sweep_json.h"
-#include "sim/sim_link.h"
+#include "gui/main_window_fixture.h"
+#include "results/sweep_json.h"
+#include "sim/host/sim_link.h"
 #include "ui/charts/trend_chart.h"
-#include "ui/dialogs/limits_dialog.h"
-#include "ui/pages/sweep_results.h"
-#include "ui/pages/sweep_servos.h"
+#include "ui/sweep/limits_dialog.h"
+#include "ui/sweep/sweep_results.h"
+#include "ui/sweep/sweep_servos.h"
 #include "ui/widgets/error_histogram.h"
 #include "ui/widgets/pill.h"
 

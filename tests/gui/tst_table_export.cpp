@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table as CSV, HTML and text: what is in a cell arrives as data, whatever it looks like.
-#include "gui/entry_help.h"
+#include "gui/servo_entry_builder.h"
 #include "text/language.h"
-#include "ui/models/memory_sheet.h"
-#include "ui/pages/memory_output.h"
+#include "ui/memory/memory_output.h"
+#include "ui/memory/memory_sheet.h"
 
 #include <QDir>
 #include <QFile>

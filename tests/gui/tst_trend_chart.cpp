@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trend chart under mouse, wheel and keys: what it shows, what it reads between its cursors.
-#include "gui/trend_bench.h"
+#include "gui/trend_chart_fixture.h"
 
 #include <QChart>
 #include <QLegendMarker>

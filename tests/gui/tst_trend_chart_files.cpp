@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the trend chart leaves outside of its window: picture files, presets, copied readings; and
 // the rules it draws by: colors, ticks, ranges.
-#include "gui/trend_bench.h"
+#include "gui/trend_chart_fixture.h"
 #include "ui/charts/auto_range.h"
 #include "ui/charts/axis_ticks.h"
 #include "ui/charts/cursor_table.h"

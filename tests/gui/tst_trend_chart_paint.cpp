@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the trend chart paints and what it does not: gaps, steps, marks, both themes, odd input.
-#include "gui/trend_bench.h"
+#include "gui/trend_chart_fixture.h"
 
 #include <cmath>
 

@@ -4,8 +4,8 @@
 // bytes only. A thread of its own; flood() from the test's. POSIX only.
 #pragma once
 
-#include "support/cable_end.h"
 #include "support/feetech_bytes.h"
+#include "support/port_endpoints.h"
 
 #include <algorithm>
 #include <atomic>

@@ -6,7 +6,7 @@
 // test's, the last while no program is at it. POSIX only.
 #pragma once
 
-#include "support/cable_end.h"
+#include "support/port_endpoints.h"
 #include "transport/tty_speed.h"
 
 #include <atomic>

@@ -3,7 +3,7 @@
 // polls, reads bytes. And servodesk-sim as a program under test. POSIX only.
 #pragma once
 
-#include "support/servo_priority.h"
+#include "support/simulator_priority.h"
 
 #include <QProcess>
 #include <QStringList>

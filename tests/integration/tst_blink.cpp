@@ -2,9 +2,9 @@
 // Making one servo recognisable: its LED is really seen to blink, its setting is as before on every
 // way out, nothing survives a power-off, and what was interrupted is put back by recovery.
 #include "device/reader.h"
-#include "jobs/blink.h"
-#include "jobs/recover.h"
-#include "support/sim_bench.h"
+#include "jobs/change/blink.h"
+#include "jobs/recover/recover.h"
+#include "support/sim_fixture.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // New ID, new rate, centering, restore, reboot: the servo is followed to wherever it answers, and
 // its lock is closed there.
-#include "device/motion.h"
-#include "jobs/change.h"
-#include "support/deaf_acks.h"
+#include "device/motion/motion.h"
+#include "jobs/change/change.h"
+#include "support/lost_acknowledgments.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One test a release rule: what lets an alarm go is done, after consent where it moves or
 // energizes; what only time or a power-cycle helps against is shown and left alone.
-#include "device/motion.h"
-#include "jobs/clear_alarm.h"
-#include "support/sim_bench.h"
+#include "device/motion/motion.h"
+#include "jobs/change/clear_alarm.h"
+#include "support/sim_fixture.h"
 
 #include <QRegularExpression>
 #include <QTest>

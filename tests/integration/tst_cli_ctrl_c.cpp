@@ -3,12 +3,12 @@
 // restore, commission. The simulator is a program of its own; in the cable between them the program
 // is interrupted at the very frame that matters. What is left is asked for by a client that knows
 // only bytes: torque as promised, EPROM lock closed, temporary values back.
+#include "history/history_journal.h"
 #include "integration/kill_cable.h"
 #include "integration/raw_client.h"
-#include "record/commission_batch.h"
-#include "record/history_journal.h"
+#include "results/commission_batch.h"
 #include "support/cli_program.h"
-#include "support/commission_bench.h"
+#include "support/commission_fixture.h"
 
 #include <QFile>
 #include <QJsonArray>

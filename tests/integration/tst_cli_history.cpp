@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The history as a user of servodesk-cli sees it: every command that writes saves the table first
 // and shows where, and all of it is found again, labelled, exported and taken out.
-#include "record/history_file.h"
+#include "history/history_file.h"
 #include "support/cli_program.h"
 
 #include <QDir>

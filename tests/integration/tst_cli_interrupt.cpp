@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ctrl-C, SIGQUIT and SIGTERM at the built program: it ends soon, says what became of things, and
 // leaves no lock open.
-#include "record/history_journal.h"
+#include "history/history_journal.h"
 #include "support/cli_program.h"
 
 #include <QElapsedTimer>

@@ -2,9 +2,9 @@
 // What the built command line says of changes that are open or could not be recorded: the adapter
 // has another name now, the disk became full in the middle, the history is locked, the journal of
 // an earlier version is damaged.
-#include "record/history_file.h"
-#include "record/history_journal.h"
-#include "record/history_patience.h"
+#include "history/history_file.h"
+#include "history/history_journal.h"
+#include "history/history_timeout.h"
 #include "support/cli_program.h"
 
 #include <QElapsedTimer>

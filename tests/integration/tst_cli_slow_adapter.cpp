@@ -7,7 +7,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
-#include "byte_bus.h"
+#include "raw_servo_bus.h"
 
 using support::CliProgram;
 using support::ProgramResult;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // servodesk-cli step-response as a user runs it: exit codes, the files it leaves, and that a
 // program killed in the middle of a trial leaves a note by which recover puts the gains back.
-#include "record/step_json.h"
+#include "results/step_json.h"
 #include "support/cli_program.h"
 
 #include <QFile>

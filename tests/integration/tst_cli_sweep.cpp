@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // servodesk-cli sweep as a user runs it: exit codes, the files it leaves, and that what the report
 // says can be worked out again from the readings, with arithmetic of this file's own.
-#include "record/sweep_json.h"
+#include "results/sweep_json.h"
 #include "support/cli_program.h"
 #include "support/cut_cable.h"
 

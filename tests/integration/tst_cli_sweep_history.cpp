@@ -2,7 +2,7 @@
 // What becomes of a sweep test afterwards, as a user of servodesk-cli sees it: it is in the list,
 // two are held against each other, one is the reference, and a history that cannot be used costs
 // neither the verdict nor the run.
-#include "record/sweep_json.h"
+#include "results/sweep_json.h"
 #include "support/cli_program.h"
 
 #include <QDir>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The built command line and hostile files: what stands in them never commands the terminal, and
 // what is no file is not read.
-#include "support/cable_end.h"
 #include "support/cli_program.h"
+#include "support/port_endpoints.h"
 
 #include <QFile>
 #include <QJsonArray>

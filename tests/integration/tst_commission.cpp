@@ -4,8 +4,8 @@
 // the program killed, IDs used up, a template of another model.
 #include "device/reader.h"
 #include "device/writer.h"
-#include "support/commission_bench.h"
-#include "support/deaf_acks.h"
+#include "support/commission_fixture.h"
+#include "support/lost_acknowledgments.h"
 
 #include <QFile>
 #include <QRegularExpression>

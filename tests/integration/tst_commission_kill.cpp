@@ -5,9 +5,9 @@
 // servo and gives the next one an ID of its own.
 #include "integration/kill_cable.h"
 #include "integration/raw_client.h"
-#include "record/commission_batch.h"
+#include "results/commission_batch.h"
 #include "support/cli_program.h"
-#include "support/commission_bench.h"
+#include "support/commission_fixture.h"
 
 #include <QJsonArray>
 #include <QRegularExpression>

@@ -2,10 +2,10 @@
 // A bad line: whatever it does, a value that is shown was really read from that servo and register.
 // Every reading is held against the simulator's truth, past the wire.
 #include "device/reader.h"
-#include "device/talk.h"
-#include "jobs/scan.h"
-#include "jobs/watch.h"
-#include "support/sim_bench.h"
+#include "device/transactions.h"
+#include "jobs/scan/scan.h"
+#include "jobs/watch/watch.h"
+#include "support/sim_fixture.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -3,16 +3,16 @@
 // and hangs: what was missed arrives later, servo writes and the end of the program wait for
 // nobody, and browsing says what is wrong. Without PostgreSQL installed there is nothing to test.
 #include "device/writer.h"
-#include "session/archive.h"
-#include "session/history_sender.h"
-#include "session/history_server_choice.h"
-#include "session/server_source.h"
+#include "session/history/history_sender.h"
+#include "session/history/history_server_choice.h"
+#include "session/history/history_server_source.h"
+#include "session/history/history_service.h"
 #include "support/cli_program.h"
 #include "support/history_example.h"
-#include "support/sender_times.h"
-#include "support/server_bench.h"
+#include "support/history_sender_times.h"
+#include "support/history_server_fixture.h"
 #include "support/silent_server.h"
-#include "support/sim_bench.h"
+#include "support/sim_fixture.h"
 
 #include <QJsonArray>
 #include <QtTest>

@@ -2,12 +2,12 @@
 // Copies of the history on a real PostgreSQL server: what a bench has kept is there, once, whatever
 // happens to bench, line or server in between, and is browsed as on the bench itself. The server is
 // the test's own; without one installed (packaging/test-packages.txt) there is nothing to test.
-#include "record/history_server.h"
-#include "record/history_server_schema.h"
-#include "session/history_sending.h"
+#include "history/server/history_server.h"
+#include "history/server/history_server_schema.h"
+#include "session/history/history_uploader.h"
 #include "support/history_example.h"
-#include "support/server_bench.h"
-#include "text/error_words.h"
+#include "support/history_server_fixture.h"
+#include "text/error_text.h"
 
 #include <QtTest>
 

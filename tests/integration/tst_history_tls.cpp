@@ -3,16 +3,16 @@
 // openssl, a relay before it that cuts, swallows and crawls, and whatever else may answer at its
 // address. Another computer must prove who it is unless the user says otherwise; the program never
 // hangs, says cause and remedy, and whatever was missed arrives later.
-#include "session/history_sender.h"
-#include "support/answering_server.h"
+#include "session/history/history_sender.h"
+#include "support/canned_reply_server.h"
 #include "support/cli_program.h"
 #include "support/history_example.h"
+#include "support/history_sender_times.h"
+#include "support/history_server_fixture.h"
 #include "support/relay.h"
-#include "support/sender_times.h"
-#include "support/server_bench.h"
 #include "support/silent_server.h"
 #include "support/tls_files.h"
-#include "text/error_words.h"
+#include "text/error_text.h"
 
 #include <QDirIterator>
 #include <QJsonArray>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves without surprises: torque-on holds, mode switches are manoeuvres, fields not given are not
 // written, and a relative move is never made twice.
-#include "device/motion.h"
-#include "support/deaf_acks.h"
+#include "device/motion/motion.h"
+#include "support/lost_acknowledgments.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A restart is proven or not claimed: devices that ignore the command, acknowledge it and do
 // nothing, restart before anybody can notice, or refuse it with an exception.
-#include "jobs/change.h"
-#include "support/sim_bench.h"
+#include "jobs/change/change.h"
+#include "support/sim_fixture.h"
 
 #include <QRegularExpression>
 #include <QTest>

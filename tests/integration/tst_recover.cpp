@@ -2,10 +2,10 @@
 // The link is cut at every single byte of an ID change, a rate change, a mode switch and a write of
 // five registers. Afterwards, with the cable back, recover must leave no lock open, lose nothing
 // and claim nothing that is not so.
-#include "device/motion.h"
-#include "jobs/change.h"
-#include "jobs/recover.h"
-#include "support/sim_bench.h"
+#include "device/motion/motion.h"
+#include "jobs/change/change.h"
+#include "jobs/recover/recover.h"
+#include "support/sim_fixture.h"
 
 #include <QRegularExpression>
 #include <QTest>

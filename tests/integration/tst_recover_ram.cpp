@@ -2,11 +2,11 @@
 // Interrupted writes of registers that are lost at power-off, and the mark of a restart: what is
 // said of them has been read, what undo and finish ask for is written and read back, and what would
 // move the servo or is another value by now stays.
-#include "device/motion.h"
+#include "device/motion/motion.h"
 #include "device/writer.h"
-#include "jobs/change.h"
-#include "jobs/recover.h"
-#include "support/sim_bench.h"
+#include "jobs/change/change.h"
+#include "jobs/recover/recover.h"
+#include "support/sim_fixture.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -2,13 +2,13 @@
 // Restoring a snapshot on every family: what was saved comes back whatever was in the servo, in one
 // transaction, and a second time nothing is written. What is claimed is held against what the servo
 // really has.
-#include "integration/restore_trouble.h"
-#include "jobs/change.h"
-#include "jobs/recover.h"
-#include "jobs/restore.h"
-#include "jobs/restore_many.h"
-#include "jobs/snapshot.h"
-#include "record/snapshot_template.h"
+#include "integration/restore_faults.h"
+#include "jobs/change/change.h"
+#include "jobs/recover/recover.h"
+#include "jobs/restore/restore.h"
+#include "jobs/restore/restore_many.h"
+#include "jobs/restore/take_snapshot.h"
+#include "snapshot/snapshot_template.h"
 
 #include <QRegularExpression>
 #include <QTest>

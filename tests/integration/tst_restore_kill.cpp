@@ -4,9 +4,9 @@
 // before or after one of them has reached the servo. What the killed program leaves, the next one
 // finds: no lock stays open, and finishing or restoring again completes it.
 #include "integration/raw_client.h"
-#include "integration/restore_rows.h"
-#include "support/cable_end.h"
+#include "integration/twenty_registers.h"
 #include "support/cli_program.h"
+#include "support/port_endpoints.h"
 #include "transport/tty_speed.h"
 
 #include <QJsonArray>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What restoring would do, before it does: reasons and ticks of every kind of row, other models by
 // key, values that do not fit, and the order of the writes.
-#include "integration/restore_help.h"
-#include "jobs/snapshot.h"
-#include "record/factory_snapshot.h"
-#include "record/snapshot_template.h"
+#include "integration/restore_support.h"
+#include "jobs/restore/take_snapshot.h"
+#include "snapshot/factory_snapshot.h"
+#include "snapshot/snapshot_template.h"
 #include "text/language.h"
-#include "text/restore_words.h"
+#include "text/restore_text.h"
 
 #include <QRegularExpression>
 #include <QTest>

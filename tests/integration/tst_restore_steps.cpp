@@ -2,10 +2,10 @@
 // The dry run of a restore against the wire, on every family: each frame that changes the servo is
 // taken apart by the bytes of its language, and what it changes in the simulated servo is a step of
 // the list, in its order and with its value; nothing else is sent that could change anything.
-#include "device/motion.h"
-#include "integration/restore_help.h"
-#include "jobs/restore.h"
-#include "jobs/snapshot.h"
+#include "device/motion/motion.h"
+#include "integration/restore_support.h"
+#include "jobs/restore/restore.h"
+#include "jobs/restore/take_snapshot.h"
 #include "protocol/codec.h"
 
 #include <QRegularExpression>

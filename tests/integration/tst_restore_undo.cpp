@@ -3,13 +3,13 @@
 // one whose way back is broken off as well, at every write. Every row comes back, also where the
 // servo held what no sheet allows; the lock closes, the journal ends the rows as undone, and the
 // history on disk leads from the table before to what the servo has now.
-#include "integration/restore_trouble.h"
-#include "jobs/recover.h"
-#include "jobs/restore.h"
-#include "jobs/snapshot.h"
-#include "record/history.h"
-#include "record/history_journal.h"
-#include "record/history_point.h"
+#include "history/history.h"
+#include "history/history_journal.h"
+#include "history/history_table.h"
+#include "integration/restore_faults.h"
+#include "jobs/recover/recover.h"
+#include "jobs/restore/restore.h"
+#include "jobs/restore/take_snapshot.h"
 
 #include <QRegularExpression>
 #include <QTemporaryDir>

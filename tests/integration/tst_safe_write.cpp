@@ -2,7 +2,7 @@
 // The safe write against the simulated bus: what is called kept survives power-off, what is called
 // temporary does not, nothing else changes, the lock ends closed.
 #include "device/writer.h"
-#include "support/deaf_acks.h"
+#include "support/lost_acknowledgments.h"
 
 #include <QRegularExpression>
 #include <QTest>

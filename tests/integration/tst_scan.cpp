@@ -2,8 +2,8 @@
 // The search, on the simulated bus and the manual clock: who is listed, what is never sent, how
 // long it takes in the bus' own time.
 #include "device/reader.h"
-#include "integration/scan_help.h"
-#include "jobs/scan_all.h"
+#include "integration/scan_support.h"
+#include "jobs/scan/scan_all.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every manoeuvre through adapters that hand replies over late: it ends right, says so, and leaves
 // the lock closed; and an ID that is taken is never given away.
-#include "jobs/change.h"
-#include "jobs/free_ids.h"
-#include "support/byte_line.h"
-#include "support/commission_bench.h"
+#include "jobs/change/change.h"
+#include "jobs/scan/find_free_ids.h"
+#include "support/commission_fixture.h"
+#include "support/raw_servo_line.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -2,14 +2,14 @@
 // The step-response lab against simulated servos: its figures are those of a twin that is moved
 // without a bus, gains act during a run and are back after it however it ends, the EPROM sees
 // nothing, and the advice is that of the sheet.
-#include "device/motion.h"
-#include "device/stop_frames.h"
-#include "jobs/recover.h"
-#include "jobs/step_advice.h"
-#include "jobs/step_response.h"
-#include "record/step_json.h"
-#include "support/plant_probe.h"
-#include "support/sim_bench.h"
+#include "device/motion/motion.h"
+#include "device/motion/stop_frames.h"
+#include "jobs/recover/recover.h"
+#include "jobs/step/step_advice.h"
+#include "jobs/step/step_response.h"
+#include "results/step_json.h"
+#include "support/servo_plant.h"
+#include "support/sim_fixture.h"
 
 #include <QRegularExpression>
 #include <QTest>

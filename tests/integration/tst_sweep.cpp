@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sweep test against simulated servos on a manual clock: what it drives, what it refuses, how
 // it ends, and that it never touches EPROM.
-#include "device/stop_frames.h"
-#include "support/sim_bench.h"
+#include "device/motion/stop_frames.h"
+#include "support/sim_fixture.h"
 
 #include <QRegularExpression>
 #include <QTest>
 
-#include "sweep_help.h"
+#include "sweep_support.h"
 #include <cmath>
 #include <numeric>
 

@@ -2,15 +2,15 @@
 // Verdicts of sweep tests that were broken off, that follow a sine, or that are too short, on
 // simulated servos and on one that knows only bytes: it obeys a scripted position, whatever goals
 // it is sent.
-#include "jobs/sweep_proposal.h"
-#include "record/sweep_json.h"
-#include "record/sweep_verdict.h"
-#include "support/sim_bench.h"
+#include "jobs/sweep/sweep_proposal.h"
+#include "results/sweep_json.h"
+#include "results/sweep_verdict.h"
+#include "support/sim_fixture.h"
 
 #include <QRegularExpression>
 #include <QTest>
 
-#include "sweep_help.h"
+#include "sweep_support.h"
 #include <cmath>
 #include <numbers>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Turns are counted through the seam, both ways; and it is said when they are not certain.
-#include "device/turn_count.h"
-#include "support/sim_bench.h"
+#include "device/motion/turn_count.h"
+#include "support/sim_fixture.h"
 
 #include <QRegularExpression>
 #include <QTest>

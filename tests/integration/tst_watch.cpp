@@ -2,7 +2,7 @@
 // Watching servos through the poll plan: columns, units, rates, and what happens when answers stay
 // out. Values are held against what the simulated servos really do.
 #include "device/reader.h"
-#include "integration/watch_help.h"
+#include "integration/watch_support.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How blocks become rows: joined by round, in time order, also when some blocks are missed.
-#include "integration/watch_help.h"
-#include "jobs/watch_decoder.h"
+#include "integration/watch_support.h"
+#include "jobs/watch/watch_decoder.h"
 
 #include <QRegularExpression>
 #include <QTest>

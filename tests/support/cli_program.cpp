@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/cli_program.h"
 
-#include "support/servo_priority.h"
+#include "support/simulator_priority.h"
 
 #include <QCoreApplication>
 #include <QJsonDocument>

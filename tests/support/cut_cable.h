@@ -6,7 +6,7 @@
 // the test's. POSIX only.
 #pragma once
 
-#include "support/cable_end.h"
+#include "support/port_endpoints.h"
 #include "transport/tty_speed.h"
 
 #include <QFile>

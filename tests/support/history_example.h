@@ -3,9 +3,9 @@
 // that each database gives by itself, so that a copy can be held against it. The test's thread.
 #pragma once
 
-#include "record/history.h"
-#include "record/history_journal.h"
-#include "unit/record/sweep_example.h"
+#include "history/history.h"
+#include "history/history_journal.h"
+#include "unit/results/sweep_example.h"
 
 #include <QTemporaryDir>
 

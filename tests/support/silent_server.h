@@ -3,7 +3,7 @@
 // that swallows. Lives in the kernel: no event loop has to run for it.
 #pragma once
 
-#include "support/cable_end.h"
+#include "support/port_endpoints.h"
 
 namespace support {
 class SilentServer {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "session/loose_thread.h"
+#include "session/detachable_worker.h"
 #include "ui/app/program.h"
 
 int main(int argc, char* argv[])

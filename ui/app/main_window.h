@@ -5,8 +5,8 @@
 #pragma once
 
 #include "session/settings.h"
-#include "ui/app/bench.h"
 #include "ui/app/options.h"
+#include "ui/common/app_context.h"
 
 #include <QMainWindow>
 

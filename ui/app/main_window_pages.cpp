@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What leads from one page of the window to another.
 #include "ui/app/main_window.h"
-#include "ui/pages/commission_page.h"
-#include "ui/pages/history_page.h"
-#include "ui/pages/memory_page.h"
-#include "ui/pages/operate_page.h"
-#include "ui/pages/snapshots_page.h"
-#include "ui/pages/step_page.h"
-#include "ui/pages/sweep_page.h"
-#include "ui/pages/trend_panel.h"
+#include "ui/commissioning/commission_page.h"
+#include "ui/history/history_page.h"
+#include "ui/memory/memory_page.h"
+#include "ui/operate/operate_page.h"
+#include "ui/snapshots/snapshots_page.h"
+#include "ui/step/step_page.h"
+#include "ui/sweep/sweep_page.h"
+#include "ui/trends/trend_panel.h"
 
 #include <QTabWidget>
 

@@ -2,7 +2,7 @@
 // The menus of the window, all from the command table. Owned by the window's menu bar; main thread.
 #pragma once
 
-#include "ui/app/commands.h"
+#include "ui/common/commands.h"
 
 #include <QMenuBar>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "session/desk.h"
-#include "ui/app/event_words.h"
+#include "ui/app/event_text.h"
 
 #include <QWidget>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/app/message_log.h"
 
-#include "ui/app/event_words.h"
+#include "ui/app/event_text.h"
 
 #include <QEvent>
 

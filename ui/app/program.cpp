@@ -3,10 +3,10 @@
 
 #include "report/fonts.h"
 #include "text/front_end.h"
-#include "ui/app/language_switch.h"
 #include "ui/app/main_window.h"
-#include "ui/app/plain_texts.h"
-#include "ui/app/theme.h"
+#include "ui/app/plain_text_filter.h"
+#include "ui/common/language_switch.h"
+#include "ui/common/theme.h"
 
 #include <QApplication>
 #include <QIcon>

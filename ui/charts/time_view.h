@@ -3,7 +3,7 @@
 // Instants of the bus clock. A value; one thread.
 #pragma once
 
-#include "record/sample_store.h"
+#include "recording/sample_store.h"
 
 namespace ui {
 class TimeView {

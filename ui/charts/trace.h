@@ -3,7 +3,7 @@
 // main thread.
 #pragma once
 
-#include "record/sample_store.h"
+#include "recording/sample_store.h"
 
 #include <QColor>
 

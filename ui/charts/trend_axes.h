@@ -7,7 +7,7 @@
 
 #include "ui/charts/auto_range.h"
 #include "ui/charts/time_view.h"
-#include "ui/charts/trend_colours.h"
+#include "ui/charts/trend_colors.h"
 
 #include <QFont>
 #include <QGraphicsItem>

@@ -2,7 +2,7 @@
 // One curve of a trend chart: which samples, and how they look. A value; main thread.
 #pragma once
 
-#include "record/trigger.h"
+#include "recording/trigger.h"
 
 #include <QColor>
 #include <QString>

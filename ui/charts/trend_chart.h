@@ -5,7 +5,7 @@
 // Repaints at most 30 times a second. Main thread.
 #pragma once
 
-#include "record/trigger.h"
+#include "recording/trigger.h"
 #include "ui/charts/trend_channel.h"
 
 #include <QWidget>

@@ -3,7 +3,7 @@
 // way back. Draws nothing. Owned by the chart; main thread.
 #pragma once
 
-#include "ui/charts/trend_picture.h"
+#include "ui/charts/trend_scene.h"
 
 #include <QElapsedTimer>
 

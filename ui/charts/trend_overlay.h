@@ -5,7 +5,7 @@
 
 #include "ui/charts/time_view.h"
 #include "ui/charts/trend_channel.h"
-#include "ui/charts/trend_colours.h"
+#include "ui/charts/trend_colors.h"
 
 #include <QFont>
 #include <QGraphicsItem>

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "ui/charts/trace_raster.h"
-#include "ui/charts/trend_colours.h"
-#include "ui/charts/trend_picture.h"
+#include "ui/charts/trend_colors.h"
+#include "ui/charts/trend_scene.h"
 
 #include <QElapsedTimer>
 #include <QWidget>

@@ -3,7 +3,7 @@
 // nothing itself. Places are shares of the plot, 0 … 1 from its left and lower edge. Main thread.
 #pragma once
 
-#include "ui/charts/trend_picture.h"
+#include "ui/charts/trend_scene.h"
 
 #include <QChartView>
 

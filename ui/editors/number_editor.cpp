@@ -2,7 +2,7 @@
 #include "ui/editors/number_editor.h"
 
 #include "catalog/raw_range.h"
-#include "ui/models/memory_words.h"
+#include "ui/editors/register_text.h"
 
 #include <QEvent>
 #include <QLineEdit>

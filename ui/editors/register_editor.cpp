@@ -5,7 +5,7 @@
 #include "ui/editors/bits_editor.h"
 #include "ui/editors/enum_editor.h"
 #include "ui/editors/number_editor.h"
-#include "ui/editors/value_words.h"
+#include "ui/editors/value_error_text.h"
 
 namespace ui {
 using catalog::Encoding;

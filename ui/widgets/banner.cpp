@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/banner.h"
 
-#include "text/error_words.h"
+#include "text/error_text.h"
 
 #include <QAction>
 #include <QEvent>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "ui/app/theme.h"
+#include "ui/common/theme.h"
 
 #include <QFrame>
 

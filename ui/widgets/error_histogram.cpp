@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/error_histogram.h"
 
-#include "ui/models/sweep_cells.h"
+#include "ui/widgets/test_text.h"
 
 #include <QEvent>
 #include <QHelpEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/gauge.h"
 
-#include "ui/app/theme.h"
+#include "ui/common/theme.h"
 
 #include <QPainter>
 

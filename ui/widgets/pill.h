@@ -4,7 +4,7 @@
 // by its parent; main thread.
 #pragma once
 
-#include "ui/app/theme.h"
+#include "ui/common/theme.h"
 
 #include <QWidget>
 

@@ -2,7 +2,7 @@
 #include "ui/widgets/rate_chooser.h"
 
 #include "session/session.h"
-#include "ui/models/rate_words.h"
+#include "ui/widgets/rate_text.h"
 
 #include <QEvent>
 #include <QListWidget>

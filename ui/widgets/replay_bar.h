@@ -3,7 +3,7 @@
 // shows the recording follows moved(). Owned by its parent; main thread.
 #pragma once
 
-#include "record/sample_store.h"
+#include "recording/sample_store.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/tone_delegate.h"
 
-#include "ui/models/sweep_cells.h"
+#include "ui/widgets/test_text.h"
 
 namespace ui {
 void ToneDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const

@@ -3,7 +3,7 @@
 // one click. Owned by the window; main thread.
 #pragma once
 
-#include "ui/app/commands.h"
+#include "ui/common/commands.h"
 
 #include <QWidget>
 

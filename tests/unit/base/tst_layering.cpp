@@ -66,9 +66,8 @@ QStringList wrongIncludes(const QString& source, const Layer& own, const QList<L
     static const QRegularExpression line(
         QStringLiteral("^\\s*#\\s*include\\s*(?:\"([^\"]*)\"|<([a-z]+/[^>]*)>)"),
         QRegularExpression::MultilineOption);
-    // The window has rooms inside: "ui/pages/memory_page.h".
-    static const QRegularExpression shape(
-        QStringLiteral("^(?:(ui)/[a-z]+|([a-z]+))/[a-z0-9_]+\\.h$"));
+    // "layer/file.h" or, where a layer has folders, "layer/folder/file.h".
+    static const QRegularExpression shape(QStringLiteral("^([a-z]+)(?:/[a-z]+)?/[a-z0-9_]+\\.h$"));
     QStringList wrong;
     for (auto it = line.globalMatch(source); it.hasNext();) {
         const auto match = it.next();
@@ -80,7 +79,7 @@ QStringList wrongIncludes(const QString& source, const Layer& own, const QList<L
             continue; // a system header: <sys/file.h>, <tl/expected.hpp>
         if (quotes && path.endsWith(QLatin1String(".moc")))
             continue;
-        const QString layer = parts.captured(1) + parts.captured(2);
+        const QString layer = parts.captured(1);
         if (!quotes || !parts.hasMatch() || !named || !exists(path))
             wrong.append(path + QStringLiteral(": write \"layer/file.h\""));
         else if (layer != own.name && !own.mayUse.contains(layer))

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of a bus that need no wire: planning, percentiles, bounded stores, holds.
 #include "bus/hold_table.h"
+#include "bus/poll_buffer.h"
 #include "bus/poll_planner.h"
-#include "bus/round_trips.h"
-#include "bus/sample_store.h"
+#include "bus/round_trip_histogram.h"
 #include "bus/trace_ring.h"
 
 #include <QRegularExpression>

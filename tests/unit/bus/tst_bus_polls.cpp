@@ -3,7 +3,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
-#include "bench_bus.h"
+#include "bus_fixture.h"
 #include <set>
 
 using namespace bus;

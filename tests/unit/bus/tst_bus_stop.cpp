@@ -3,7 +3,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
-#include "bench_bus.h"
+#include "bus_fixture.h"
 
 using namespace bus;
 using base::ErrorCode;

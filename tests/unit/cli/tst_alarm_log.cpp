@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Alarms that come and go while servos are watched, as the history has them afterwards.
 #include "cli/alarm_log.h"
-#include "record/history.h"
+#include "history/history.h"
 #include "session/paths.h"
-#include "support/own_data_folder.h"
+#include "support/temporary_data_folder.h"
 
 #include <QFile>
 #include <QRegularExpression>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Words of the command line into values, commands and options.
-#include "cli/arguments.h"
+#include "cli/input/arguments.h"
 #include "cli/parser.h"
 #include "text/language.h"
 

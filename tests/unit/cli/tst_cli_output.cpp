@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // JSON, tables and exit codes of the command line.
 #include "cli/exit_code.h"
-#include "cli/json.h"
-#include "cli/table.h"
+#include "cli/output/json.h"
+#include "cli/output/table.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

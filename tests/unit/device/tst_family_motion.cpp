@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Torque, modes, moves and halts in every family: nothing moves by surprise, and what a family
 // lacks is refused before the wire.
-#include "device/motion.h"
+#include "device/motion/motion.h"
 
 #include <QTest>
 
-#include "paper_bus.h"
+#include "fake_bus.h"
 
 using base::ErrorCode;
 using catalog::Role;
@@ -750,7 +750,7 @@ void TestFamilyMotion::arrivalWithoutAFlag_data()
     QTest::addColumn<int>("from");
     QTest::addColumn<int>("to");
     QTest::addColumn<int>("startsAfter"); ///< ms
-    QTest::addColumn<int>("travelTime");     ///< ms; 0: one step a millisecond
+    QTest::addColumn<int>("travelTime");  ///< ms; 0: one step a millisecond
     QTest::addColumn<int>("sticksAt");    ///< −1: nowhere
     QTest::newRow("at once") << 0 << 500 << 0 << 0 << -1;
     QTest::newRow("a slow start") << 0 << 500 << 400 << 0 << -1;

@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "paper_bus.h"
+#include "fake_bus.h"
 
 using base::ErrorCode;
 using catalog::Role;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "Stopped" is said of a shaft that has come to rest; one that goes on turning loses its torque.
-#include "device/motion.h"
+#include "device/motion/motion.h"
 
 #include <QTest>
 
-#include "paper_bus.h"
+#include "fake_bus.h"
 #include <cmath>
 
 using catalog::Role;

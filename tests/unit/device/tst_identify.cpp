@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who is there, in which language; what its table says; what ails it; how it is stopped.
 #include "device/alarms.h"
-#include "device/stop_frames.h"
+#include "device/motion/stop_frames.h"
 
 #include <QTest>
 
-#include "paper_bus.h"
+#include "fake_bus.h"
 
 using base::ErrorCode;
 using base::Protocol;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a slider may reach and which fields a move has, per family and mode; goals that are held and
 // started apart; a mode switch that is only planned.
-#include "device/move_limits.h"
+#include "device/motion/move_limits.h"
 
 #include <QTest>
 
-#include "paper_bus.h"
+#include "fake_bus.h"
 
 using catalog::Role;
 using device::GoalKind;

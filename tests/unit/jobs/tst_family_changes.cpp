@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ID, rate, middle, restart, restore, recovery and snapshots in every family: done and proven, or
 // refused in one word before the first byte.
-#include "device/motion.h"
-#include "jobs/change.h"
-#include "jobs/recover.h"
-#include "jobs/scan_plan.h"
-#include "jobs/snapshot.h"
-#include "unit/device/paper_bus.h"
+#include "device/motion/motion.h"
+#include "jobs/change/change.h"
+#include "jobs/recover/recover.h"
+#include "jobs/restore/take_snapshot.h"
+#include "jobs/scan/scan_plan.h"
+#include "unit/device/fake_bus.h"
 
 #include <QTest>
 

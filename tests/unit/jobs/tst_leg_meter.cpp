@@ -2,7 +2,7 @@
 // One leg, measured from noisy readings of a motion that is known exactly: every figure within 2
 // steps, 1 percentage point or 2 %; what cannot be known is not said. Rest, targets that are not
 // reached, nights; what happens while the servo moves is in tst_leg_motion.
-#include "unit/jobs/leg_ride.h"
+#include "unit/jobs/simulated_leg.h"
 
 #include <QtTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What LegMeter says of a servo while it moves, and to the job while the leg lasts: speeds, lag
 // behind the path, the moving flag, arrival, stall; and legs of a sine.
-#include "unit/jobs/leg_ride.h"
+#include "unit/jobs/simulated_leg.h"
 
 #include <QtTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a sweep goes, leg by leg, in every shape; and how long a move takes, held against a motion
 // that is added up in small steps of time.
-#include "jobs/sweep_path.h"
+#include "jobs/sweep/sweep_path.h"
 
 #include <QtTest>
 

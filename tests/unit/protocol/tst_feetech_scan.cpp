@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes to replies. Good frames are the vendor's worked examples; everything around them is what
 // a bad line makes of them.
-#include "unit/protocol/scan_words.h"
+#include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Requests to LX bytes, what is expected back, and words for the trace. The frames are those
 // computed from the maker's rules; they were not produced by this code.
-#include "unit/protocol/scan_words.h"
+#include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LX bytes to replies. Good frames are those computed from the maker's rules; everything around
 // them is what a bad line makes of them.
-#include "unit/protocol/scan_words.h"
+#include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
 #include <QTest>

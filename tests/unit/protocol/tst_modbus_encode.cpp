@@ -2,7 +2,7 @@
 // Requests to Modbus bytes, what is expected back, and words for the trace. The frames are those
 // computed from the published rules; they were not produced by this code.
 #include "base/crc.h"
-#include "unit/protocol/scan_words.h"
+#include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
 #include <QTest>

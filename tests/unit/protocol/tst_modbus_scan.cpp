@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Modbus bytes to replies. Frames whose CRC is written out are those computed from the published
 // rules; the others get theirs from the standard's algorithm, which has a check value of its own.
-#include "unit/protocol/scan_words.h"
+#include "unit/protocol/scan_text.h"
 
 #include <QRegularExpression>
 #include <QTest>

@@ -4,7 +4,7 @@
 // browser starts twice: a page around the reports looks into them, then a report is photographed.
 #include "report/sweep_compare_html.h"
 #include "report/sweep_html.h"
-#include "unit/record/sweep_example.h"
+#include "unit/results/sweep_example.h"
 
 #include <QImage>
 #include <QJsonArray>

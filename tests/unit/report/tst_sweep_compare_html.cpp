@@ -2,9 +2,9 @@
 // The page that holds two tests against each other: well-formed, needs nothing else, says what
 // cannot be compared, escapes what people typed; and the lines about a reference servo.
 #include "report/sweep_compare_html.h"
-#include "report/sweep_compare_words.h"
-#include "report/sweep_words.h"
-#include "unit/record/sweep_example.h"
+#include "report/sweep_compare_text.h"
+#include "report/sweep_text.h"
+#include "unit/results/sweep_example.h"
 
 #include <QRegularExpression>
 #include <QTemporaryDir>

@@ -2,10 +2,10 @@
 // The report page: well-formed, every figure of the run in it, everything from people escaped, both
 // languages complete, nothing that would be fetched; long runs are shortened and charts thinned
 // without losing what stands out.
-#include "record/sweep_verdict.h"
 #include "report/sweep_html.h"
-#include "report/sweep_words.h"
-#include "unit/record/sweep_example.h"
+#include "report/sweep_text.h"
+#include "results/sweep_verdict.h"
+#include "unit/results/sweep_example.h"
 
 #include <QRegularExpression>
 #include <QTemporaryDir>

@@ -3,9 +3,9 @@
 // page, in both languages, charts as pictures, its fonts in it, nothing cut off at the right.
 // Runs on a machine with Chinese fonts only, where Qt would take one of those for everything.
 #include "report/sweep_pdf.h"
-#include "report/sweep_words.h"
-#include "support/font_machine.h"
-#include "unit/record/sweep_example.h"
+#include "report/sweep_text.h"
+#include "support/font_config.h"
+#include "unit/results/sweep_example.h"
 
 #include <QGuiApplication>
 #include <QProcess>

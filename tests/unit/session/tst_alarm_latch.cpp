@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Alarms that came stay until they are acknowledged and over; silence is told from a lost reading.
-#include "session_bench.h"
+#include "session_fixture.h"
 
 using session::ActiveAlarm;
 using session::AlarmLatch;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The composition root: ports by name, the simulated bus behind them, and where things are kept.
-#include "device/stop_frames.h"
+#include "device/motion/stop_frames.h"
 #include "device/writer.h"
 #include "session/paths.h"
 #include "session/session.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "catalog/catalog.h"
-#include "sim/virtual_servo.h"
+#include "sim/servo/virtual_servo.h"
 
 #include <QString>
 

@@ -2,8 +2,8 @@
 // A servo is ill by exactly the figures it was given: every defect is found again by a probe that
 // steps the servo itself, on several models, ways, speeds and loads. And one without defects is a
 // healthy one.
-#include "sim/presets.h"
-#include "support/plant_probe.h"
+#include "sim/host/presets.h"
+#include "support/servo_plant.h"
 
 #include <QRegularExpression>
 #include <QTest>

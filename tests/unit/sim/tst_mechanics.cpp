@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Motor, play, shaft and load as physics knows them, and the servo's own sense of time.
-#include "sim/mechanics.h"
+#include "sim/servo/mechanics.h"
 #include "unit/sim/servo_fixture.h"
 
 #include <QRegularExpression>

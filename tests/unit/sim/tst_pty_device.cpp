@@ -2,7 +2,7 @@
 // The simulator's terminal when clients come and go between two of its looks: whose bytes reach
 // whom.
 #include "integration/raw_client.h"
-#include "sim/pty_device.h"
+#include "sim/host/pty_device.h"
 
 #include <QTest>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated bus as a link, on a clock that jumps and on the real one.
-#include "sim/sim_link.h"
+#include "sim/host/sim_link.h"
 
 #include <QRegularExpression>
 #include <QTest>
 
-#include "wire_bench.h"
+#include "wire_fixture.h"
 
 using namespace std::chrono_literals;
 using base::Bytes;

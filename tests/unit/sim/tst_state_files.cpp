@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A state file carries what each kind of servo keeps over a restart of the simulator; a file of
 // other servos, or of another version of the format, is refused and left alone.
-#include "sim/eprom_store.h"
+#include "sim/servo/eprom_store.h"
 
 #include <QDir>
 #include <QFile>
@@ -10,7 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "wire_bench.h"
+#include "wire_fixture.h"
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is heard when rates differ or two speak at once: levels combine, low wins.
-#include "sim/uart_receiver.h"
+#include "sim/bus/uart_receiver.h"
 
 #include <QRegularExpression>
 #include <QTest>
 
-#include "wire_bench.h"
+#include "wire_fixture.h"
 
 using namespace std::chrono_literals;
 using base::Bytes;

@@ -4,7 +4,7 @@
 #include <QRegularExpression>
 #include <QTest>
 
-#include "wire_bench.h"
+#include "wire_fixture.h"
 
 using namespace std::chrono_literals;
 using base::Bytes;

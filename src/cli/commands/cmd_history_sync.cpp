@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/history_remote.h"
+#include "cli/input/arguments.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "session/detachable_worker.h"
+#include "session/history/history_server_choice.h"
+#include "session/history/history_uploader.h"
+#include "session/paths.h"
+
+#include <future>
+
+namespace cli {
+namespace {
+using session::SendProgress;
+constexpr auto checkInterval = std::chrono::milliseconds(50);
+constexpr auto maxSilence = std::chrono::minutes(2);
+constexpr auto shutdownTimeout = std::chrono::milliseconds(900);
+
+/// On a thread that can be left behind, since a server may hang for as long as it likes.
+base::Result<SendProgress> send(Run& run, const session::HistoryServerChoice& choice)
+{
+    const auto sending = std::make_shared<session::HistoryUploader>(session::historyFile(),
+                                                                    choice.address, choice.bench);
+    const auto promise = std::make_shared<std::promise<base::Result<SendProgress>>>();
+    auto answer = promise->get_future();
+    session::DetachableWorker thread;
+    thread.start([sending, promise] { promise->set_value(sending->send()); });
+    while (answer.wait_for(checkInterval) != std::future_status::ready) {
+        if (run.stop().isRequested()) {
+            sending->abort();
+            thread.finish(shutdownTimeout);
+            return base::fail(base::ErrorCode::Stopped, QStringLiteral("history-server"));
+        }
+        if (sending->silenceTime() > maxSilence)
+            sending->dropConnection();
+    }
+    thread.finish(shutdownTimeout, [sending] { sending->disconnect(); });
+    return answer.get();
+}
+
+QString savedServerText(const session::HistoryServerChoice& choice)
+{
+    return (choice.isFixedByEnvironment
+                ? translate("cli", "The name of the bench was stored; the server is set "
+                                   "by SERVODESK_HISTORY_SERVER")
+                : translate("cli", "Server and name of the bench were stored; the window "
+                                   "uses them too")) +
+           QLatin1Char('\n');
+}
+
+base::Result<Exit> runSync(Run& run, const Values& values)
+{
+    session::Settings settings;
+    session::HistoryServerChoice choice = savedServer(run, settings);
+    if (const auto server = values.option("--server")) {
+        choice.address = *server;
+        choice.isFixedByEnvironment = false;
+    }
+    choice.bench = values.option("--bench").value_or(choice.bench).trimmed();
+    if (choice.address.trimmed().isEmpty())
+        return badArgument(translate("cli", "no history server is set; name one with --server or "
+                                            "SERVODESK_HISTORY_SERVER"));
+    const auto address = record::ServerAddress::parse(choice.address);
+    if (!address)
+        return tl::unexpected(address.error());
+    const auto sent = send(run, choice);
+    const bool remember = values.has("--remember");
+    if (!sent) {
+        if (remember)
+            run.console().printMessage(
+                translate("cli", "Server and name of the bench were not stored"));
+        return tl::unexpected(sent.error());
+    }
+    if (remember) {
+        if (const auto kept = session::setHistoryServerChoice(settings, choice); !kept)
+            return tl::unexpected(kept.error());
+    }
+    QString words = translate("cli", "Rows sent to %1 as %2: %3; it has everything now")
+                        .arg(address->displayText(), choice.bench)
+                        .arg(qint64(sent->sent)) +
+                    QLatin1Char('\n');
+    if (remember)
+        words += savedServerText(choice);
+    run.finish(Json::object()
+                   .add("server", address->displayText())
+                   .add("bench", choice.bench)
+                   .add("sent", sent->sent)
+                   .add("remembered", remember),
+               words);
+    return Exit::Success;
+}
+} // namespace
+
+Command historySyncCommand()
+{
+    return {"history sync",
+            QT_TRANSLATE_NOOP("cli", "send what a history server (PostgreSQL) has missed; needs no "
+                                     "port"),
+            {},
+            {{"--server",
+              QT_TRANSLATE_NOOP("cli", "its connection string, such as "
+                                       "postgresql://USER@HOST/DATABASE, without a password (store "
+                                       "it in ~/.pgpass); default: the one remembered. Another "
+                                       "computer must have a valid TLS certificate, unless "
+                                       "?sslmode=... says otherwise"),
+              "STRING"},
+             {"--bench", QT_TRANSLATE_NOOP("cli", "what this bench is called there"), "NAME"},
+             {"--remember",
+              QT_TRANSLATE_NOOP("cli", "use server and name from now on, in the window too; "
+                                       "stored once the server has been reached")}},
+            runSync};
+}
+} // namespace cli

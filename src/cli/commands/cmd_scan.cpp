@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/input/arguments.h"
+#include "cli/output/progress.h"
+#include "cli/output/report_text.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "jobs/scan/scan.h"
+#include "text/language.h"
+#include "text/notice_text.h"
+#include "transport/port_opener.h"
+
+namespace cli {
+namespace {
+Json jsonFound(const jobs::FoundServo& found)
+{
+    const catalog::Profile* profile = found.servo.profile.get();
+    Json json = Json::object();
+    json.add("id", found.servo.id)
+        .add("protocol", base::protocolName(found.servo.protocol))
+        .add("model", profile != nullptr ? Json(profile->modelName) : Json())
+        .add("model_id", profile != nullptr ? Json(profile->identity.modelId()) : Json())
+        .add("map", profile != nullptr ? Json(profile->mapKey) : Json())
+        .add("firmware", profile != nullptr ? Json(profile->identity.firmware()) : Json())
+        .add("baud", found.servo.baud)
+        .add("status", jsonAlarms(found.servo.status, profile));
+    if (found.duplicateSuspected)
+        json.add("twins_suspected", true);
+    return json;
+}
+
+Json jsonReport(const jobs::ScanReport& report)
+{
+    Json::Array servos;
+    for (const jobs::FoundServo& found : report.found)
+        servos.push_back(jsonFound(found));
+    const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(report.elapsed);
+    Json json = Json::object();
+    json.add("port", report.port)
+        .add("elapsed_ms", std::int64_t{elapsed.count()})
+        .add("found", std::move(servos));
+    Json::Array refused(report.unsupportedRates.begin(), report.unsupportedRates.end());
+    if (!refused.empty())
+        json.add("rates_refused", std::move(refused));
+    Json::Array busy(report.busyRates.begin(), report.busyRates.end());
+    if (!busy.empty())
+        json.add("rates_busy", std::move(busy));
+    if (report.slowPassAdvised)
+        json.add("slow_pass_advised", true);
+    if (report.stopped)
+        json.add("stopped", true);
+    return json;
+}
+
+QString remarkOf(const jobs::FoundServo& found)
+{
+    if (found.duplicateSuspected)
+        return translate("cli", "two servos with this ID suspected");
+    const bool unclear = found.servo.profile && found.servo.profile->conflict;
+    return unclear ? translate("cli", "family unclear: read only") : QString();
+}
+
+Table foundTable(const jobs::ScanReport& report)
+{
+    Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Number"),
+                 translate("cli", "Firmware"), translate("cli", "Protocol"),
+                 translate("cli", "Map"), translate("cli", "Baud"), translate("cli", "Alarms"),
+                 translate("cli", "Remark")});
+    table.alignRight({0, 6});
+    for (const jobs::FoundServo& found : report.found) {
+        const catalog::Profile* profile = found.servo.profile.get();
+        const bool known = profile != nullptr;
+        table.add(
+            {QString::number(found.servo.id), known ? profile->modelName : QStringLiteral("?"),
+             known ? profile->identity.modelId() : QStringLiteral("?"),
+             known ? profile->identity.firmware() : QStringLiteral("?"),
+             base::protocolName(found.servo.protocol),
+             known ? profile->mapKey : QStringLiteral("?"), QString::number(found.servo.baud),
+             text::statusText(found.servo.status, profile, text::isUiChinese()), remarkOf(found)});
+    }
+    return table;
+}
+
+QString remarks(const jobs::ScanReport& report)
+{
+    QStringList lines;
+    if (report.found.empty()) {
+        QStringList rates;
+        for (const int rate : report.rates)
+            rates << QString::number(rate);
+        lines << translate("cli", "No servo answered. Check supply and leads, and try --bauds all.")
+              << translate("cli", "Searched at %1 baud. At 1000000 baud there are Feetech servos "
+                                  "only; LX, Modbus and most SMS servos are at 115200.")
+                     .arg(rates.join(QStringLiteral(", ")));
+    }
+    if (report.hasGarbledReplies)
+        lines << translate("cli", "Something unreadable was heard where no servo could be proven: "
+                                  "another baud rate, two servos with one ID, or noise.");
+    if (report.slowPassAdvised)
+        lines << translate("cli", "Several servos answered late, so others may have been missed: "
+                                  "try again with --slow.");
+    for (const int rate : report.unsupportedRates)
+        lines << translate("cli", "This adapter cannot run at %1 baud.").arg(rate);
+    for (const int rate : report.busyRates)
+        lines << translate("cli", "At %1 baud the line never falls silent: something sends "
+                                  "continuously. Servos may have been missed.")
+                     .arg(rate);
+    if (report.stopped)
+        lines << translate("cli", "Stopped before the end.");
+    return lines.isEmpty() ? QString() : lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+base::Result<jobs::ScanSpec> specOf(const Run& run, const Values& values)
+{
+    jobs::ScanSpec spec;
+    if (const auto ids = values.option("--ids")) {
+        const auto range = parseIdRange(*ids);
+        if (!range)
+            return tl::unexpected(range.error());
+        spec.firstId = range->first;
+        spec.lastId = range->last;
+    }
+    if (const auto bauds = values.option("--bauds")) {
+        const auto rates = parseBauds(*bauds);
+        if (!rates)
+            return tl::unexpected(rates.error());
+        spec.bauds = *rates;
+    } else if (run.globals().autoBaud) {
+        spec.bauds = transport::standardBaudRates();
+    }
+    spec.slowPass = values.has("--slow");
+    if (run.globals().protocol)
+        spec.protocols = {*run.globals().protocol};
+    return spec;
+}
+
+base::Result<Exit> run(Run& run, const Values& values)
+{
+    const auto spec = specOf(run, values);
+    if (!spec)
+        return tl::unexpected(spec.error());
+    const auto context = run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    base::Result<jobs::ScanReport> report;
+    {
+        ProgressLine line(run.console(), translate("cli", "Searching"));
+        report = jobs::scan(*context, *spec,
+                            [&line](const jobs::Progress& progress) { line.update(progress); });
+    }
+    if (!report)
+        return tl::unexpected(report.error());
+    const QString summary =
+        translate("cli", "Found on %1: %2, in %3 s")
+            .arg(report->port)
+            .arg(report->found.size())
+            .arg(std::chrono::duration<double>(report->elapsed).count(), 0, 'f', 2);
+    const QString table = report->found.empty() ? QString() : foundTable(*report).text();
+    run.finish(jsonReport(*report), table + summary + QLatin1Char('\n') + remarks(*report));
+    return report->stopped ? Exit::Failed : report->found.empty() ? Exit::NoReply : Exit::Success;
+}
+} // namespace
+
+Command scanCommand()
+{
+    return {"scan",
+            QT_TRANSLATE_NOOP("cli", "search the bus; writes nothing"),
+            {},
+            {{"--ids", QT_TRANSLATE_NOOP("cli", "only these IDs (usual: 0-253)"), "A-B"},
+             {"--bauds", QT_TRANSLATE_NOOP("cli", "baud rates to search at"), "all|N,N…"},
+             {"--slow", QT_TRANSLATE_NOOP("cli", "ask silent IDs again, with long patience")}},
+            run};
+}
+} // namespace cli

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/input/arguments.h"
+#include "cli/output/restore_text.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "jobs/restore/take_snapshot.h"
+#include "session/snapshot/safety_snapshot.h"
+#include "snapshot/factory_snapshot.h"
+#include "snapshot/snapshot_compare.h"
+#include "text/restore_text.h"
+
+#include <deque>
+
+namespace cli {
+namespace {
+const QLatin1String factoryText("default");
+
+struct Column {
+    QString title;
+    QString source; ///< "servo", "file", "default"
+    record::Snapshot table;
+    catalog::ProfilePtr profile; ///< null: a file whose map is not known any more
+};
+
+base::Result<Column> fromServo(Run& run, const QString& word, int id)
+{
+    auto servo = run.servo(id);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const auto context = run.context();
+    auto table = jobs::takeSnapshot(*context, *servo, session::programName());
+    if (!table)
+        return tl::unexpected(table.error());
+    return Column{translate("cli", "Servo %1").arg(word), QStringLiteral("servo"),
+                  std::move(*table), servo->profile};
+}
+
+base::Result<Column> fromFile(Run& run, const QString& file)
+{
+    auto table = record::loadSnapshot(file);
+    if (!table)
+        return tl::unexpected(table.error());
+    catalog::ProfilePtr profile = record::profileOf(*table, run.session().catalog());
+    return Column{file, QStringLiteral("file"), std::move(*table), std::move(profile)};
+}
+
+/// The defaults are those of the first kind of servo that stands beside them.
+base::Result<void> fillDefaults(std::deque<Column>& columns)
+{
+    catalog::ProfilePtr kind;
+    for (const Column& column : columns) {
+        if (!kind && column.source != factoryText)
+            kind = column.profile;
+    }
+    for (Column& column : columns) {
+        if (column.source != factoryText)
+            continue;
+        if (!kind)
+            return badArgument(translate("cli", "\"default\" needs a servo, or a file of a known "
+                                                "model, beside it"));
+        column.table = record::factorySnapshot(*kind);
+        column.profile = kind;
+    }
+    return {};
+}
+
+base::Result<std::deque<Column>> readColumns(Run& run, const QStringList& words)
+{
+    std::deque<Column> columns;
+    for (const QString& word : words) {
+        bool number = false;
+        word.toInt(&number);
+        if (word == factoryText) {
+            columns.push_back({translate("cli", "Factory"), factoryText, {}, nullptr});
+            continue;
+        }
+        const auto id = number ? parseId(word) : base::Result<int>(-1);
+        if (!id)
+            return tl::unexpected(id.error());
+        auto column = number ? fromServo(run, word, *id) : fromFile(run, word);
+        if (!column)
+            return tl::unexpected(column.error());
+        columns.push_back(std::move(*column));
+    }
+    if (const auto filled = fillDefaults(columns); !filled)
+        return tl::unexpected(filled.error());
+    return columns;
+}
+
+Json jsonColumn(const Column& column)
+{
+    const record::SnapshotServo& servo = column.table.servo;
+    return Json::object()
+        .add("source", column.source)
+        .add("title", column.title)
+        .add("id", servo.id < 0 ? Json() : Json(servo.id))
+        .add("model", servo.model)
+        .add("firmware", servo.firmware)
+        .add("map", servo.map);
+}
+
+Json jsonComparison(const record::SnapshotComparison& comparison, const std::deque<Column>& columns)
+{
+    Json::Array heads;
+    for (const Column& column : columns)
+        heads.push_back(jsonColumn(column));
+    Json::Array rows;
+    for (const record::CompareRow& row : comparison.rows) {
+        Json::Array cells;
+        for (const record::CompareCell& cell : row.cells) {
+            cells.push_back(Json::object()
+                                .add("state", record::cellStateName(cell.state))
+                                .add("raw", cell.raw)
+                                .add("value", cell.value)
+                                .add("unit", cell.unit));
+        }
+        rows.push_back(Json::object()
+                           .add("key", row.key)
+                           .add("address", row.address)
+                           .add("verdict", record::verdictName(row.verdict))
+                           .add("cells", std::move(cells)));
+    }
+    return Json::object()
+        .add("columns", std::move(heads))
+        .add("different", comparison.different)
+        .add("missing", comparison.missing)
+        .add("unknown", comparison.unknown)
+        .add("identical", comparison.identical)
+        .add("read_only", comparison.readOnly)
+        .add("rows", std::move(rows));
+}
+
+QString cellText(const record::CompareCell& cell)
+{
+    switch (cell.state) {
+    case record::CellState::Known:
+        return formatNumber(cell.raw, cell.value, cell.unit);
+    case record::CellState::Unknown:
+        return QStringLiteral("?");
+    case record::CellState::Missing:
+        return QStringLiteral("–");
+    case record::CellState::NotChosen:
+        break;
+    }
+    return {};
+}
+
+QString comparisonText(const record::SnapshotComparison& comparison,
+                       const std::deque<Column>& columns, bool all)
+{
+    QStringList header{QString(), translate("cli", "Addr"), translate("cli", "Key")};
+    QSet<int> right{1};
+    for (const Column& column : columns) {
+        right.insert(int(header.size()));
+        header << column.title;
+    }
+    Table table(header);
+    table.alignRight(right);
+    for (const record::CompareRow& row : comparison.rows) {
+        const bool interesting = row.verdict == record::RowVerdict::Different ||
+                                 row.verdict == record::RowVerdict::Missing;
+        if (!all && !interesting)
+            continue;
+        QStringList cells{text::compareVerdictSymbol(record::verdictName(row.verdict)),
+                          QString::number(row.address), row.key};
+        for (const record::CompareCell& cell : row.cells)
+            cells << cellText(cell);
+        table.add(cells);
+    }
+    return (table.empty() ? QString() : table.text()) +
+           translate("cli", "%1 different, %2 missing, %3 unknown, %4 identical, %5 read-only")
+               .arg(comparison.different)
+               .arg(comparison.missing)
+               .arg(comparison.unknown)
+               .arg(comparison.identical)
+               .arg(comparison.readOnly) +
+           QLatin1Char('\n');
+}
+
+base::Result<Exit> runDiff(Run& run, const Values& values)
+{
+    const QStringList words = values.arguments("WHAT");
+    if (words.size() < 2)
+        return badArgument(translate("cli", "give at least two of: a file, an ID, default"));
+    const auto columns = readColumns(run, words);
+    if (!columns)
+        return tl::unexpected(columns.error());
+    std::vector<const record::Snapshot*> tables;
+    for (const Column& column : *columns)
+        tables.push_back(&column.table);
+    const record::SnapshotComparison comparison = record::compareSnapshots(tables);
+    run.finish(jsonComparison(comparison, *columns),
+               comparisonText(comparison, *columns, values.has("--all")));
+    return Exit::Success;
+}
+} // namespace
+
+Command snapshotDiffCommand()
+{
+    return {"snapshot diff",
+            QT_TRANSLATE_NOOP("cli", "compare tables side by side: files, servos, factory default"),
+            {{"WHAT",
+              QT_TRANSLATE_NOOP("cli", "two or more: a file, an ID (the servo is read), or "
+                                       "default; ./5 is a file called 5"),
+              1, many}},
+            {{"--all", QT_TRANSLATE_NOOP("cli", "also rows that are identical, unknown or "
+                                                "read-only")}},
+            runDiff};
+}
+} // namespace cli

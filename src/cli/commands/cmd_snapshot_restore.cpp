@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/input/arguments.h"
+#include "cli/output/report_text.h"
+#include "cli/output/restore_text.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "device/reader.h"
+#include "session/snapshot/safety_snapshot.h"
+
+namespace cli {
+namespace {
+Json head(const device::Servo& servo, const QString& file, bool dryRun)
+{
+    return Json::object()
+        .add("id", servo.id)
+        .add("model", servo.profile->modelName)
+        .add("file", file)
+        .add("dry_run", dryRun);
+}
+
+base::Result<Exit> carryOut(Run& run, const Values& values, device::Servo& servo,
+                            const jobs::RestorePlan& plan, Json document)
+{
+    const auto context = run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    jobs::RestoreOptions options = restoreOptionsOf(values);
+    options.beforeWrite = [&run](const device::Context& with, device::Servo& which) {
+        return run.backupTable(with, which);
+    };
+    const auto outcome = jobs::restore(*context, servo, plan, options);
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    addOutcome(document, *outcome);
+    QString text = outcomeText(*outcome, servo) + leftOutText(plan);
+    if (const auto file = values.option("--result")) {
+        const auto result =
+            jobs::toRestoreResult(*outcome, servo, values.argument("FILE"), session::programName());
+        if (const auto saved = record::saveRestoreResults({result}, *file); !saved)
+            return tl::unexpected(saved.error());
+        document.add("result", *file);
+        text += translate("cli", "The result is in %1").arg(*file) + QLatin1Char('\n');
+    }
+    run.finish(std::move(document), text);
+    return exitCode(*outcome, plan);
+}
+
+base::Result<Exit> runRestore(Run& run, const Values& values)
+{
+    const QString file = values.argument("FILE");
+    const auto snapshot = record::loadSnapshot(file);
+    if (!snapshot)
+        return tl::unexpected(snapshot.error());
+    if (const auto known = checkOnly(values, *snapshot); !known)
+        return tl::unexpected(known.error());
+    auto servo = run.servo(values);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const auto context = run.context();
+    if (const auto read = device::readAll(*context, *servo); !read)
+        return tl::unexpected(read.error());
+    const jobs::RestorePlan plan = jobs::planRestore(*context, *servo, *snapshot, choiceOf(values));
+    const bool dryRun = values.has("--dry-run");
+    Json document = head(*servo, file, dryRun);
+    addPlan(document, plan);
+    if (dryRun) {
+        run.finish(std::move(document), planText(plan) + stepsText(plan));
+        return Exit::Success;
+    }
+    if (!run.console().isJson())
+        run.console().print(planText(plan));
+    return carryOut(run, values, *servo, plan, std::move(document));
+}
+} // namespace
+
+Command snapshotRestoreCommand()
+{
+    return {"snapshot restore",
+            QT_TRANSLATE_NOOP("cli", "write a saved file back to a servo: only what differs, "
+                                     "torque off first, each row read back"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
+             {"FILE", QT_TRANSLATE_NOOP("cli", "a snapshot or template, also of another servo")}},
+            restoreOptions({{"--identity", QT_TRANSLATE_NOOP("cli", "also ID and baud rate, at the "
+                                                                    "very end")}}),
+            runRestore};
+}
+} // namespace cli

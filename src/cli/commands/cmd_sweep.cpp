@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus_busy_hint.h"
+#include "cli/commands.h"
+#include "cli/input/arguments.h"
+#include "cli/input/sweep_input.h"
+#include "cli/output/progress.h"
+#include "cli/output/table.h"
+#include "cli/run.h"
+#include "cli/sweep_history.h"
+#include "cli/translate.h"
+#include "device/write_access.h"
+#include "jobs/sweep/sweep.h"
+#include "jobs/sweep/sweep_proposal.h"
+#include "report/sweep_text.h"
+#include "results/sweep_json.h"
+#include "session/snapshot/safety_snapshot.h"
+#include "session/sweep/sweep_report.h"
+#include "text/language.h"
+
+#include <QFileInfo>
+
+#include <cmath>
+#include <map>
+
+namespace cli {
+namespace {
+QString in(const catalog::Text& words)
+{
+    return words.in(text::isUiChinese());
+}
+
+QString number(std::optional<double> value)
+{
+    return value ? QString::number(*value, 'g', 6) : QStringLiteral("–");
+}
+
+/// "≤ 8" as the verdict reads it.
+QString bound(const record::SweepLimit& limit, std::optional<double> value)
+{
+    if (!value)
+        return QStringLiteral("–");
+    return (limit.atLeast ? QStringLiteral("≥ ") : QStringLiteral("≤ ")) + number(value);
+}
+
+QString verdictText(const record::SweepRun& run, const record::SweepServo& servo)
+{
+    const record::SnapshotServo& identity = servo.parameters.servo;
+    QString text = QStringLiteral("%1 %2 · %3: %4\n")
+                       .arg(report::gradeSign(servo.verdict), identity.model,
+                            QString::number(identity.id), in(report::gradeLabel(servo.verdict)));
+    Table table({translate("cli", "Figure"), translate("cli", "Value"), translate("cli", "Unit"),
+                 translate("cli", "Warn"), translate("cli", "Fail"), translate("cli", "Grade")});
+    table.alignRight({1, 3, 4});
+    for (const record::SweepMetric& metric : servo.metrics) {
+        const auto line = std::find_if(
+            servo.lines.begin(), servo.lines.end(),
+            [&](const record::VerdictLine& one) { return one.limit.metric == metric.key; });
+        const bool judged = line != servo.lines.end();
+        if (!metric.value && !judged)
+            continue;
+        table.add({in(report::metricLabel(metric.key)), number(metric.value),
+                   in(report::unitText(metric.unit)),
+                   judged ? bound(line->limit, line->limit.warn) : QString(),
+                   judged ? bound(line->limit, line->limit.fail) : QString(),
+                   judged ? in(report::lineGradeLabel(line->grade)) : QString()});
+    }
+    text += table.text();
+    // How the run ended is said once, for all of them.
+    const record::NoVerdictReason reason = record::sweepVerdict(run, servo).reason;
+    if (reason != record::NoVerdictReason::None && reason != record::NoVerdictReason::Ended)
+        text += in(report::noVerdictReasonText(reason)) + QLatin1Char('\n');
+    return text;
+}
+
+/// Since the first goal, in seconds; empty: there was none.
+QString gapsText(const record::SweepRun& run)
+{
+    const auto seconds = [](base::Duration at) {
+        return QString::number(std::chrono::duration<double>(at).count(), 'f', 1);
+    };
+    QStringList gaps;
+    for (const record::SweepGap& gap : run.gaps)
+        gaps << QStringLiteral("%1–%2 s").arg(seconds(gap.at), seconds(gap.at + gap.span));
+    if (gaps.isEmpty())
+        return {};
+    return translate("cli", "Without readings: %1. Legs with such a gap have no times and speeds.")
+               .arg(gaps.join(QStringLiteral(", "))) +
+           QLatin1Char('\n');
+}
+
+bool allReverted(const device::Notices& notices)
+{
+    return std::none_of(notices.begin(), notices.end(), [](const device::Notice& notice) {
+        return notice.code == device::NoticeCode::SettingNotRestored;
+    });
+}
+
+/// The test, from the options to the files.
+class SweepCommand {
+public:
+    SweepCommand(Run& run, const Values& values)
+        : m_run(run)
+        , m_values(values)
+        , m_line(std::make_unique<ProgressLine>(run.console(), translate("cli", "Sweep test")))
+    {}
+
+    base::Result<Exit> run();
+
+private:
+    base::Result<void> collect();
+    void warnAboutSpeed(const device::Context& context);
+    jobs::SweepCallbacks watch();
+    base::Result<void> save(const record::SweepRun& run);
+    QStringList files() const;
+    void show(const record::SweepRun& run, const QString& kept);
+
+    Run& m_run;
+    const Values& m_values;
+    std::unique_ptr<ProgressLine> m_line;
+    std::vector<device::Servo> m_servos;
+    jobs::SweepRequest m_order;
+    std::optional<session::SweepFormat> m_format{}; ///< none: no report is wanted
+    QString m_path;
+    std::unique_ptr<jobs::SweepRecording> m_readings;
+    std::vector<jobs::UnreleasedTorque> m_left;
+};
+
+base::Result<void> SweepCommand::collect()
+{
+    const auto ids = parseIds(m_values.arguments("ID"));
+    if (!ids)
+        return tl::unexpected(ids.error());
+    auto spec = sweepSpec(m_values);
+    if (!spec)
+        return tl::unexpected(spec.error());
+    m_order.spec = std::move(*spec);
+    const auto limits = sweepLimits(m_values);
+    if (!limits)
+        return tl::unexpected(limits.error());
+    m_path = m_values.option("--report").value_or(QString());
+    m_format = session::sweepFormatOf(m_path);
+    if (!m_path.isEmpty() && !m_format)
+        return badArgument(translate("cli", "a report ends with .html, .pdf, .json or .csv"));
+    for (const int id : *ids) {
+        auto servo = m_run.servoWithSettings(id);
+        if (!servo)
+            return tl::unexpected(servo.error());
+        m_order.limits.push_back(*limits ? **limits
+                                         : record::builtInSweepLimits(servo->profile->modelName,
+                                                                      servo->profile->series));
+        const auto writable = device::requireWritable(*servo, QStringLiteral("sweep"));
+        if (!writable)
+            return writable;
+        m_servos.push_back(std::move(*servo));
+    }
+    m_order.switchMode = m_values.has("--switch-mode");
+    m_order.program = session::programName();
+    const auto connection = m_run.connect();
+    m_order.simulated = connection && (*connection)->isSimulated();
+    return {};
+}
+
+/// The classic mistake, told before it condemns a good servo. What keeps the test from running is
+/// the job's to say.
+void SweepCommand::warnAboutSpeed(const device::Context& context)
+{
+    for (std::size_t i = 0; i < m_servos.size(); ++i) {
+        const auto estimate =
+            jobs::estimateSweep(context, m_servos[i], m_order.spec, m_order.limits[i]);
+        if (!estimate)
+            continue;
+        if (estimate->minMove > 0)
+            m_run.console().printMessage(
+                translate("cli", "Servo %1: most moves are too short for a verdict: targets count "
+                                 "as reached within %2 steps, so moves need at least %3 steps.")
+                    .arg(QString::number(m_servos[i].id), number(estimate->axis.tolerance),
+                         QString::number(std::ceil(estimate->minMove))));
+        if (!estimate->tooShort)
+            continue;
+        const QString enough =
+            QString::number(estimate->proposedDelay / std::chrono::milliseconds(1));
+        const bool sine = m_order.spec.shape == record::SweepShape::Sine;
+        m_run.console().printMessage(
+            (sine ? translate("cli", "Servo %1: the sine is faster than it can turn; its period "
+                                     "needs %2 ms.")
+                  : translate("cli", "Servo %1: the delay is shorter than the longest way takes, "
+                                     "so it turns round before it arrives; %2 ms are enough."))
+                .arg(m_servos[i].id)
+                .arg(enough));
+    }
+}
+
+jobs::SweepCallbacks SweepCommand::watch()
+{
+    jobs::SweepCallbacks watch;
+    watch.onBegin = [this](const record::SweepRun& run) {
+        auto made = jobs::SweepRecording::start(run, m_format ? session::sweepReadingsPath(m_path)
+                                                              : QString());
+        if (made)
+            m_readings = std::move(*made);
+        return made ? std::nullopt : std::optional(made.error());
+    };
+    watch.onSample = [this](std::size_t servo, const jobs::SweepSample& sample, double goal,
+                            int leg) { m_readings->add(servo, sample, goal, leg); };
+    watch.onGoal = [this](std::size_t servo, int leg, base::Duration at) {
+        m_readings->goal(servo, leg, at);
+    };
+    watch.onUnreleasedTorque = [this](const jobs::UnreleasedTorque& left) {
+        m_left.push_back(left);
+    };
+    watch.onProgress = [this](const jobs::SweepProgress& progress) {
+        m_line->show(progress.warmingUp
+                         ? translate("cli", "on the way to the start, or warming up")
+                         : translate("cli", "cycle %1, %2 %, about %3 s left")
+                               .arg(progress.cycle)
+                               .arg(int(progress.fraction * 100))
+                               .arg(progress.remaining / std::chrono::seconds(1) + 1));
+    };
+    return watch;
+}
+
+base::Result<void> SweepCommand::save(const record::SweepRun& run)
+{
+    m_readings->finish();
+    if (const auto trouble = m_readings->failure())
+        return tl::unexpected(*trouble);
+    if (!m_format)
+        return {};
+    return session::saveSweepReport(run, *m_readings, *m_format, text::isUiChinese(), m_path);
+}
+
+/// As the history names them, wherever it is looked at from.
+QStringList SweepCommand::files() const
+{
+    if (!m_format)
+        return {};
+    return {QFileInfo(m_path).absoluteFilePath(),
+            QFileInfo(session::sweepReadingsPath(m_path)).absoluteFilePath()};
+}
+
+void SweepCommand::show(const record::SweepRun& run, const QString& kept)
+{
+    if (m_run.console().isJson()) {
+        m_run.console().write(record::encodeSweepRun(run));
+        // The document is the report, which others read as it is.
+        if (const QString notices = m_run.takeNotices(); !notices.isEmpty())
+            m_run.console().printMessage(notices.trimmed());
+        return;
+    }
+    QString text;
+    for (const record::SweepServo& servo : run.servos)
+        text += verdictText(run, servo) + QLatin1Char('\n');
+    text += gapsText(run);
+    if (run.end != record::SweepEnd::Finished) {
+        text += in(report::endText(run.end)) +
+                (run.endedBy >= 0 ? QStringLiteral(" (ID %1)").arg(run.endedBy) : QString()) +
+                QLatin1Char('\n');
+    }
+    text += translate("cli", "Verdict: %1").arg(in(report::gradeLabel(run.verdict()))) +
+            QLatin1Char('\n');
+    if (m_format)
+        text += translate("cli", "Report: %1, readings: %2")
+                    .arg(m_path, session::sweepReadingsPath(m_path)) +
+                QLatin1Char('\n');
+    if (!kept.isEmpty())
+        text += kept + QLatin1Char('\n');
+    m_run.console().print(text + m_run.takeNotices());
+}
+
+base::Result<Exit> SweepCommand::run()
+{
+    if (const auto ready = collect(); !ready)
+        return tl::unexpected(ready.error());
+    const auto context = m_run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    if (m_order.switchMode) {
+        for (device::Servo& servo : m_servos) {
+            if (const auto saved = m_run.backupTableAndReport(servo); !saved)
+                return tl::unexpected(saved.error());
+        }
+    }
+    warnAboutSpeed(*context);
+    const auto done = jobs::sweep(*context, m_servos, m_order, watch());
+    m_line.reset();
+    if (!done)
+        return tl::unexpected(done.error());
+    explainBusyLine(m_run.console(), *context, m_servos.front(), done->end);
+    const auto saved = save(*done);
+    const bool back = allReverted(context->notices);
+    show(*done, saveSweep(m_run.console(), *done, saved ? files() : QStringList()));
+    for (const jobs::UnreleasedTorque& left : m_left)
+        m_run.console().printMessage(unreleasedTorqueText(left));
+    if (!saved)
+        return tl::unexpected(saved.error());
+    if (done->end == record::SweepEnd::LinkLost)
+        return Exit::Port;
+    if (!back || !m_left.empty())
+        return Exit::Failed;
+    switch (done->verdict()) {
+    case record::Grade::Pass:
+    case record::Grade::Warn:
+        return Exit::Success;
+    default:
+        return Exit::Failed;
+    }
+}
+
+base::Result<Exit> run(Run& run, const Values& values)
+{
+    return SweepCommand(run, values).run();
+}
+} // namespace
+
+Command sweepCommand()
+{
+    return {"sweep",
+            QT_TRANSLATE_NOOP("cli", "move servos to and fro, measure and judge them"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "servos: 1 2 3, 1-6, 1,3"), 1, many}},
+            sweepOptions(),
+            run};
+}
+} // namespace cli

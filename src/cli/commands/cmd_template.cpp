@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/input/arguments.h"
+#include "cli/multi_servo_restore.h"
+#include "cli/output/restore_text.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "jobs/restore/take_snapshot.h"
+#include "session/snapshot/safety_snapshot.h"
+#include "snapshot/snapshot_template.h"
+
+namespace cli {
+namespace {
+/// A file, or a servo that is read.
+base::Result<record::Snapshot> sourceOf(Run& run, const QString& word)
+{
+    bool number = false;
+    word.toInt(&number);
+    if (!number)
+        return record::loadSnapshot(word);
+    const auto id = parseId(word);
+    if (!id)
+        return tl::unexpected(id.error());
+    auto servo = run.servo(*id);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const auto context = run.context();
+    return jobs::takeSnapshot(*context, *servo, session::programName());
+}
+
+tl::unexpected<base::Error> whyNot(const base::Error& error, const record::Snapshot& from)
+{
+    const QString& key = error.registerKey;
+    if (error.code == base::ErrorCode::UnknownRegister) {
+        QStringList known;
+        for (const record::SnapshotRegister& reg : from.registers)
+            known << reg.key;
+        base::Error named = error;
+        named.detail = nearest(key, known).join(QStringLiteral(", "));
+        return tl::unexpected(named);
+    }
+    if (error.detail == QLatin1String("identity"))
+        return badArgument(translate("cli", "%1 makes a servo this servo; a template has it only "
+                                            "with --identity")
+                               .arg(key));
+    if (error.detail == QLatin1String("read-only"))
+        return badArgument(translate("cli", "%1 can only be read").arg(key));
+    if (error.detail == QLatin1String("no-value"))
+        return badArgument(translate("cli", "%1 has no value there").arg(key));
+    return tl::unexpected(error);
+}
+
+base::Result<Exit> runMake(Run& run, const Values& values)
+{
+    const auto from = sourceOf(run, values.argument("FROM"));
+    if (!from)
+        return tl::unexpected(from.error());
+    auto chosen = record::makeTemplate(*from, values.arguments("KEY"), values.has("--identity"));
+    if (!chosen)
+        return whyNot(chosen.error(), *from);
+    chosen->program = session::programName();
+    if (const auto label = values.option("--label"))
+        chosen->label = *label;
+    if (const auto note = values.option("--note"))
+        chosen->note = *note;
+    const QString file = values.argument("FILE");
+    if (const auto saved = record::saveSnapshot(*chosen, file); !saved)
+        return tl::unexpected(saved.error());
+    const auto count = static_cast<int>(chosen->registers.size());
+    run.finish(Json::object().add("file", file).add("registers", count),
+               translate("cli", "Registers saved to %1: %2").arg(file).arg(count) +
+                   QLatin1Char('\n'));
+    return Exit::Success;
+}
+
+base::Result<Exit> runApply(Run& run, const Values& values)
+{
+    const QString file = values.argument("FILE");
+    const auto snapshot = record::loadSnapshot(file);
+    if (!snapshot)
+        return tl::unexpected(snapshot.error());
+    if (const auto known = checkOnly(values, *snapshot); !known)
+        return tl::unexpected(known.error());
+    const auto ids = parseIds(values.arguments("ID"));
+    if (!ids)
+        return tl::unexpected(ids.error());
+    const auto connection = run.connect();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    const auto context = run.context();
+    MultiServoRestore several(run, values);
+    jobs::ApplyOptions options = several.options();
+    if (options.protocols.empty())
+        options.protocols = (*connection)->protocols();
+    const auto all = jobs::applyToServos(*context, *ids, *snapshot, options, several.progress());
+    return several.finish(all, file);
+}
+} // namespace
+
+Command templateMakeCommand()
+{
+    return {"template make",
+            QT_TRANSLATE_NOOP("cli", "save chosen registers for giving them to other servos"),
+            {{"FROM", QT_TRANSLATE_NOOP("cli", "a snapshot file, or an ID (the servo is read)")},
+             {"FILE", QT_TRANSLATE_NOOP("cli", "usually NAME.servo.json; replaced if it exists")},
+             {"KEY", QT_TRANSLATE_NOOP("cli", "the registers"), 1, many}},
+            {{"--identity", QT_TRANSLATE_NOOP("cli", "ID and baud rate may be among them")},
+             {"--label", QT_TRANSLATE_NOOP("cli", "a name for it"), "TEXT"},
+             {"--note", QT_TRANSLATE_NOOP("cli", "a remark"), "TEXT"}},
+            runMake};
+}
+
+Command templateApplyCommand()
+{
+    return {"template apply",
+            QT_TRANSLATE_NOOP("cli", "write a template or snapshot to several servos, one verdict "
+                                     "each; never ID or baud rate"),
+            {{"FILE", QT_TRANSLATE_NOOP("cli", "a template or snapshot")},
+             {"ID", QT_TRANSLATE_NOOP("cli", "the servos: 1, 1-6 or 1,3,5"), 1, many}},
+            restoreOptions(),
+            runApply};
+}
+} // namespace cli

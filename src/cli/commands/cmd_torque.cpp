@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/commands.h"
+#include "cli/input/arguments.h"
+#include "cli/output/progress.h"
+#include "cli/output/report_text.h"
+#include "cli/run.h"
+#include "cli/translate.h"
+#include "device/motion/motion.h"
+#include "device/motion/stop_frames.h"
+#include "device/motion/torque_off.h"
+#include "device/responding.h"
+#include "transport/port_opener.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace cli {
+namespace {
+struct State {
+    const char* word;
+    device::Torque torque;
+    const char* shown;
+};
+
+constexpr State states[]{
+    {"on", device::Torque::On, QT_TRANSLATE_NOOP("cli", "torque on")},
+    {"off", device::Torque::Off, QT_TRANSLATE_NOOP("cli", "torque off")},
+    {"damp", device::Torque::Damp, QT_TRANSLATE_NOOP("cli", "damping")},
+};
+
+base::Result<State> parseState(const QString& word)
+{
+    for (const State& state : states) {
+        if (word == QLatin1String(state.word))
+            return state;
+    }
+    return badArgument(translate("cli", "the last word must be on, off or damp"));
+}
+
+/// The rest of what is done to a servo, when all have had their turn; empty: it is done.
+using Confirm = std::function<base::Result<void>()>;
+
+/// What is done to each of several servos, and how it is told.
+struct Task {
+    const char* name; ///< operation, and the member of the JSON document
+    Json result;
+    QString shown;
+    std::function<base::Result<Confirm>(const device::Context&, device::Servo)> act;
+    /// Torque off goes out even if the servo cannot be identified.
+    bool releases = false;
+    bool sent = false;        ///< torque off went to all of them before
+    QString confirmingText{}; ///< said when all have been commanded; %1: their IDs
+};
+
+QString formatIds(const std::vector<int>& ids)
+{
+    QStringList words;
+    for (const int id : ids)
+        words << QString::number(id);
+    return words.join(QStringLiteral(", "));
+}
+
+/// All servos get their turn, whatever becomes of the others.
+class Round {
+public:
+    Round(Run& run, const Task& task)
+        : m_run(run)
+        , m_task(task)
+    {}
+
+    /// Commands all of them, to be confirmed afterwards. After Ctrl-C the rest stay as they are.
+    void command(const std::vector<int>& ids)
+    {
+        ProgressLine line(m_run.console(), translate("cli", "Asking"));
+        for (const int id : ids) {
+            line.show(translate("cli", "ID %1").arg(id));
+            if (m_run.stop().isRequested()) {
+                m_notReached.insert(id);
+                m_begun.emplace_back(id, stopped(id));
+            } else {
+                m_begun.emplace_back(id, begin(id));
+            }
+        }
+    }
+    void confirm()
+    {
+        ProgressLine line(m_run.console(), translate("cli", "Asking"));
+        reportCommanded();
+        for (auto& [id, rest] : m_begun) {
+            line.show(translate("cli", "ID %1").arg(id));
+            if (!rest)
+                m_done[id] = tl::unexpected(rest.error());
+            else
+                m_done[id] = *rest ? (*rest)() : base::Result<void>{};
+        }
+        m_begun.clear();
+    }
+
+    base::Result<Exit> show(const std::vector<int>& ids) const
+    {
+        Json::Array servos;
+        QString text;
+        Exit exit = Exit::Success;
+        std::map<QString, std::vector<int>> endedByUser;
+        for (const int id : ids) {
+            const base::Result<void>& done = m_done.at(id);
+            if (!done && ids.size() == 1)
+                return tl::unexpected(done.error());
+            Json json = Json::object();
+            json.add("id", id);
+            if (done) {
+                json.add(m_task.name, m_task.result);
+                text +=
+                    translate("cli", "Servo %1: %2").arg(id).arg(m_task.shown) + QLatin1Char('\n');
+            } else {
+                json.add("error", jsonError(done.error()));
+                if (done.error().code == base::ErrorCode::Stopped)
+                    endedByUser[endedText(id, done.error())].push_back(id);
+                else
+                    m_run.console().printNote(errorText(done.error()));
+                exit = exit == Exit::Success ? exitCode(done.error().code) : exit;
+            }
+            servos.push_back(std::move(json));
+        }
+        for (const auto& [ended, its] : endedByUser)
+            m_run.console().printNote(ended.arg(formatIds(its)));
+        m_run.finish(Json::object().add("servos", std::move(servos)), text);
+        return exit;
+    }
+
+private:
+    using HaltState = std::vector<std::pair<int, base::Result<Confirm>>>;
+
+    /// %1: the IDs.
+    QString endedText(int id, const base::Error& error) const
+    {
+        if (m_task.sent || device::isMarkedUnverified(error))
+            return translate("cli", "Ended by you before it was confirmed (ID %1): torque off was "
+                                    "sent, but nothing proves that it took effect.");
+        if (m_task.releases)
+            return translate("cli", "Ended by you before it was confirmed (ID %1): these servos "
+                                    "may still have torque and move.");
+        return m_notReached.count(id) > 0
+                   ? translate("cli", "Ended by you before anything was sent (ID %1).")
+                   : translate("cli", "Ended by you before it was confirmed (ID %1): the torque of "
+                                      "these servos may have been switched.");
+    }
+    void reportCommanded() const
+    {
+        std::vector<int> ids;
+        for (const auto& [id, rest] : m_begun) {
+            if (rest)
+                ids.push_back(id);
+        }
+        if (!ids.empty() && !m_task.confirmingText.isEmpty())
+            m_run.console().printNote(m_task.confirmingText.arg(formatIds(ids)));
+    }
+    base::Result<Confirm> begin(int id)
+    {
+        auto servo = m_run.servo(id);
+        if (servo)
+            return m_task.act(*m_run.context(), std::move(*servo));
+        const auto connection = m_run.connect();
+        if (!m_task.releases || !connection)
+            return tl::unexpected(servo.error());
+        return tl::unexpected(device::forceTorqueOffUnidentified(
+            *m_run.context(), id, (*connection)->protocols(), std::move(servo.error())));
+    }
+    base::Result<Confirm> stopped(int id) const
+    {
+        const base::Error error{base::ErrorCode::Stopped, QLatin1String(m_task.name), {}, id};
+        return tl::unexpected(m_task.sent ? device::markUnverified(error) : error);
+    }
+
+    Run& m_run;
+    const Task& m_task;
+    HaltState m_begun{};
+    std::set<int> m_notReached{}; ///< when Ctrl-C came
+    std::map<int, base::Result<void>> m_done{};
+};
+
+base::Result<Exit> runOnAll(Run& run, const std::vector<int>& ids, const Task& task)
+{
+    Round round(run, task);
+    round.command(ids);
+    round.confirm();
+    return round.show(ids);
+}
+
+/// Before anything is read. Where the rate is still to be found, at each that it can be. True: it
+/// went out.
+base::Result<bool> disableTorqueAtOnce(Run& run, const std::vector<int>& ids)
+{
+    const auto connection = run.connect();
+    if (!connection)
+        return tl::unexpected(connection.error());
+    bus::Bus& bus = (*connection)->bus();
+    const int rate = bus.baud();
+    if (run.globals().autoBaud && bus.canSetBaud()) {
+        for (const int other : transport::standardBaudRates()) {
+            if (other != rate && bus.setBaud(other))
+                device::torqueOffImmediately(bus, ids, (*connection)->protocols());
+        }
+        if (const auto back = bus.setBaud(rate); !back)
+            return tl::unexpected(back.error());
+    }
+    device::torqueOffImmediately(bus, ids, (*connection)->protocols());
+    if (bus.lost())
+        return false;
+    run.console().printNote(
+        translate("cli", "Torque off was sent (ID %1). Confirming …").arg(formatIds(ids)));
+    return true;
+}
+
+base::Result<Confirm> startHalt(const device::Context& context, device::Servo servo)
+{
+    const auto stopping = std::make_shared<device::Servo>(std::move(servo));
+    return device::commandHalt(context, *stopping).map([=](const device::HaltCommand& command) {
+        return Confirm([=] { return device::confirmHalt(context, *stopping, command); });
+    });
+}
+
+/// Those that answer are commanded and confirmed before the silent ones get the tries that take
+/// long. A reply may be lost, and the servo be one that turns: each is asked twice.
+void runAnsweringFirst(Run& run, const device::Context& context, std::vector<int> ids,
+                       const std::vector<base::Protocol>& protocols, Round& round)
+{
+    bool answered = false;
+    for (int asked = 0; asked < 2 && !ids.empty(); ++asked) {
+        const auto answering = device::findResponding(context, ids, protocols);
+        answered = answered || !answering.empty();
+        round.command(answering);
+        std::erase_if(ids, [&](int id) {
+            return std::find(answering.begin(), answering.end(), id) != answering.end();
+        });
+    }
+    if (answered && !ids.empty() && !run.stop().isRequested() && !context.bus.lost())
+        run.console().printNote(
+            translate("cli", "No answer yet (ID %1): tried again after the others.")
+                .arg(formatIds(ids)));
+    round.confirm();
+    round.command(ids);
+    round.confirm();
+}
+
+/// A single one delays no other, and before the rate is found no servo can be heard.
+base::Result<Exit> answeringServosFirst(Run& run, const std::vector<int>& ids, const Task& task)
+{
+    const auto connection = run.connect();
+    const auto context = run.context();
+    if (!connection || !context)
+        return tl::unexpected(!connection ? connection.error() : context.error());
+    const bool rateUnknown = run.globals().autoBaud && context->bus.canSetBaud();
+    if (ids.size() == 1 || rateUnknown)
+        return runOnAll(run, ids, task);
+    Round round(run, task);
+    runAnsweringFirst(run, *context, ids, (*connection)->protocols(), round);
+    return round.show(ids);
+}
+
+base::Result<Exit> runTorque(Run& run, const Values& values)
+{
+    QStringList words = values.arguments("ID… on|off|damp");
+    const auto state = parseState(words.takeLast());
+    if (!state)
+        return tl::unexpected(state.error());
+    const auto ids = parseIds(words);
+    if (!ids)
+        return tl::unexpected(ids.error());
+    if (const auto connection = run.connect(); !connection)
+        return tl::unexpected(connection.error());
+    const bool off = state->torque == device::Torque::Off;
+    const auto sent = off ? disableTorqueAtOnce(run, *ids) : base::Result<bool>(false);
+    if (!sent)
+        return tl::unexpected(sent.error());
+    const Task task{
+        "torque",
+        QString::fromLatin1(state->word),
+        translate("cli", state->shown),
+        [torque = state->torque](const device::Context& context, device::Servo servo) {
+            return device::setTorque(context, servo, torque).map([] { return Confirm(); });
+        },
+        off,
+        *sent};
+    return off ? answeringServosFirst(run, *ids, task) : runOnAll(run, *ids, task);
+}
+
+base::Result<Exit> runStop(Run& run, const Values& values)
+{
+    const auto ids = parseIds(values.arguments("ID"));
+    if (!ids)
+        return tl::unexpected(ids.error());
+    if (const auto connection = run.connect(); !connection)
+        return tl::unexpected(connection.error());
+    const Task task{"stopped",
+                    true,
+                    translate("cli", "stopped"),
+                    startHalt,
+                    true,
+                    false,
+                    translate("cli", "Confirming the stop (ID %1) …")};
+    return answeringServosFirst(run, *ids, task);
+}
+
+base::Result<Exit> runMode(Run& run, const Values& values)
+{
+    auto servo = run.servoWithSettings(values);
+    if (!servo)
+        return tl::unexpected(servo.error());
+    const QString modeKey = values.argument("MODE");
+    if (servo->profile->mode(modeKey) == nullptr) {
+        QStringList known;
+        for (const catalog::Mode& mode : servo->profile->modes)
+            known << mode.key;
+        return base::fail(base::ErrorCode::NotSupported, QStringLiteral("mode"),
+                          translate("cli", "no mode \"%1\"; it has %2")
+                              .arg(modeKey, known.join(QStringLiteral(", "))),
+                          servo->id);
+    }
+    if (const auto saved = run.backupTable(*servo); !saved)
+        return tl::unexpected(saved.error());
+    const auto report = device::switchMode(*run.context(), *servo, modeKey);
+    if (!report)
+        return tl::unexpected(report.error());
+    Json document = jsonWrites(*report);
+    const catalog::Mode* now = servo->mode();
+    document.add("mode", report->isSuccessful() && now != nullptr ? Json(now->key) : Json());
+    run.finish(std::move(document), writeText(*servo, *report));
+    return exitCode(*report);
+}
+} // namespace
+
+Command torqueCommand()
+{
+    return {"torque",
+            QT_TRANSLATE_NOOP("cli",
+                              "switch torque; on holds where the servo is, off is sent whatever "
+                              "speaks against writing"),
+            {{"ID… on|off|damp",
+              QT_TRANSLATE_NOOP("cli", "servos (1 2 3, 1-6, 1,3), then what to do"), 2, many}},
+            {},
+            runTorque};
+}
+
+Command stopCommand()
+{
+    return {"stop",
+            QT_TRANSLATE_NOOP("cli", "end the motion; torque stays as it is, and goes off where "
+                                     "holding cannot be proven"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "servos: 1 2 3, 1-6, 1,3"), 1, many}},
+            {},
+            runStop};
+}
+
+Command modeCommand()
+{
+    return {"mode",
+            QT_TRANSLATE_NOOP("cli", "switch the operating mode; torque stays off afterwards"),
+            {{"ID", QT_TRANSLATE_NOOP("cli", "the servo")},
+             {"MODE",
+              QT_TRANSLATE_NOOP("cli", "position, multiturn, speed, pwm, step, current or motor, "
+                                       "as the family has them")}},
+            {},
+            runMode};
+}
+} // namespace cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far a long task is, on stderr: nothing for the first second; then one line that is rewritten
+// on a terminal, or a plain line now and then where there is none. Main thread.
+#pragma once
+
+#include "cli/output/console.h"
+#include "jobs/job.h"
+
+#include <chrono>
+
+namespace cli {
+class ProgressLine {
+public:
+    ProgressLine(Console& console, QString task);
+    ~ProgressLine(); ///< takes the line away
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    void update(const jobs::Progress& progress);
+    void show(const QString& state);
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    Console& m_console;
+    QString m_task;
+    Clock::time_point m_start = Clock::now();
+    Clock::time_point m_next;
+    bool m_shown = false;
+};
+} // namespace cli

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Readings of a watch as people see them: one line a servo, rewritten in place on a terminal; a
+// line a reading elsewhere. Main thread. Does nothing in JSON mode.
+#pragma once
+
+#include "cli/output/console.h"
+#include "jobs/watch/watch.h"
+
+#include <chrono>
+#include <map>
+
+namespace cli {
+class WatchView {
+public:
+    WatchView(Console& console, const jobs::WatchSpec& spec, bool quiet);
+
+    void add(const jobs::WatchRow& row);
+    /// Shows the last readings once more; the cursor is below them afterwards.
+    void finish();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    QString header() const;
+    QString line(const jobs::WatchRow& row) const;
+    void remember(const jobs::WatchRow& row);
+    void redraw();
+
+    Console& m_console;
+    /// Measured values only: flags are in the alarms, and in the file.
+    struct Column {
+        std::size_t place = 0; ///< in a row's values
+        QString title;
+        int width = 0;
+    };
+    std::vector<Column> m_columns;
+    std::map<int, catalog::ProfilePtr> m_profiles;
+    std::map<int, jobs::WatchRow> m_latest;
+    std::optional<base::Duration> m_start;
+    Clock::time_point m_next;
+    int m_drawn = 0; ///< lines on the screen that the next redraw replaces
+    bool m_inPlace = false;
+    bool m_quiet = false; ///< no terminal to draw on, and the readings go to a file
+    bool m_headerShown = false;
+};
+} // namespace cli

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/output/report_text.h"
+#include "cli/tour/tour.h"
+#include "cli/translate.h"
+#include "device/motion/motion.h"
+#include "device/reader.h"
+#include "session/snapshot/safety_snapshot.h"
+#include "text/language.h"
+#include "text/notice_text.h"
+
+namespace cli {
+using catalog::Role;
+
+base::Result<void> Tour::search()
+{
+    chapter(translate("cli", "Search the bus: a PING to each of 254 IDs; nothing is written"));
+    auto report = jobs::scan(*context(), {});
+    if (!report)
+        return tl::unexpected(report.error());
+    if (report->stopped)
+        return base::fail(base::ErrorCode::Stopped, QStringLiteral("tour"));
+    m_found = std::move(*report);
+    Table table({translate("cli", "ID"), translate("cli", "Model"), translate("cli", "Firmware"),
+                 translate("cli", "Map"), translate("cli", "Alarms")});
+    table.alignRight({0});
+    for (const jobs::FoundServo& found : m_found.found) {
+        const catalog::Profile* profile = found.servo.profile.get();
+        table.add({QString::number(found.servo.id),
+                   profile != nullptr ? profile->modelName : QStringLiteral("?"),
+                   profile != nullptr ? profile->identity.firmware() : QStringLiteral("?"),
+                   profile != nullptr ? profile->mapKey : QStringLiteral("?"),
+                   text::statusText(found.servo.status, profile, text::isUiChinese())});
+    }
+    m_run.console().print(table.text());
+    print(translate("cli", "Found: %1, in %2 s")
+              .arg(m_found.found.size())
+              .arg(std::chrono::duration<double>(m_found.elapsed).count(), 0, 'f', 2));
+    return chooseServo();
+}
+
+/// The first healthy servo in position mode that has what the tour changes.
+base::Result<void> Tour::chooseServo()
+{
+    for (const jobs::FoundServo& found : m_found.found) {
+        device::Servo servo = found.servo;
+        const bool suits = servo.profile != nullptr && servo.profile->writable &&
+                           servo.status == 0 &&
+                           servo.profile->byRole(Role::MaxTemperature) != nullptr &&
+                           servo.profile->byRole(Role::LedCondition) != nullptr;
+        if (!suits)
+            continue;
+        if (const auto read = device::readAll(*context(), servo); !read)
+            return tl::unexpected(read.error());
+        const catalog::Mode* mode = servo.mode();
+        if (mode == nullptr || mode->key != QLatin1String("position"))
+            continue;
+        m_servo = std::move(servo);
+        return {};
+    }
+    return base::fail(base::ErrorCode::NotSupported, QStringLiteral("tour"),
+                      translate("cli", "no healthy servo in position mode on this bus"));
+}
+
+base::Result<void> Tour::showMemory()
+{
+    chapter(translate("cli", "The memory table of servo %1, %2 (some of its rows)")
+                .arg(m_servo.id)
+                .arg(servoTitle(m_servo)));
+    if (const auto read = device::readAll(*context(), m_servo); !read)
+        return tl::unexpected(read.error());
+    std::vector<const catalog::Register*> rows;
+    for (const Role role :
+         {Role::Id, Role::BaudRate, Role::MinAngle, Role::MaxAngle, Role::MaxTemperature,
+          Role::LedCondition, Role::PositionP, Role::OperatingMode, Role::TorqueSwitch, Role::Lock,
+          Role::PresentPosition, Role::PresentVoltage, Role::PresentTemperature}) {
+        if (const catalog::Register* reg = m_servo.profile->byRole(role))
+            rows.push_back(reg);
+    }
+    m_run.console().print(registerTable(m_servo, rows).text());
+    print(translate("cli", "Registers in the table: %1").arg(m_servo.profile->registers.size()));
+    return {};
+}
+
+base::Result<void> Tour::saveSnapshot()
+{
+    chapter(translate("cli", "A snapshot before anything is changed"));
+    const auto context = m_run.context();
+    if (!context)
+        return tl::unexpected(context.error());
+    const auto file = session::saveSafetySnapshot(*context, m_servo);
+    if (!file)
+        return tl::unexpected(file.error());
+    m_snapshotFile = *file;
+    auto saved = record::loadSnapshot(*file);
+    if (!saved)
+        return tl::unexpected(saved.error());
+    m_before = std::move(*saved);
+    print(translate("cli", "Registers saved: %1, in %2")
+              .arg(m_before.registers.size())
+              .arg(m_snapshotFile));
+    return {};
+}
+
+base::Result<void> Tour::explainAlarms()
+{
+    chapter(translate("cli", "Alarms, and what releases them"));
+    bool any = false;
+    for (const jobs::FoundServo& found : m_found.found) {
+        if (found.servo.profile == nullptr)
+            continue;
+        auto now = device::identify(*context(), found.servo.id);
+        if (!now)
+            return tl::unexpected(now.error());
+        any = any || now->status != 0;
+        device::addAlarmNotices(*context(), *now);
+    }
+    const QString lines = m_run.console().isJson() ? QString() : m_run.takeNotices();
+    m_run.console().print(any ? lines
+                              : translate("cli", "No servo reports an alarm.") + QLatin1Char('\n'));
+    return {};
+}
+} // namespace cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/csv_text.h"
+
+#include <QByteArrayList>
+
+namespace record {
+namespace {
+/// "-5" and "+5" are numbers, "-5+cmd" and "=1" are not.
+bool looksLikeFormula(const QString& cell)
+{
+    if (cell.isEmpty() || !QStringLiteral("=+-@\t\r").contains(cell.front()))
+        return false;
+    bool number = false;
+    cell.toDouble(&number);
+    return !number;
+}
+} // namespace
+
+QByteArray csvText(const QString& cell)
+{
+    QString text = looksLikeFormula(cell) ? QLatin1Char('\'') + cell : cell;
+    const bool quoted = text.contains(QLatin1Char(',')) || text.contains(QLatin1Char('"')) ||
+                        text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\r'));
+    if (!quoted)
+        return text.toUtf8();
+    return '"' + text.replace(QLatin1Char('"'), QStringLiteral("\"\"")).toUtf8() + '"';
+}
+
+QByteArray csvLine(const QStringList& cells)
+{
+    QByteArrayList texts;
+    for (const QString& cell : cells)
+        texts << csvText(cell);
+    return texts.join(',') + '\n';
+}
+} // namespace record

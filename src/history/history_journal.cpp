@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "history/history_journal.h"
+
+#include "files/file_handle.h"
+#include "history/history_intents.h"
+#include "history/journal_import.h"
+
+#include <QFileInfo>
+#include <QUuid>
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace record {
+namespace {
+/// For what has been written to a servo already: its record is worth a wait.
+constexpr std::chrono::milliseconds endTimeout{5000};
+
+/// SQLite's, while this lives.
+class BusyTimeout {
+public:
+    BusyTimeout(const HistoryFile& file, std::chrono::milliseconds meanwhile,
+                std::chrono::milliseconds afterwards)
+        : m_file(file)
+        , m_afterwards(afterwards)
+    {
+        set(meanwhile);
+    }
+    ~BusyTimeout() { set(m_afterwards); }
+    BusyTimeout(const BusyTimeout&) = delete;
+    BusyTimeout& operator=(const BusyTimeout&) = delete;
+
+private:
+    void set(std::chrono::milliseconds span) const
+    {
+        (void)m_file.run(QStringLiteral("PRAGMA busy_timeout = %1").arg(qint64(span.count())));
+    }
+
+    const HistoryFile& m_file;
+    std::chrono::milliseconds m_afterwards;
+};
+} // namespace
+
+/// The connection and its thread. Calls from any thread are done one after another; the thread is
+/// there from the first call on.
+class HistoryJournal::Worker {
+public:
+    Worker(QString path, QString program, std::chrono::milliseconds timeout)
+        : m_path(std::move(path))
+        , m_program(std::move(program))
+        , m_timeout(timeout)
+    {}
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+    ~Worker();
+
+    /// `work` on the worker's thread with the history open; its answer.
+    template <typename T>
+    base::Result<T> call(const std::function<base::Result<T>(const HistoryFile&)>& work)
+    {
+        base::Result<T> answer = tl::unexpected(base::Error{});
+        run([&] {
+            const auto file = ensureOpen();
+            answer = file ? work(**file) : base::Result<T>(tl::unexpected(file.error()));
+        });
+        return answer;
+    }
+
+    /// Neither a history nor what would have to be taken over: nothing is made by looking.
+    bool isNothingStored() const;
+    const QString& program() const { return m_program; }
+    std::chrono::milliseconds timeout() const { return m_timeout; }
+
+private:
+    void run(const std::function<void()>& work);
+    void runLoop();
+    base::Result<const HistoryFile*> ensureOpen();
+
+    const QString m_path;
+    const QString m_program;
+    const std::chrono::milliseconds m_timeout;
+
+    std::mutex m_callMutex; ///< one caller at a time
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    const std::function<void()>* m_work = nullptr; ///< of the caller who waits
+    bool m_ending = false;
+    std::thread m_thread;
+
+    // Of the worker's thread.
+    std::unique_ptr<HistoryFile> m_file;
+    FileId m_fileId; ///< of the file that is open
+};
+
+HistoryJournal::Worker::~Worker()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_ending = true;
+    }
+    m_changed.notify_all();
+    if (m_thread.joinable())
+        m_thread.join();
+}
+
+void HistoryJournal::Worker::run(const std::function<void()>& work)
+{
+    const std::lock_guard turn(m_callMutex);
+    if (!m_thread.joinable())
+        m_thread = std::thread([this] { runLoop(); });
+    std::unique_lock lock(m_mutex);
+    m_work = &work;
+    m_changed.notify_all();
+    m_changed.wait(lock, [this] { return m_work == nullptr; });
+}
+
+void HistoryJournal::Worker::runLoop()
+{
+    std::unique_lock lock(m_mutex);
+    for (;;) {
+        m_changed.wait(lock, [this] { return m_work != nullptr || m_ending; });
+        if (m_work == nullptr)
+            break;
+        const std::function<void()>& work = *m_work;
+        lock.unlock();
+        work();
+        lock.lock();
+        m_work = nullptr;
+        m_changed.notify_all();
+    }
+    m_file.reset(); // on the thread that opened it
+}
+
+/// A file that was moved away or replaced meanwhile must not swallow what is written to it.
+base::Result<const HistoryFile*> HistoryJournal::Worker::ensureOpen()
+{
+    const auto present = FileHandle::infoOf(m_path);
+    if (m_file && !(present && present->id == m_fileId))
+        m_file.reset();
+    if (!m_file) {
+        auto opened = HistoryFile::open(m_path, m_timeout);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        m_file = std::move(*opened);
+        m_fileId = FileHandle::infoOf(m_path).value_or(FileHandle::Info()).id;
+    }
+    if (const auto taken = importJournal(*m_file); !taken)
+        return tl::unexpected(taken.error());
+    return m_file.get();
+}
+
+bool HistoryJournal::Worker::isNothingStored() const
+{
+    return !QFileInfo::exists(m_path) && !QFileInfo::exists(legacyJournalPath(m_path));
+}
+
+HistoryJournal::HistoryJournal(QString historyPath, QString program,
+                               std::chrono::milliseconds timeout)
+    : m_path(std::move(historyPath))
+    , m_worker(std::make_unique<Worker>(m_path, std::move(program), timeout))
+    , m_locks(QFileInfo(m_path).absolutePath() + QStringLiteral("/running"))
+{}
+
+HistoryJournal::~HistoryJournal() = default;
+
+base::Result<QString> HistoryJournal::begin(const base::Intent& intent)
+{
+    base::Intent kept = intent;
+    kept.uuid = QUuid::createUuid().toString(QUuid::WithoutBraces);
+    kept.at = QDateTime::currentDateTimeUtc();
+    m_locks.acquire(kept.uuid); // before any other program can see it
+    auto intentCount =
+        m_worker->call<QString>([&](const HistoryFile& file) -> base::Result<QString> {
+            const auto done =
+                file.transaction([&] { return insertIntent(file, kept, m_worker->program()); });
+            if (!done)
+                return tl::unexpected(done.error());
+            ++m_intentCount;
+            return kept.uuid;
+        });
+    if (!intentCount)
+        m_locks.release(kept.uuid);
+    return intentCount;
+}
+
+void HistoryJournal::release()
+{
+    m_locks.releaseAll();
+}
+
+base::Result<void> HistoryJournal::end(const QString& uuid, const base::IntentResult& end)
+{
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    auto recorded = m_worker->call<void>([&](const HistoryFile& file) {
+        const auto previousTimeout = m_worker->timeout();
+        const BusyTimeout timeout(file, std::max(endTimeout, previousTimeout), previousTimeout);
+        return file.transaction([&]() -> base::Result<void> {
+            const auto ended = endIntent(file, uuid, end, now);
+            if (!ended)
+                return tl::unexpected(ended.error());
+            if (!*ended)
+                return base::fail(base::ErrorCode::BadArgument, QStringLiteral("journal"), uuid);
+            return {};
+        });
+    });
+    if (recorded)
+        m_locks.release(uuid);
+    return recorded;
+}
+
+base::Result<std::vector<base::JournalEntry>> HistoryJournal::entries() const
+{
+    using All = std::vector<base::JournalEntry>;
+    if (m_worker->isNothingStored())
+        return All();
+    return m_worker->call<All>([](const HistoryFile& file) {
+        return readEntries(file, QStringLiteral("ORDER BY i.at, i.number"), {});
+    });
+}
+
+base::Result<std::vector<base::Intent>> HistoryJournal::open() const
+{
+    using All = std::vector<base::JournalEntry>;
+    if (m_worker->isNothingStored())
+        return std::vector<base::Intent>();
+    const auto entries = m_worker->call<All>([](const HistoryFile& file) {
+        return readEntries(file, QStringLiteral("WHERE i.outcome IS NULL ORDER BY i.at, i.number"),
+                           {});
+    });
+    if (!entries)
+        return tl::unexpected(entries.error());
+    std::vector<base::Intent> intents;
+    for (const base::JournalEntry& entry : *entries) {
+        intents.push_back(entry.intent);
+        intents.back().isActiveElsewhere = m_locks.isHeldElsewhere(entry.intent.uuid);
+    }
+    return intents;
+}
+
+base::Result<std::vector<base::JournalEntry>>
+HistoryJournal::entriesFor(const base::ServoIdentity& servo, int limit) const
+{
+    using All = std::vector<base::JournalEntry>;
+    if (m_worker->isNothingStored())
+        return All();
+    return m_worker->call<All>(
+        [&](const HistoryFile& file) { return readServoEntries(file, servo, limit); });
+}
+
+base::Result<void> HistoryJournal::saveServoValues(const base::ServoIdentity& servo,
+                                                   const QString& name,
+                                                   const std::vector<std::int64_t>& values)
+{
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    return m_worker->call<void>([&](const HistoryFile& file) {
+        return file.transaction([&] { return saveFact(file, servo, name, values, now); });
+    });
+}
+
+base::Result<std::optional<std::vector<std::int64_t>>>
+HistoryJournal::servoValues(const base::ServoIdentity& servo, const QString& name) const
+{
+    using Fact = std::optional<std::vector<std::int64_t>>;
+    if (m_worker->isNothingStored())
+        return Fact();
+    return m_worker->call<Fact>(
+        [&](const HistoryFile& file) { return loadFact(file, servo, name); });
+}
+} // namespace record

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/restore/take_snapshot.h"
+
+#include "device/reader.h"
+
+namespace jobs {
+record::Snapshot snapshotOf(const device::Servo& servo, const QString& program)
+{
+    const catalog::Profile& profile = *servo.profile;
+    record::Snapshot snapshot;
+    snapshot.program = program;
+    snapshot.at = QDateTime::currentDateTimeUtc();
+    snapshot.port = servo.port;
+    snapshot.baud = servo.baud;
+    snapshot.servo = {servo.id,
+                      profile.modelName,
+                      profile.identity.modelId(),
+                      profile.identity.firmware(),
+                      profile.mapKey,
+                      base::protocolName(profile.protocol)};
+    for (const catalog::Register& reg : profile.registers) {
+        const catalog::ValueFormat meaning = servo.meaning(reg);
+        const auto raw = servo.raw(reg);
+        record::SnapshotRegister row;
+        row.key = reg.key;
+        row.address = reg.address;
+        row.raw = raw;
+        if (raw)
+            row.value = catalog::toPhysical(*raw, meaning);
+        row.unit = meaning.unit;
+        row.area = reg.area;
+        row.access = reg.access;
+        snapshot.registers.push_back(std::move(row));
+    }
+    return snapshot;
+}
+
+base::Result<record::Snapshot> takeSnapshot(const device::Context& context, device::Servo& servo,
+                                            const QString& program)
+{
+    if (const auto read = device::readAll(context, servo); !read)
+        return tl::unexpected(read.error());
+    return snapshotOf(servo, program);
+}
+} // namespace jobs

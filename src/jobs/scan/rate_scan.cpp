@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/scan/rate_scan.h"
+
+#include "device/transactions.h"
+
+#include <algorithm>
+
+namespace jobs {
+namespace {
+using std::chrono::milliseconds;
+
+// USB adapters hold bytes back for up to 16 ms; some servos take tens of milliseconds when busy.
+constexpr base::Duration longTimeout = milliseconds(60);
+// How long after a PING its reply may still come in: the final listening, and the search for
+// whoever sent garbled bytes.
+constexpr base::Duration lateWindow = milliseconds(40);
+constexpr int confirmTries = 3;
+// The first transaction after opening a port or changing its rate may be lost.
+constexpr int broadcastTries = 2;
+// Where an absent ID costs more than this, a sweep is long, and who answers is told at once.
+constexpr base::Duration slowStep = milliseconds(10);
+// After a question to all that nobody answered the bus listens for so long.
+constexpr base::Duration quietTime = milliseconds(25);
+// More broken answers than this at one rate are a bad line, and asking each again would take long.
+constexpr std::size_t maxGarbledResolved = 16;
+
+/// What this link has shown and the user's time-out may ask for more.
+base::Duration atLeastBusPatience(const bus::Bus& bus, base::Duration defaultTimeout)
+{
+    return std::max(defaultTimeout, bus.statistics().timeout);
+}
+
+bool isGarbled(base::ErrorCode code)
+{
+    return code == base::ErrorCode::Garbled || code == base::ErrorCode::UnexpectedReply;
+}
+} // namespace
+
+base::Duration broadcastEstimate(int baud, base::Protocol protocol)
+{
+    const ScanProfile& scanProfile = scanProfileOf(protocol);
+    if (!scanProfile.supportsBroadcast)
+        return {};
+    return broadcastTries * (pingTime(scanProfile, baud, scanProfile.timeout) + quietTime);
+}
+
+base::Duration idScanEstimate(const ScanSpec& spec, int baud, base::Protocol protocol)
+{
+    const ScanProfile& scanProfile = scanProfileOf(protocol);
+    const int ids = idsToScan(spec, protocol).count();
+    if (ids == 0)
+        return {};
+    base::Duration total =
+        (ids + 1) * pingTime(scanProfile, baud, scanProfile.timeout) + lateWindow;
+    if (spec.slowPass)
+        total += ids * pingTime(scanProfile, baud, longTimeout);
+    return total;
+}
+
+RateScan::RateScan(const device::Context& context, const ScanSpec& spec, base::Protocol protocol,
+                   OnPinged onPinged, OnReply onReply)
+    : m_context(context)
+    , m_spec(spec)
+    , m_protocol(protocol)
+    , m_scanProfile(scanProfileOf(protocol))
+    , m_ids(idsToScan(spec, protocol))
+    , m_onPinged(std::move(onPinged))
+    , m_onReply(std::move(onReply))
+{}
+
+base::Result<std::optional<int>> RateScan::pingBroadcast()
+{
+    std::optional<int> onlyId;
+    const int tries = m_scanProfile.supportsBroadcast && m_ids.count() > 0 ? broadcastTries : 0;
+    for (int i = 0; !m_hasReply && i < tries; ++i) {
+        const auto outcome = sendPing(protocol::broadcastId, m_scanProfile.timeout);
+        notify(broadcastEstimate(m_context.bus.baud(), m_protocol) / broadcastTries);
+        if (outcome) {
+            m_hasReply = true;
+            onlyId = outcome->replies.front().id;
+        } else if (isGarbled(outcome.error().code) ||
+                   outcome.error().code == base::ErrorCode::LineBusy) {
+            m_hasReply = true; // the search itself decides about a busy line
+        } else if (outcome.error().code != base::ErrorCode::NoReply) {
+            return tl::unexpected(outcome.error());
+        }
+    }
+    if (!onlyId || !m_ids.contains(*onlyId))
+        return std::nullopt;
+    // Out of colliding answers may come a frame that nobody sent.
+    if (const auto pinged = ping(*onlyId, atLeastBusPatience(m_context.bus, longTimeout)); !pinged)
+        return tl::unexpected(pinged.error());
+    return m_responsesById[*onlyId].replies > 0 ? onlyId : std::nullopt;
+}
+
+base::Result<void> RateScan::run()
+{
+    if (m_ids.count() == 0)
+        return {};
+    m_context.bus.takeUnexpectedFrames();
+    return pingEachId()
+        .and_then([this] { return listen(atLeastBusPatience(m_context.bus, lateWindow)); })
+        .and_then([this] { return confirmLateReplies(); })
+        .and_then([this] { return resolveGarbled(); })
+        .and_then([this] { return pingExpected(); })
+        .and_then([this] { return m_spec.slowPass ? pingSilent() : base::Result<void>{}; });
+}
+
+base::Result<void> RateScan::pingEachId()
+{
+    const auto step = pingTime(m_scanProfile, m_context.bus.baud(), m_scanProfile.timeout);
+    const bool reportsAtOnce = m_onReply && step >= slowStep;
+    // The first transaction after opening a port or changing its rate may be lost, so somebody is
+    // asked who gets another turn.
+    for (int i = m_ids.first - 1; i <= m_ids.last; ++i) {
+        const int id = i < m_ids.first ? m_ids.last : i;
+        const IdResponse before = m_responsesById[id];
+        if (const auto pinged = ping(id, m_scanProfile.timeout); !pinged)
+            return pinged;
+        if (m_responsesById[id].garbled > before.garbled)
+            m_garbledReplies.push_back({id, m_responsesById[id].askedAt});
+        notify(step);
+        const bool answered =
+            m_responsesById[id].replies > before.replies && !m_responsesById[id].late;
+        const auto reported =
+            reportsAtOnce && answered ? m_onReply(*this, id) : base::Result<void>{};
+        if (!reported)
+            return reported;
+    }
+    return {};
+}
+
+base::Result<void> RateScan::confirmLateReplies()
+{
+    const base::Duration timeout = atLeastBusPatience(m_context.bus, longTimeout);
+    for (auto& [id, response] : m_responsesById) {
+        // A late reply is proof of a servo; a clean one adds its present status and shows twins.
+        const bool inconclusive = response.isMaybeEcho && response.replies == 0;
+        for (int i = 0; (response.late || inconclusive) && i < (inconclusive ? 1 : confirmTries);
+             ++i) {
+            const int repliesBefore = response.replies;
+            if (const auto pinged = ping(id, timeout); !pinged)
+                return pinged;
+            if (response.replies > repliesBefore)
+                break;
+        }
+    }
+    return {};
+}
+
+base::Result<void> RateScan::resolveGarbled()
+{
+    const bool isNoisyLine = m_garbledReplies.size() > maxGarbledResolved;
+    if (isNoisyLine)
+        m_garbledReplies.resize(maxGarbledResolved);
+    m_hasUnexplainedGarbled = isNoisyLine;
+    for (const GarbledReply& garbledReply : m_garbledReplies) {
+        const auto explained = findSource(garbledReply);
+        if (!explained)
+            return tl::unexpected(explained.error());
+        if (!*explained)
+            m_hasUnexplainedGarbled = true;
+    }
+    // On such a line broken bytes prove nobody.
+    for (auto& [id, response] : m_responsesById) {
+        if (isNoisyLine && response.replies == 0)
+            response.garbled = 0;
+    }
+    return {};
+}
+
+// Through a slow adapter the broken answer arrives while a later ID is being asked, so the IDs
+// asked shortly before are asked too, nearest first.
+base::Result<bool> RateScan::findSource(const GarbledReply& garbledReply)
+{
+    std::vector<std::pair<base::Duration, int>> candidates;
+    for (const auto& [id, response] : m_responsesById) {
+        const base::Duration age = garbledReply.at - response.askedAt;
+        const bool shortlyBefore = age >= base::Duration{} && age <= lateWindow;
+        if (id != garbledReply.id && shortlyBefore && response.replies == 0)
+            candidates.emplace_back(age, id);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    candidates.insert(candidates.begin(), {base::Duration{}, garbledReply.id});
+    for (const auto& [age, id] : candidates) {
+        const auto found = pingUntilKnown(id, id == garbledReply.id);
+        if (!found || *found)
+            return found;
+    }
+    return false;
+}
+
+base::Result<bool> RateScan::pingUntilKnown(int id, bool persistent)
+{
+    IdResponse& response = m_responsesById[id];
+    for (int i = 0; response.replies == 0 && i < confirmTries; ++i) {
+        const int garbledBefore = response.garbled;
+        if (const auto pinged = ping(id, atLeastBusPatience(m_context.bus, longTimeout)); !pinged)
+            return tl::unexpected(pinged.error());
+        const bool silent = response.replies == 0 && response.garbled == garbledBefore;
+        if (silent && !persistent)
+            break;
+    }
+    return response.isPresent();
+}
+
+/// One lost reply must not make a known servo disappear.
+base::Result<void> RateScan::pingExpected()
+{
+    for (const ExpectedServo& one : m_spec.expected) {
+        const bool here = one.baud == m_context.bus.baud() &&
+                          one.protocol.value_or(m_protocol) == m_protocol && m_ids.contains(one.id);
+        if (!here || m_responsesById[one.id].isPresent())
+            continue;
+        if (const auto pinged = pingUntilKnown(one.id, true); !pinged)
+            return tl::unexpected(pinged.error());
+    }
+    return {};
+}
+
+base::Result<void> RateScan::pingSilent()
+{
+    const base::Duration timeout = atLeastBusPatience(m_context.bus, longTimeout);
+    const auto step = pingTime(m_scanProfile, m_context.bus.baud(), timeout);
+    for (auto& [id, response] : m_responsesById) {
+        if (!response.isPresent()) {
+            if (const auto pinged = ping(id, timeout); !pinged)
+                return pinged;
+        }
+        notify(step);
+    }
+    return {};
+}
+
+base::Result<bus::Outcome> RateScan::sendPing(int id, base::Duration timeout)
+{
+    if (m_context.stop.isRequested())
+        return base::fail(base::ErrorCode::Stopped, QStringLiteral("scan"));
+    return device::pingOnce(m_context, m_protocol, id, timeout);
+}
+
+base::Result<void> RateScan::ping(int id, base::Duration timeout)
+{
+    IdResponse& response = m_responsesById[id];
+    ++response.pings;
+    const auto outcome = sendPing(id, timeout);
+    response.askedAt = m_context.bus.clock().now();
+    if (outcome) {
+        response.status = outcome->status();
+        ++response.replies;
+    } else if (outcome.error().code == base::ErrorCode::Refused) {
+        ++response.replies; // who refuses is there
+    } else if (isGarbled(outcome.error().code)) {
+        ++response.garbled;
+    } else if (outcome.error().code == base::ErrorCode::LineBusy) {
+        return handleBusyLine(response, outcome.error());
+    } else if (outcome.error().code != base::ErrorCode::NoReply) {
+        return tl::unexpected(outcome.error());
+    }
+    collectStrays();
+    return {};
+}
+
+/// Through noise that leaves room a servo may still be heard; otherwise the bus does not even ask.
+base::Result<void> RateScan::handleBusyLine(IdResponse& response, const base::Error& error)
+{
+    m_lineBusy = true;
+    if (error.attempts == 0)
+        return tl::unexpected(error);
+    ++response.garbled;
+    return {};
+}
+
+base::Result<void> RateScan::listen(base::Duration span)
+{
+    const auto done = m_context.bus.listen(span);
+    collectStrays();
+    notify(span);
+    return done;
+}
+
+void RateScan::collectStrays()
+{
+    for (const bus::UnexpectedFrame& stray : m_context.bus.takeUnexpectedFrames()) {
+        const auto pinged = m_responsesById.find(stray.id);
+        if (pinged == m_responsesById.end() || !isPingReply(m_protocol, stray))
+            continue; // not the reply to a question of this sweep
+        IdResponse& response = pinged->second;
+        if (looksLikeEcho(m_context.bus, m_protocol, stray)) {
+            response.isMaybeEcho = true;
+            continue;
+        }
+        response.status = stray.status;
+        ++response.replies;
+        if (response.replies == 1) {
+            response.late = true;
+            ++m_lateReplies;
+        }
+    }
+}
+
+void RateScan::notify(base::Duration planned) const
+{
+    const auto foundCount =
+        std::count_if(m_responsesById.begin(), m_responsesById.end(),
+                      [](const auto& entry) { return entry.second.isPresent(); });
+    m_onPinged(planned, int(foundCount));
+}
+} // namespace jobs

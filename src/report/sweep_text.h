@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every word of a sweep test's report, in both languages at once, because the page carries both and
+// switches without the program; so these are no tr() texts. Constant; any thread.
+#pragma once
+
+#include "catalog/register.h"
+#include "results/sweep_verdict.h"
+
+namespace report {
+using catalog::Text;
+
+struct SweepTexts {
+    // heading
+    Text title, simulated, bench, test, servos, servo, verdict, identity, date, operatorName, note,
+        port, length, sampling, program, end, endedBy, label, model, firmware, protocol, id;
+    // the test
+    Text shape, from, to, step, period, seed, points, pace, pause, cycles, asLongAs, duration,
+        speed, acceleration, moveTime, asTheServoHasIt, warmUp, afterwards, holds, releases,
+        stopsOn, stopOnAlarm, stopOnStall, stopOnFailure, onlyOnLostLink, inSteps, tolerance;
+    // verdict and figures
+    Text result, figure, value, unit, warnLimit, failLimit, reason, within, over, under, noFeedback,
+        mean, lowest, highest, count, notMeasured, limits, gradingNote, hysteresisNote;
+    // charts
+    Text positionChart, goal, position, timeAxis, positionAxis, histogram, errorAxis, legsAxis,
+        noSeries, noErrors;
+    // legs
+    Text legs, legsShown, leg, cycle, at, start, target, reached, timeToTarget, settling, overshoot,
+        steadyError, meanSpeed, following, current, load, voltage, temperature, lost, remarks,
+        missed, flagWrong, peak;
+    // bus, parameters
+    Text bus, asked, timeouts, badChecksums, foreign, late, gaps, gapAt, gapSpan, noGaps,
+        parameters, address, name, raw, area, readAt, none;
+};
+const SweepTexts& sweepTexts();
+
+Text gradeLabel(record::Grade grade);     ///< of a servo or a run: "Passed"
+Text lineGradeLabel(record::Grade grade); ///< of one figure, which is no verdict: "OK"
+QString gradeSign(record::Grade grade);   ///< "✔"
+/// Dark enough for white paper: "#1a7f37".
+QString gradeColor(record::Grade grade);
+Text endText(record::SweepEnd end); ///< a sentence
+Text noVerdictReasonText(
+    record::NoVerdictReason reason); ///< sentences: why, and what to do; None: empty
+Text shapeText(record::SweepShape shape);
+Text paceText(record::SweepPace pace);
+Text metricLabel(const QString& key);    ///< an unknown key comes back as it is
+Text unitText(const QString& unit);      ///< "step" / "步"
+Text alarmBitsText(std::uint8_t alarms); ///< "overload, voltage"; empty: none
+} // namespace report

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The state of a batch as JSON, one servo a line.
+#include "files/json_duplicates.h"
+#include "files/json_format.h"
+#include "files/json_text.h"
+#include "results/commission_batch.h"
+
+namespace record {
+namespace {
+const QLatin1String formatName("servodesk-commission");
+constexpr int formatVersion = 1;
+
+QString timeText(const QDateTime& at)
+{
+    return at.toUTC().toString(Qt::ISODate);
+}
+
+QByteArray servoText(const SnapshotServo& servo)
+{
+    return JsonObjectWriter()
+        .integer("id", servo.id)
+        .text("model", servo.model)
+        .text("model_id", servo.modelId)
+        .text("firmware", servo.firmware)
+        .text("map", servo.map)
+        .text("protocol", servo.protocol)
+        .done();
+}
+
+QByteArray issuesText(const std::vector<CommissionIssue>& issues)
+{
+    QByteArray text;
+    for (const CommissionIssue& issue : issues)
+        text += (text.isEmpty() ? "" : ", ") +
+                JsonObjectWriter().text("word", issue.word).text("detail", issue.detail).done();
+    return '[' + text + ']';
+}
+
+QByteArray rowText(const CommissionRow& row)
+{
+    return JsonObjectWriter()
+        .text("time", timeText(row.at))
+        .raw("servo", servoText(row.servo))
+        .integer("was_baud", row.oldBaud)
+        .integer("id", row.newId)
+        .integer("baud", row.newBaud)
+        .text("template", row.templateName)
+        .integer("written", row.written)
+        .raw("centred", jsonFlag(row.centered))
+        .raw("volts", jsonNumber(row.volts))
+        .raw("celsius", jsonNumber(row.celsius))
+        .text("verdict", verdictName(row.verdict))
+        .raw("troubles", issuesText(row.issues))
+        .text("label", row.label)
+        .text("snapshot", row.snapshot)
+        .done();
+}
+
+QByteArray pendingText(const PendingCommission& one)
+{
+    return JsonObjectWriter()
+        .text("time", one.at.toUTC().toString(Qt::ISODateWithMs))
+        .raw("servo", servoText(one.servo))
+        .integer("was_baud", one.oldBaud)
+        .integer("id", one.newId)
+        .integer("baud", one.newBaud)
+        .raw("id_sent", jsonFlag(one.isIdSent))
+        .text("snapshot", one.snapshot)
+        .raw("id_read", jsonFlag(one.isIdConfirmed))
+        .raw("lock_open", jsonFlag(one.lockOpen))
+        .done();
+}
+
+template <typename Items, typename Write>
+QByteArray list(const Items& items, const Write& write)
+{
+    QByteArray text;
+    for (const auto& item : items)
+        text += (text.isEmpty() ? "\n    " : ",\n    ") + write(item);
+    return text.isEmpty() ? QByteArray("[]") : '[' + text + "\n  ]";
+}
+
+SnapshotServo readServo(const JsonReader& json)
+{
+    SnapshotServo servo;
+    servo.id = json.smallInteger("id");
+    servo.model = json.text("model");
+    servo.modelId = json.text("model_id");
+    servo.firmware = json.text("firmware");
+    servo.map = json.text("map");
+    servo.protocol = json.text("protocol");
+    return servo;
+}
+
+CommissionRow readRow(const JsonReader& json)
+{
+    CommissionRow row;
+    row.at = json.time("time");
+    row.servo = readServo(json.object("servo"));
+    row.oldBaud = json.smallInteger("was_baud");
+    row.newId = json.smallInteger("id");
+    row.newBaud = json.smallInteger("baud");
+    row.templateName = json.text("template");
+    row.written = json.smallInteger("written");
+    row.centered = json.flag("centred");
+    row.volts = json.numberOrNull("volts");
+    row.celsius = json.numberOrNull("celsius");
+    const QString verdict = json.text("verdict");
+    if (!commissionVerdictFromName(verdict))
+        json.reportError("verdict", QStringLiteral("unknown word \"%1\"").arg(verdict));
+    row.verdict = commissionVerdictFromName(verdict).value_or(CommissionVerdict::Failed);
+    for (const JsonReader& issue : json.objects("troubles"))
+        row.issues.push_back({issue.nonEmptyText("word"), issue.text("detail")});
+    row.label = json.text("label");
+    row.snapshot = json.text("snapshot");
+    return row;
+}
+
+PendingCommission readPending(const JsonReader& json)
+{
+    PendingCommission one;
+    one.at = json.time("time");
+    one.servo = readServo(json.object("servo"));
+    one.oldBaud = json.smallInteger("was_baud");
+    one.newId = json.smallInteger("id");
+    one.newBaud = json.smallInteger("baud");
+    one.isIdSent = json.flag("id_sent");
+    // Not in files of earlier versions.
+    if (json.contains("snapshot"))
+        one.snapshot = json.text("snapshot");
+    one.isIdConfirmed = json.contains("id_read") && json.flag("id_read");
+    one.lockOpen = json.contains("lock_open") && json.flag("lock_open");
+    return one;
+}
+
+base::Result<CommissionBatch> fail(const QString& detail)
+{
+    return base::fail(base::ErrorCode::FileFormat, QStringLiteral("load-batch"), detail);
+}
+} // namespace
+
+QByteArray encodeCommissionBatch(const CommissionBatch& batch)
+{
+    QByteArray text = "{\n  \"format\": " + jsonText(formatName) +
+                      ",\n  \"version\": " + QByteArray::number(formatVersion) +
+                      ",\n  \"program\": " + jsonText(batch.program) +
+                      ",\n  \"servos\": " + list(batch.rows, rowText) +
+                      ",\n  \"unfinished\": " + list(batch.pending, pendingText);
+    if (batch.attachedServo)
+        text += ",\n  \"on_wire\": " + JsonObjectWriter()
+                                           .text("protocol", batch.attachedServo->protocol)
+                                           .integer("id", batch.attachedServo->id)
+                                           .integer("baud", batch.attachedServo->baud)
+                                           .done();
+    return text + "\n}\n";
+}
+
+base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text)
+{
+    const auto document = parseJson(text);
+    if (!document)
+        return fail(document.error());
+    if (const QString twice = findDuplicateKey(text); !twice.isEmpty())
+        return fail(twice);
+    JsonReadError readError;
+    const JsonReader json(*document, readError);
+    checkFormat(json, formatName, formatVersion,
+                QStringLiteral("not the state of a commissioning batch of ServoDesk"));
+    CommissionBatch batch;
+    batch.program = json.text("program");
+    for (const JsonReader& row : json.objects("servos"))
+        batch.rows.push_back(readRow(row));
+    for (const JsonReader& one : json.objects("unfinished"))
+        batch.pending.push_back(readPending(one));
+    if (json.contains("on_wire")) {
+        const JsonReader place = json.object("on_wire");
+        batch.attachedServo = ServoLocation{place.text("protocol"), place.smallInteger("id"),
+                                            place.smallInteger("baud")};
+    }
+    if (readError.isSet())
+        return fail(readError.text());
+    return batch;
+}
+} // namespace record

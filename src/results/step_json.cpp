@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writing; step_json_reader.cpp reads.
+#include "results/step_json.h"
+
+#include "files/json_text.h"
+#include "files/text_file.h"
+#include "results/sweep_fields.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace record {
+namespace {
+template <typename Items, typename Write>
+QByteArray list(const Items& items, const QByteArray& indent, const Write& write)
+{
+    QByteArray text;
+    for (const auto& item : items)
+        text += (text.isEmpty() ? "\n" : ",\n") + indent + "  " + write(item);
+    return text.isEmpty() ? QByteArray("[]") : '[' + text + '\n' + indent + ']';
+}
+
+QByteArray gainText(const StepGain& gain)
+{
+    return JsonObjectWriter().text("key", gain.key).integer("raw", gain.raw).done();
+}
+
+QByteArray gainsText(const std::vector<StepGain>& gains)
+{
+    return list(gains, "      ", gainText);
+}
+
+QByteArray figuresText(const StepFigures& figures)
+{
+    JsonObjectWriter line;
+    for (const StepFigure& figure : stepFigures)
+        line.number(figure.key, figures.*figure.member);
+    return line.done();
+}
+
+QByteArray specText(const StepSpec& spec)
+{
+    return JsonObjectWriter()
+        .text("size", spec.size)
+        .text("from", spec.from)
+        .integer("repeats", spec.repeats)
+        .number("hold_ms", inMs(spec.hold))
+        .text("speed", spec.speed)
+        .text("acceleration", spec.acceleration)
+        .raw("trial", gainsText(spec.trial))
+        .text("operator", spec.operatorName)
+        .text("note", spec.note)
+        .done();
+}
+
+QByteArray axisText(const SweepAxis& axis)
+{
+    return JsonObjectWriter()
+        .number("from", axis.from)
+        .number("to", axis.to)
+        .number("steps_per_turn", axis.stepsPerTurn)
+        .number("tolerance", axis.tolerance)
+        .number("speed", axis.speed)
+        .number("acceleration", axis.acceleration)
+        .done();
+}
+
+QByteArray sampleText(const StepSample& sample)
+{
+    return '[' + jsonNumber(inMs(sample.at)) + ", " + jsonNumber(sample.position) + ", " +
+           jsonNumber(sample.speed) + ", " + jsonNumber(sample.load) + ", " +
+           jsonNumber(sample.current) + ']';
+}
+
+QByteArray responseText(const StepResponse& response)
+{
+    QByteArray samples;
+    for (const StepSample& sample : response.samples)
+        samples += (samples.isEmpty() ? "" : ", ") + sampleText(sample);
+    return JsonObjectWriter()
+        .integer("number", response.number)
+        .number("start", response.start)
+        .number("target", response.target)
+        .flag("missed", response.missed)
+        .integer("lost", response.lost)
+        .flag("seen", response.seen)
+        .integer("alarms", response.alarms)
+        .raw("figures", figuresText(response.figures))
+        .raw("samples", '[' + samples + ']')
+        .done();
+}
+
+QByteArray runText(const StepRun& run)
+{
+    return "{\n      \"servo\": " + QByteArray::number(run.parameters.servo.id) +
+           ",\n      \"program\": " + jsonText(run.program) +
+           ",\n      \"time\": " + jsonText(run.at.toUTC().toString(Qt::ISODateWithMs)) +
+           ",\n      \"port\": " + jsonText(run.port) +
+           ",\n      \"baud\": " + QByteArray::number(run.baud) +
+           ",\n      \"simulated\": " + jsonFlag(run.simulated) +
+           ",\n      \"end\": " + jsonText(sweepEndName(run.end)) +
+           ",\n      \"sample_rate\": " + jsonNumber(run.sampleRate) +
+           ",\n      \"put_back\": " + jsonFlag(run.isReverted) +
+           ",\n      \"test\": " + specText(run.spec) +
+           ",\n      \"gains\": " + gainsText(run.gains) +
+           ",\n      \"axis\": " + axisText(run.axis) +
+           ",\n      \"mean\": " + figuresText(run.mean) +
+           ",\n      \"responses\": " + list(run.responses, "      ", responseText) +
+           ",\n      \"parameters\": " +
+           encodeSnapshot(run.parameters).trimmed().replace("\n", "\n      ") + "\n    }";
+}
+
+const char* changeName(StepChange change)
+{
+    switch (change) {
+    case StepChange::Same:
+        return "same";
+    case StepChange::Better:
+        return "better";
+    case StepChange::Worse:
+        return "worse";
+    case StepChange::Neither:
+        return "neither";
+    case StepChange::NotMeasured:
+        return "not-measured";
+    }
+    return "";
+}
+
+QByteArray differenceText(const StepDifference& row)
+{
+    return JsonObjectWriter()
+        .text("figure", QString::fromLatin1(row.figure.key))
+        .text("unit", QString::fromUtf8(row.figure.unit))
+        .number("before", row.before)
+        .number("after", row.after)
+        .number("difference", row.difference)
+        .text("change", QString::fromLatin1(changeName(row.change)))
+        .done();
+}
+
+QByteArray adviceText(const StepAdvice& advice)
+{
+    JsonObjectWriter line;
+    line.text("symptom", stepSymptomName(advice.symptom))
+        .text("remedy", stepRemedyName(advice.remedy));
+    if (!advice.key.isEmpty())
+        line.text("key", advice.key).integer("now", advice.now).integer("try", advice.proposed);
+    return line.done();
+}
+
+QByteArray cell(std::optional<double> value)
+{
+    return value && std::isfinite(*value)
+               ? QByteArray::number(*value, 'g', QLocale::FloatingPointShortest)
+               : QByteArray();
+}
+
+QByteArray sampleLines(int run, const StepResponse& response)
+{
+    QByteArray lines;
+    for (const StepSample& sample : response.samples) {
+        lines += QByteArray::number(run) + ',' + QByteArray::number(response.number) + ',' +
+                 cell(inMs(sample.at)) + ',' + cell(response.start) + ',' + cell(response.target) +
+                 ',' + cell(sample.position) + ',' + cell(sample.speed) + ',' + cell(sample.load) +
+                 ',' + cell(sample.current) + '\n';
+    }
+    return lines;
+}
+} // namespace
+
+QByteArray encodeStepRuns(const std::vector<StepRun>& runs, const std::vector<StepAdvice>& advice)
+{
+    std::vector<StepDifference> differences;
+    if (runs.size() > 1)
+        differences = compareSteps(runs.front(), runs.back());
+    return "{\n  \"format\": \"servodesk-step-response\",\n  \"version\": 1,\n  \"runs\": " +
+           list(runs, "  ", runText) +
+           ",\n  \"differences\": " + list(differences, "  ", differenceText) +
+           ",\n  \"advice\": " + list(advice, "  ", adviceText) + "\n}\n";
+}
+
+base::Result<void> saveStepRuns(const std::vector<StepRun>& runs,
+                                const std::vector<StepAdvice>& advice, const QString& path)
+{
+    return saveTextFile(QStringLiteral("save-step-response"), encodeStepRuns(runs, advice), path);
+}
+
+base::Result<void> saveStepSamples(const std::vector<StepRun>& runs, const QString& path)
+{
+    return saveTextFile(
+        QStringLiteral("save-step-response"),
+        [&](const TextSink& sink) {
+            if (!sink("run,response,t[ms],start[step],target[step],position[step],speed[step/s],"
+                      "load[%],current[mA]\n"))
+                return;
+            int number = 0;
+            for (const StepRun& run : runs) {
+                ++number;
+                for (const StepResponse& response : run.responses) {
+                    if (!sink(sampleLines(number, response)))
+                        return;
+                }
+            }
+        },
+        path);
+}
+} // namespace record

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/json_format.h"
+#include "files/text_file.h"
+#include "results/step_json.h"
+#include "results/sweep_fields.h"
+#include "snapshot/snapshot_json.h"
+
+#include <QJsonArray>
+
+#include <cmath>
+
+namespace record {
+namespace {
+const QString loading = QStringLiteral("load-step-response");
+constexpr qint64 maxFileSize = 256 * 1024 * 1024;
+constexpr int formatVersion = 1;
+constexpr double maxMs = 1e9;
+constexpr int cells = 5; ///< of a sample
+
+base::Duration fromMs(const JsonReader& json, const char* key, double ms)
+{
+    if (std::abs(ms) <= maxMs)
+        return base::Duration(std::llround(ms * usPerMs));
+    json.reportError(key, QStringLiteral("number too large"));
+    return {};
+}
+
+double number(const JsonReader& json, const char* key)
+{
+    const auto found = json.numberOrNull(key);
+    if (!found)
+        json.reportError(key, QStringLiteral("expected a number"));
+    return found.value_or(0);
+}
+
+std::vector<StepGain> readGains(const JsonReader& json, const char* key)
+{
+    std::vector<StepGain> gains;
+    for (const JsonReader& gain : json.objects(key))
+        gains.push_back({gain.nonEmptyText("key"), gain.integer("raw")});
+    return gains;
+}
+
+StepFigures readFigures(const JsonReader& json)
+{
+    StepFigures figures;
+    for (const StepFigure& figure : stepFigures)
+        figures.*figure.member = json.numberOrNull(figure.key);
+    return figures;
+}
+
+StepSpec readSpec(const JsonReader& json)
+{
+    StepSpec spec;
+    spec.size = json.text("size");
+    spec.from = json.text("from");
+    spec.repeats = json.smallInteger("repeats");
+    spec.hold = fromMs(json, "hold_ms", number(json, "hold_ms"));
+    spec.speed = json.text("speed");
+    spec.acceleration = json.text("acceleration");
+    spec.trial = readGains(json, "trial");
+    spec.operatorName = json.text("operator");
+    spec.note = json.text("note");
+    return spec;
+}
+
+SweepAxis readAxis(const JsonReader& json)
+{
+    SweepAxis axis;
+    axis.from = number(json, "from");
+    axis.to = number(json, "to");
+    axis.stepsPerTurn = number(json, "steps_per_turn");
+    axis.tolerance = number(json, "tolerance");
+    axis.speed = json.numberOrNull("speed");
+    axis.acceleration = json.numberOrNull("acceleration");
+    return axis;
+}
+
+std::vector<StepSample> readSamples(const JsonReader& json)
+{
+    std::vector<StepSample> samples;
+    const QJsonArray rows = json.content().value(QLatin1String("samples")).toArray();
+    for (const QJsonValue& row : rows) {
+        const QJsonArray values = row.toArray();
+        if (values.size() != cells || !values[0].isDouble() || !values[1].isDouble()) {
+            json.reportError("samples", QStringLiteral("expected rows of %1 numbers").arg(cells));
+            return {};
+        }
+        const auto optional = [&values](int cell) {
+            return values[cell].isDouble() ? std::optional(values[cell].toDouble()) : std::nullopt;
+        };
+        samples.push_back({fromMs(json, "samples", values[0].toDouble()), values[1].toDouble(),
+                           optional(2), optional(3), optional(4)});
+    }
+    return samples;
+}
+
+StepResponse readResponse(const JsonReader& json)
+{
+    StepResponse response;
+    response.number = json.smallInteger("number");
+    response.start = number(json, "start");
+    response.target = number(json, "target");
+    response.missed = json.flag("missed");
+    response.lost = json.smallInteger("lost");
+    response.seen = !json.contains("seen") || json.flag("seen"); // older files do not say
+    response.alarms = std::uint8_t(json.smallInteger("alarms"));
+    response.figures = readFigures(json.object("figures"));
+    response.samples = readSamples(json);
+    return response;
+}
+
+StepRun readRun(const JsonReader& json)
+{
+    StepRun run;
+    run.program = json.text("program");
+    run.at = json.time("time");
+    run.port = json.text("port");
+    run.baud = json.smallInteger("baud");
+    run.simulated = json.flag("simulated");
+    const QString end = json.text("end");
+    if (!sweepEndFromName(end))
+        json.reportError("end", QStringLiteral("unknown word \"%1\"").arg(end));
+    run.end = sweepEndFromName(end).value_or(SweepEnd::Finished);
+    run.sampleRate = number(json, "sample_rate");
+    run.isReverted = json.flag("put_back");
+    run.spec = readSpec(json.object("test"));
+    run.gains = readGains(json, "gains");
+    run.axis = readAxis(json.object("axis"));
+    run.mean = readFigures(json.object("mean"));
+    for (const JsonReader& response : json.objects("responses"))
+        run.responses.push_back(readResponse(response));
+    run.parameters = readSnapshot(json.object("parameters"));
+    return run;
+}
+} // namespace
+
+base::Result<std::vector<StepRun>> decodeStepRuns(const QByteArray& text)
+{
+    const auto document = parseJson(text);
+    if (!document)
+        return base::fail(base::ErrorCode::FileFormat, loading, document.error());
+    JsonReadError readError;
+    const JsonReader json(*document, readError);
+    checkFormat(json, QLatin1StringView("servodesk-step-response"), formatVersion,
+                QStringLiteral("not a step response of ServoDesk"));
+    std::vector<StepRun> runs;
+    for (const JsonReader& run : json.objects("runs"))
+        runs.push_back(readRun(run));
+    if (readError.isSet())
+        return base::fail(base::ErrorCode::FileFormat, loading, readError.text());
+    return runs;
+}
+
+base::Result<std::vector<StepRun>> loadStepRuns(const QString& path)
+{
+    const auto text = readTextFile(loading, path, maxFileSize);
+    if (!text)
+        return tl::unexpected(text.error());
+    auto runs = decodeStepRuns(*text);
+    if (!runs) {
+        base::Error error = runs.error();
+        error.detail = path + QStringLiteral(": ") + error.detail;
+        return tl::unexpected(error);
+    }
+    return runs;
+}
+} // namespace record

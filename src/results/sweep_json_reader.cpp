@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/json_format.h"
+#include "files/text_file.h"
+#include "results/sweep_fields.h"
+#include "results/sweep_json.h"
+#include "results/sweep_limits_json.h"
+#include "results/sweep_verdict.h"
+#include "snapshot/snapshot_json.h"
+
+#include <cmath>
+#include <limits>
+
+namespace record {
+namespace {
+const QString loading = QStringLiteral("load-sweep");
+constexpr qint64 maxFileSize = 512 * 1024 * 1024;
+constexpr int formatVersion = 1;
+constexpr double maxMs = 1e12; ///< thirty years
+
+double number(const JsonReader& json, const char* key)
+{
+    const auto found = json.numberOrNull(key);
+    if (!found)
+        json.reportError(key, QStringLiteral("expected a number"));
+    return found.value_or(0);
+}
+
+std::optional<base::Duration> spanOrNull(const JsonReader& json, const char* key)
+{
+    const auto ms = json.numberOrNull(key);
+    if (!ms)
+        return {};
+    if (std::abs(*ms) > maxMs) {
+        json.reportError(key, QStringLiteral("number too large"));
+        return base::Duration();
+    }
+    return base::Duration(std::llround(*ms * usPerMs));
+}
+
+base::Duration span(const JsonReader& json, const char* key)
+{
+    const auto found = spanOrNull(json, key);
+    if (!found)
+        json.reportError(key, QStringLiteral("expected a number"));
+    return found.value_or(base::Duration());
+}
+
+std::uint64_t count(const JsonReader& json, const char* key)
+{
+    const std::int64_t found = json.integer(key);
+    if (found < 0)
+        json.reportError(key, QStringLiteral("must not be negative"));
+    return std::uint64_t(std::max<std::int64_t>(found, 0));
+}
+
+template <typename Word>
+Word word(const JsonReader& json, const char* key, std::optional<Word> (*fromName)(const QString&))
+{
+    const QString name = json.text(key);
+    const auto found = fromName(name);
+    if (!found)
+        json.reportError(key, QStringLiteral("unknown word \"%1\"").arg(name));
+    return found.value_or(Word());
+}
+
+SweepRange readRange(const JsonReader& json)
+{
+    return {json.text("from"), json.text("to")};
+}
+
+SweepSpec readTest(const JsonReader& json)
+{
+    SweepSpec spec;
+    spec.shape = word(json, "shape", sweepShapeFromName);
+    spec.range = readRange(json);
+    for (const JsonReader& range : json.objects("ranges"))
+        spec.ranges[range.smallInteger("servo")] = readRange(range);
+    spec.step = json.text("step");
+    for (const JsonReader& point : json.objects("points"))
+        spec.points.push_back({point.text("target"), spanOrNull(point, "pause_ms")});
+    const std::uint64_t seed = count(json, "seed");
+    if (seed > std::numeric_limits<std::uint32_t>::max())
+        json.reportError("seed", QStringLiteral("number too large"));
+    spec.seed = std::uint32_t(seed);
+    spec.period = span(json, "period_ms");
+    spec.pace = word(json, "pace", sweepPaceFromName);
+    spec.pause = span(json, "pause_ms");
+    spec.cycles = json.smallInteger("cycles");
+    spec.length = span(json, "length_ms");
+    spec.speed = json.text("speed");
+    spec.acceleration = json.text("acceleration");
+    spec.time = json.text("time");
+    spec.warmUp = span(json, "warm_up_ms");
+    spec.releaseAtEnd = json.flag("release_at_end");
+    spec.stopOnAlarm = json.flag("stop_on_alarm");
+    spec.stopOnStall = json.flag("stop_on_stall");
+    spec.stopOnFailure = json.flag("stop_on_failure");
+    spec.operatorName = json.text("operator");
+    spec.note = json.text("note");
+    return spec;
+}
+
+SweepAxis readAxis(const JsonReader& json)
+{
+    SweepAxis axis;
+    axis.from = number(json, "from");
+    axis.to = number(json, "to");
+    axis.step = number(json, "step");
+    axis.points = json.numbers("points");
+    axis.stepsPerTurn = number(json, "steps_per_turn");
+    axis.tolerance = number(json, "tolerance");
+    axis.speed = json.numberOrNull("speed");
+    axis.acceleration = json.numberOrNull("acceleration");
+    return axis;
+}
+
+VerdictLine readVerdict(const JsonReader& json)
+{
+    VerdictLine line;
+    line.limit.metric = json.nonEmptyText("metric");
+    line.limit.unit = json.text("unit");
+    line.limit.atLeast = json.flag("at_least");
+    line.limit.warn = json.numberOrNull("warn");
+    line.limit.fail = json.numberOrNull("fail");
+    line.value = json.numberOrNull("value");
+    line.grade = word(json, "grade", gradeFromName);
+    return line;
+}
+
+SweepErrors readErrors(const JsonReader& json)
+{
+    return {count(json, "asked"), count(json, "time_outs"), count(json, "bad_checks"),
+            count(json, "foreign"), count(json, "late")};
+}
+
+SweepServo readServo(const JsonReader& json)
+{
+    SweepServo servo;
+    servo.parameters = readSnapshot(json.object("parameters"));
+    servo.axis = readAxis(json.object("axis"));
+    servo.limits = readSweepLimits(json.object("limits"));
+    for (const JsonReader& line : json.objects("lines"))
+        servo.lines.push_back(readVerdict(line));
+    servo.errors = readErrors(json.object("errors"));
+    (void)word(json, "verdict", gradeFromName); // earlier versions let runs pass that had not ended
+    if (json.smallInteger("id") != servo.parameters.servo.id)
+        json.reportError("id", QStringLiteral("is not the one of its parameters"));
+    return servo;
+}
+
+std::vector<SweepServo> readServos(const JsonReader& json)
+{
+    std::vector<SweepServo> servos;
+    for (const JsonReader& object : json.objects("servos")) {
+        SweepServo servo = readServo(object);
+        for (const SweepServo& before : servos) {
+            if (before.parameters.servo.id == servo.parameters.servo.id)
+                object.reportError("id", QStringLiteral("is there twice"));
+        }
+        servos.push_back(std::move(servo));
+    }
+    return servos;
+}
+
+SweepMetric readMetric(const JsonReader& json)
+{
+    SweepMetric metric;
+    metric.key = json.nonEmptyText("metric");
+    metric.unit = json.text("unit");
+    metric.value = json.numberOrNull("value");
+    metric.mean = json.numberOrNull("mean");
+    metric.min = json.numberOrNull("min");
+    metric.max = json.numberOrNull("max");
+    metric.count = count(json, "count");
+    return metric;
+}
+
+SweepLeg readLeg(const JsonReader& json)
+{
+    SweepLeg leg;
+    leg.number = json.smallInteger("leg");
+    leg.cycle = json.smallInteger("cycle");
+    leg.at = span(json, "at_ms");
+    leg.span = span(json, "span_ms");
+    leg.start = number(json, "start");
+    leg.target = number(json, "target");
+    leg.timeToTarget = spanOrNull(json, "time_ms");
+    leg.settling = spanOrNull(json, "settling_ms");
+    for (const LegFigure& figure : legFigures) {
+        if (!figure.isLater || json.contains(figure.key))
+            leg.*figure.member = json.numberOrNull(figure.key);
+    }
+    leg.samples = json.smallInteger("samples");
+    leg.lost = json.smallInteger("lost");
+    leg.missed = json.flag("missed");
+    if (!json.content().value(QLatin1StringView("flag_wrong")).isNull())
+        leg.flagWrong = json.flag("flag_wrong");
+    const int alarms = json.smallInteger("alarms");
+    if (alarms < 0 || alarms > std::numeric_limits<std::uint8_t>::max())
+        json.reportError("alarms", QStringLiteral("expected 0 to 255"));
+    leg.alarms = std::uint8_t(alarms);
+    return leg;
+}
+
+template <typename Item>
+void readRows(const JsonReader& json, const char* key, std::vector<SweepServo>& servos,
+              std::vector<Item> SweepServo::*items, Item (*read)(const JsonReader&))
+{
+    for (const JsonReader& row : json.objects(key)) {
+        const int id = row.smallInteger("servo");
+        const auto servo = std::find_if(servos.begin(), servos.end(), [id](const SweepServo& one) {
+            return one.parameters.servo.id == id;
+        });
+        if (servo == servos.end())
+            row.reportError("servo", QStringLiteral("there is no servo %1 in this test").arg(id));
+        else
+            ((*servo).*items).push_back(read(row));
+    }
+}
+
+SweepRun readRun(const JsonReader& json)
+{
+    checkFormat(json, QLatin1StringView("servodesk-sweep"), formatVersion,
+                QStringLiteral("not a sweep test of ServoDesk"));
+    SweepRun run;
+    run.program = json.text("program");
+    run.at = json.time("time");
+    run.port = json.text("port");
+    run.baud = json.smallInteger("baud");
+    run.simulated = json.flag("simulated");
+    run.length = span(json, "length_ms");
+    run.end = word(json, "end", sweepEndFromName);
+    run.endedBy = json.integerOrNull("ended_by") ? json.smallInteger("ended_by") : -1;
+    run.sampleRate = number(json, "sample_rate");
+    for (const JsonReader& gap : json.objects("gaps"))
+        run.gaps.push_back({span(gap, "at_ms"), span(gap, "span_ms")});
+    run.spec = readTest(json.object("test"));
+    run.servos = readServos(json);
+    readRows(json, "metrics", run.servos, &SweepServo::metrics, readMetric);
+    readRows(json, "legs", run.servos, &SweepServo::legs, readLeg);
+    assignVerdicts(run);
+    return run;
+}
+} // namespace
+
+base::Result<SweepRun> decodeSweepRun(const QByteArray& text)
+{
+    const auto document = parseJson(text);
+    if (!document)
+        return base::fail(base::ErrorCode::FileFormat, loading, document.error());
+    JsonReadError readError;
+    SweepRun run = readRun(JsonReader(*document, readError));
+    if (readError.isSet())
+        return base::fail(base::ErrorCode::FileFormat, loading, readError.text());
+    return run;
+}
+
+base::Result<SweepRun> loadSweepRun(const QString& path)
+{
+    const auto text = readTextFile(loading, path, maxFileSize);
+    if (!text)
+        return tl::unexpected(text.error());
+    auto run = decodeSweepRun(*text);
+    if (!run) {
+        base::Error error = run.error();
+        error.detail = path + QStringLiteral(": ") + error.detail;
+        return tl::unexpected(error);
+    }
+    return run;
+}
+} // namespace record

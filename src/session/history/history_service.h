@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The history for the window: asked on a thread of its own, answered on the main thread; never
+// waits, but that the destructor writes down what keep() was given. Beside Desk, in no need of it.
+// Other programs may change the history at any time; whoever shows a list is its viewer meanwhile
+// and asks again at changed().
+// Answers to a `context` that has gone are dropped.
+#pragma once
+
+#include "history/history.h"
+#include "history/history_export.h"
+#include "history/history_table.h"
+#include "history/server/history_server.h"
+#include "results/sweep_compare.h"
+#include "session/detachable_worker.h"
+#include "session/history/history_source.h"
+#include "session/job_thread.h"
+#include "session/main_thread_queue.h"
+#include "session/paths.h"
+
+#include <QPointer>
+
+namespace session {
+class HistoryWatcher;
+using SharedRun = std::shared_ptr<const record::SweepRun>;
+using SharedStep = std::shared_ptr<const record::StepRun>;
+using SharedSnapshot = std::shared_ptr<const record::Snapshot>;
+
+/// One servo of a run against the reference of its model.
+struct ReferenceResult {
+    int servo = -1;
+    record::TestRun run; ///< the reference's
+    record::TestServo reference;
+    record::SweepComparison comparison; ///< A is the reference
+    bool ignored = false;               ///< the reference did not finish: nothing is compared
+};
+
+class HistoryService final : public QObject {
+    Q_OBJECT
+
+public:
+    explicit HistoryService(QString path = historyFile(), QObject* parent = nullptr);
+    /// Asked only: what would keep or change anything fails.
+    explicit HistoryService(std::unique_ptr<HistorySource> source, QObject* parent = nullptr);
+    ~HistoryService() override;
+
+    /// kept() or keepFailed() follow. Order is kept.
+    void saveRun(SharedRun run, const QStringList& files = {});
+    void saveRun(SharedStep run, const QStringList& files = {});
+
+    // Kept in order; changed() or failed() follow. An alarm that came twice counts once.
+    void saveAlarm(const base::ServoIdentity& identity, const QString& key, bool derived, bool came,
+                   const QDateTime& at);
+    void saveRecording(const record::HistoryRecording& recording,
+                       const std::vector<base::ServoIdentity>& servos);
+    void saveHistorySnapshot(SharedSnapshot snapshot, record::SnapshotReason reason,
+                             const QString& file = {});
+
+    template <typename T>
+    using Answer = std::function<void(const base::Result<T>&)>;
+
+    void list(const record::RunFilter& filter, QObject* context,
+              Answer<std::vector<record::TestRun>> answer);
+    void load(std::int64_t number, QObject* context, Answer<SharedRun> answer);
+    void loadStep(std::int64_t number, QObject* context, Answer<SharedStep> answer);
+
+    /// Any other question or deed: run on the archive's thread with the history open.
+    template <typename T>
+    void query(std::function<base::Result<T>(record::History&)> query, QObject* context,
+               Answer<T> answer);
+
+    // Pages: filter.most rows, filter.after for the next. archive_lists.cpp.
+    void servos(const record::HistoryFilter& filter, QObject* context,
+                Answer<std::vector<record::HistoryServo>> answer);
+    void writes(const record::HistoryFilter& filter, QObject* context,
+                Answer<std::vector<record::HistoryWrite>> answer);
+    void countWrites(const record::HistoryFilter& filter, QObject* context,
+                     Answer<std::int64_t> answer);
+    void writtenKeys(std::optional<std::int64_t> servo, QObject* context,
+                     Answer<QStringList> answer);
+    void snapshots(const record::HistoryFilter& filter, QObject* context,
+                   Answer<std::vector<record::HistorySnapshot>> answer);
+    void loadSnapshot(std::int64_t number, QObject* context, Answer<SharedSnapshot> answer);
+    /// The catalog's data is shared; the object may go.
+    void tableAt(const catalog::Catalog& catalog, std::int64_t servo, const QDateTime& at,
+                 QObject* context, Answer<record::TableState> answer);
+    void alarms(const record::HistoryFilter& filter, QObject* context,
+                Answer<std::vector<record::HistoryAlarm>> answer);
+    void recordings(const record::HistoryFilter& filter, QObject* context,
+                    Answer<std::vector<record::HistoryRecording>> answer);
+    /// CSV takes one kind, JSON any. Answers the rows written.
+    void exportTo(const QString& path, bool csv, const std::vector<record::HistoryKind>& kinds,
+                  const record::HistoryFilter& filter, QObject* context,
+                  Answer<std::int64_t> answer);
+    /// Of the servos whose model has a reference that is not this very run.
+    void compareWithReference(SharedRun run, QObject* context,
+                              Answer<std::vector<ReferenceResult>> answer);
+
+    // A server's: who sends there; whose history is asked for from now on (nullopt: everybody's);
+    // and by whom rows of "writes", "snapshots" … were sent, number → name. A file answers none.
+    void benches(QObject* context, Answer<std::vector<record::HistoryBench>> answer);
+    void selectBench(std::optional<std::int64_t> bench) { m_source->selectBench(bench); }
+    void benchNames(const QString& table, const std::vector<std::int64_t>& numbers,
+                    QObject* context, Answer<QMap<qint64, QString>> answer);
+
+    // changed() or failed() follow
+    void setLabel(std::int64_t number, int servo, const QString& label);
+    void setNote(std::int64_t number, const QString& note);
+    void setReference(std::int64_t number, int servo, bool reference);
+    void remove(const std::vector<std::int64_t>& numbers);
+    void setServoLabel(std::int64_t servo, const QString& label);
+    void anotherServo(std::int64_t servo, const QString& label);
+    void setSnapshotNote(std::int64_t number, const QString& label, const QString& note);
+    void removeSnapshots(const std::vector<std::int64_t>& numbers);
+    void removeRecordings(const std::vector<std::int64_t>& numbers);
+
+    /// While there is a viewer, changed() also follows what other programs and connections write
+    /// to the file. A server is not watched.
+    void setWatched(QObject* viewer, bool viewed);
+
+    /// Something slow that touches no history, such as saving a report, in the same order.
+    void runInOrder(std::function<base::Result<void>()> job, QObject* context, Answer<void> answer);
+
+Q_SIGNALS:
+    void runSaved(std::int64_t number);
+    /// `file`: where the run was left instead; empty: it is nowhere.
+    void runSaveFailed(const base::Error& error, const QString& file);
+    void changed();
+    void failed(const base::Error& error);
+
+private:
+    /// What is to be kept, whatever happens: answers where it went.
+    using SaveJob = std::function<record::SavedRun(const QString& path)>;
+    /// A run has a number that kept() tells; without room for the rest, failed() follows.
+    enum class Kind : std::uint8_t { Run, Other };
+    void saveLater(SaveJob saveJob, Kind kind = Kind::Run);
+    void change(std::function<base::Result<void>(record::History&)> action);
+    record::SavedRun saveNext();
+
+    const QString m_path;
+    MainThreadQueue m_mainQueue;
+    std::mutex m_mutex;
+    std::deque<SaveJob> m_pending; ///< what is to be kept and is not yet
+    std::shared_ptr<GuardedPoster> m_post;
+    std::shared_ptr<JobThread> m_thread; ///< shared with the source, where that is the file
+    std::unique_ptr<HistorySource> m_source;
+    std::unique_ptr<HistoryWatcher> m_watch; ///< null over a server
+};
+
+template <typename T>
+void HistoryService::query(std::function<base::Result<T>(record::History&)> query, QObject* context,
+                           Answer<T> answer)
+{
+    const QPointer<QObject> guard(context);
+    m_source->start([post = m_post, query = std::move(query), guard,
+                     answer = std::move(answer)](const base::Result<record::History*>& history) {
+        auto result = history ? query(**history) : base::Result<T>(tl::unexpected(history.error()));
+        post->post([guard, answer, result = std::move(result)] {
+            if (guard)
+                answer(result);
+        });
+    });
+}
+} // namespace session

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From "which servo, how set up" to servos on a bus: shared by the presets and the list syntax.
+// Fails with BadArgument when the catalog has no such model, it has no map to simulate, or the
+// model does not know the rate.
+#pragma once
+
+#include "base/error.h"
+#include "catalog/catalog.h"
+#include "sim/bus/virtual_bus.h"
+
+#include <functional>
+
+namespace sim {
+struct ServoSpec {
+    QString model;
+    int id = 1;
+    std::optional<int> baud; ///< the model's factory rate if not given
+    std::optional<double> supplyVolts;
+    double initialDegrees = 180;
+    Load load;
+    std::function<void(VirtualServo&)> prepare{}; ///< may be empty
+    Defects defects{};
+    std::optional<double> supplyOhms{};
+    std::optional<double> ambientCelsius{};
+    FirmwareBehavior behavior{};
+    std::optional<base::Duration> epromTime{};
+};
+
+base::Result<std::unique_ptr<VirtualBus>> makeBus(const std::vector<ServoSpec>& servoSpecs,
+                                                  const catalog::Catalog& catalog,
+                                                  const WireConfig& wire,
+                                                  std::optional<base::Duration> epromTime);
+} // namespace sim

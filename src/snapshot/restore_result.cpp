@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "snapshot/restore_result.h"
+
+#include "files/csv_text.h"
+#include "files/json_text.h"
+#include "files/text_file.h"
+
+namespace record {
+namespace {
+const QLatin1String formatName("servodesk-restore");
+constexpr int formatVersion = 1;
+constexpr int valueDigits = 12;
+
+QByteArray number(std::optional<std::int64_t> raw)
+{
+    return raw ? QByteArray::number(qint64(*raw)) : QByteArray("null");
+}
+
+QString cell(std::optional<std::int64_t> raw)
+{
+    return raw ? QString::number(*raw) : QString();
+}
+
+QByteArray rowLine(const RestoreResultRow& row)
+{
+    return "        {\"key\": " + jsonText(row.key) +
+           ", \"address\": " + QByteArray::number(row.address) +
+           ", \"before\": " + number(row.before) + ", \"wanted\": " + number(row.newRaw) +
+           ", \"value\": " + jsonNumber(row.newValue, valueDigits) +
+           ", \"unit\": " + jsonText(row.unit) + ", \"read_back\": " + number(row.readBack) +
+           ", \"outcome\": " + jsonText(row.outcome) + ", \"error\": " + jsonText(row.error) +
+           ", \"rolled_back\": " + jsonFlag(row.rolledBack) + '}';
+}
+
+QByteArray servoBlock(const RestoreResult& result)
+{
+    const SnapshotServo& servo = result.servo;
+    QByteArray text = "    {\n      \"id\": " + QByteArray::number(servo.id) +
+                      ",\n      \"model\": " + jsonText(servo.model) +
+                      ",\n      \"model_id\": " + jsonText(servo.modelId) +
+                      ",\n      \"firmware\": " + jsonText(servo.firmware) +
+                      ",\n      \"map\": " + jsonText(servo.map) +
+                      ",\n      \"protocol\": " + jsonText(servo.protocol) +
+                      ",\n      \"program\": " + jsonText(result.program) +
+                      ",\n      \"time\": " + jsonText(result.at.toUTC().toString(Qt::ISODate)) +
+                      ",\n      \"source\": " + jsonText(result.source) +
+                      ",\n      \"port\": " + jsonText(result.port) +
+                      ",\n      \"baud\": " + QByteArray::number(result.baud) +
+                      ",\n      \"verdict\": " + jsonText(result.verdict) +
+                      ",\n      \"lock\": " + jsonText(result.lock) + ",\n      \"rows\": [";
+    const char* separator = "\n";
+    for (const RestoreResultRow& row : result.rows) {
+        text += separator + rowLine(row);
+        separator = ",\n";
+    }
+    return text + "\n      ]\n    }";
+}
+} // namespace
+
+QByteArray encodeRestoreResults(const std::vector<RestoreResult>& results)
+{
+    QByteArray text = "{\n  \"format\": " + jsonText(formatName) +
+                      ",\n  \"version\": " + QByteArray::number(formatVersion) +
+                      ",\n  \"servos\": [";
+    const char* separator = "\n";
+    for (const RestoreResult& result : results) {
+        text += separator + servoBlock(result);
+        separator = ",\n";
+    }
+    return text + "\n  ]\n}\n";
+}
+
+QByteArray encodeRestoreResultsCsv(const std::vector<RestoreResult>& results)
+{
+    QByteArray text = "id,model,firmware,time,source,verdict,lock,key,address,before,wanted,value,"
+                      "unit,read_back,outcome,error,rolled_back\n";
+    for (const RestoreResult& result : results) {
+        const QStringList head{QString::number(result.servo.id),
+                               result.servo.model,
+                               result.servo.firmware,
+                               result.at.toUTC().toString(Qt::ISODate),
+                               result.source,
+                               result.verdict,
+                               result.lock};
+        // A servo that needed nothing, or did not answer, has its line as well.
+        if (result.rows.empty())
+            text += csvLine(head + QStringList(10, QString()));
+        for (const RestoreResultRow& row : result.rows) {
+            text += csvLine(
+                head + QStringList{row.key, QString::number(row.address), cell(row.before),
+                                   QString::number(row.newRaw),
+                                   row.newValue ? QString::number(*row.newValue, 'g', valueDigits)
+                                                : QString(),
+                                   row.unit, cell(row.readBack), row.outcome, row.error,
+                                   row.rolledBack ? QStringLiteral("1") : QStringLiteral("0")});
+        }
+    }
+    return text;
+}
+
+base::Result<void> saveRestoreResults(const std::vector<RestoreResult>& results,
+                                      const QString& path)
+{
+    const bool csv = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
+    return saveTextFile(QStringLiteral("save-result"),
+                        csv ? encodeRestoreResultsCsv(results) : encodeRestoreResults(results),
+                        path);
+}
+} // namespace record

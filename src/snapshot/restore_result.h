@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What became of a restore, row by row, as a file for whoever has to prove it: JSON or CSV. A plain
+// value; any thread. Words are the stable names of device and jobs ("kept", "no-answer"). Fails
+// with FileUnwritable, DiskFull.
+#pragma once
+
+#include "snapshot/snapshot.h"
+
+namespace record {
+struct RestoreResultRow {
+    QString key;
+    int address = 0;
+    std::optional<std::int64_t> before{};
+    std::int64_t newRaw = 0;
+    std::optional<std::int64_t> readBack{}; ///< the latest reading
+    QString unit{};
+    std::optional<double> newValue{}; ///< physical
+    QString outcome;                  ///< one of the six words
+    QString error{};                  ///< error's name, empty: none
+    bool rolledBack = false;          ///< the value before has been proved again
+    bool operator==(const RestoreResultRow&) const = default;
+};
+
+struct RestoreResult {
+    QString program;
+    QDateTime at;
+    QString source; ///< the snapshot: file or what the user calls it
+    QString port;
+    int baud = 0;
+    SnapshotServo servo{}; ///< as it answers afterwards
+    QString verdict;       ///< jobs::verdictName
+    QString lock;          ///< "closed", "open", "unknown", "none"
+    std::vector<RestoreResultRow> rows{};
+    bool operator==(const RestoreResult&) const = default;
+};
+
+QByteArray encodeRestoreResults(const std::vector<RestoreResult>& results);
+QByteArray encodeRestoreResultsCsv(const std::vector<RestoreResult>& results);
+
+/// CSV where the name ends so, JSON otherwise.
+base::Result<void> saveRestoreResults(const std::vector<RestoreResult>& results,
+                                      const QString& path);
+} // namespace record

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Snapshots to and from the disk; the text itself is made in snapshot.cpp.
+#include "files/text_file.h"
+#include "snapshot/snapshot.h"
+
+namespace record {
+namespace {
+const QString saving = QStringLiteral("save-snapshot");
+const QString loading = QStringLiteral("load-snapshot");
+constexpr qint64 maxFileSize = 4 * 1024 * 1024;
+} // namespace
+
+base::Result<void> saveSnapshot(const Snapshot& snapshot, const QString& path)
+{
+    return saveTextFile(saving, encodeSnapshot(snapshot), path);
+}
+
+base::Result<Snapshot> loadSnapshot(const QString& path)
+{
+    const auto text = readTextFile(loading, path, maxFileSize);
+    if (!text)
+        return tl::unexpected(text.error());
+    auto snapshot = decodeSnapshot(*text);
+    if (!snapshot) {
+        base::Error error = snapshot.error();
+        error.detail = path + QStringLiteral(": ") + error.detail;
+        return tl::unexpected(error);
+    }
+    return snapshot;
+}
+} // namespace record

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a snapshot that is part of a larger document (a bundle, a test run). What is wrong goes to
+// the reader's complaint. Pure; any thread.
+#pragma once
+
+#include "files/json_reader.h"
+#include "snapshot/snapshot.h"
+
+namespace record {
+Snapshot readSnapshot(const JsonReader& json);
+} // namespace record

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The control panel on a real desk and a simulated bus, without the rest of the window. Its widgets
+// are worked as a user does; what the servos really do is asked of the simulation, past the wire.
+// Main thread.
+#pragma once
+
+#include "gui/press_clock.h"
+#include "sim/host/sim_link.h"
+#include "support/temporary_data_folder.h"
+#include "ui/app/program.h"
+#include "ui/common/commands.h"
+#include "ui/operate/control_panel.h"
+#include "ui/operate/control_slider.h"
+
+#include <QAbstractSpinBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <QtTest>
+
+namespace gui {
+class ControlPanelFixture {
+public:
+    /// `data`: a folder that outlives the bench, for what is remembered between starts.
+    explicit ControlPanelFixture(const QString& data = {})
+        : session(sessionWithData(data.isEmpty() ? dataFolder.path() : data))
+    {
+        settings.setPageValue(QStringLiteral("operate/no_torque_hint"), true);
+        panel.resize(380, 900);
+        panel.show();
+    }
+
+    bool connectTo(const QString& port)
+    {
+        desk.connectTo({.name = port});
+        return QTest::qWaitFor([this] { return desk.state() == session::LinkState::Open; }, 10000);
+    }
+    bool search(int first, int last)
+    {
+        desk.search({.firstId = first, .lastId = last, .bauds = {}});
+        return QTest::qWaitFor([this] { return !desk.isSearching() && !desk.isBusy(); }, 30000);
+    }
+    session::ServoRef ref(int id) const
+    {
+        for (const session::ServoRef one : desk.servos()) {
+            if (desk.servo(one)->servo.id == id)
+                return one;
+        }
+        return 0;
+    }
+    bool choose(const std::vector<int>& ids)
+    {
+        std::vector<session::ServoRef> refs;
+        for (const int id : ids)
+            refs.push_back(ref(id));
+        selection.setSelected(refs);
+        return waitUntilIdle() && desk.servo(refs.front())->hasFullTable && shown();
+    }
+    /// Connected, found and chosen; the first one's panel is filled.
+    bool ready(const QString& port, const std::vector<int>& ids)
+    {
+        return connectTo(port) && search(1, 9) && choose(ids);
+    }
+    bool waitUntilIdle()
+    {
+        return QTest::qWaitFor([this] { return !desk.isBusy() && !drive.isBusy(); }, 20000);
+    }
+    /// What the desk knows has come into the widgets.
+    bool shown()
+    {
+        QSignalSpy spy(&panel, &ui::ControlPanel::goalStateChanged);
+        Q_EMIT drive.changed();
+        const bool come = spy.wait(5000);
+        QCoreApplication::processEvents(); // new widgets have got their places
+        return come;
+    }
+    const session::ServoEntry& entry() { return *desk.servo(selection.current()); }
+
+    template <typename Function>
+    decltype(auto) withBus(Function&& function)
+    {
+        return desk.connection()->simulation()->with(std::forward<Function>(function));
+    }
+    /// What the servo really holds.
+    std::int64_t raw(int id, const char* key)
+    {
+        return withBus(
+            [&](sim::VirtualBus& wire) { return wire.servo(id)->raw(QString::fromLatin1(key)); });
+    }
+    void poke(int id, const char* key, std::int64_t raw)
+    {
+        withBus(
+            [&](sim::VirtualBus& wire) { wire.servo(id)->poke(QString::fromLatin1(key), raw); });
+    }
+    /// Of the shaft, now. The simulation goes on when somebody listens.
+    double degrees(int id)
+    {
+        const bool idle = !desk.isBusy() && !desk.isSearching();
+        return withBus([&](sim::VirtualBus& wire) {
+            if (idle)
+                wire.hostReads(desk.now());
+            return wire.servo(id)->shaftDegrees();
+        });
+    }
+    /// The shaft has not stirred for a while.
+    bool isAtRest(int id)
+    {
+        double before = degrees(id);
+        base::Duration since = desk.now();
+        return QTest::qWaitFor(
+            [&] {
+                const double now = degrees(id);
+                if (std::abs(now - before) > 0.05)
+                    since = desk.now();
+                before = now;
+                return desk.now() - since > std::chrono::milliseconds(250);
+            },
+            30000);
+    }
+    /// The desk's copy of these registers, fresh.
+    bool read()
+    {
+        desk.readTable(selection.current());
+        return waitUntilIdle() && shown();
+    }
+
+    template <typename Widget>
+    Widget* find(const char* name)
+    {
+        return panel.findChild<Widget*>(QString::fromLatin1(name));
+    }
+    QAbstractSpinBox* box(const char* name) { return find<QAbstractSpinBox>(name); }
+    bool has(const char* field)
+    {
+        const auto* widget = find<QWidget>(field);
+        return widget != nullptr && widget->isVisibleTo(&panel);
+    }
+    QString text(const char* label)
+    {
+        const auto* found = find<QLabel>(label);
+        return found != nullptr && found->isVisibleTo(&panel) ? found->text() : QString();
+    }
+    QString complaint()
+    {
+        const auto* banner = find<QWidget>("controlBanner");
+        QStringList lines;
+        if (banner == nullptr || !banner->isVisibleTo(&panel))
+            return {};
+        for (const QLabel* label : banner->findChildren<QLabel*>())
+            lines << label->text();
+        return lines.join(QLatin1Char('\n'));
+    }
+    void click(const char* name) { QTest::mouseClick(find<QWidget>(name), Qt::LeftButton); }
+    /// Typed over what stands there, without Enter.
+    void type(const char* name, const QString& text)
+    {
+        QAbstractSpinBox* spin = box(name);
+        QVERIFY2(spin != nullptr, name);
+        spin->setFocus();
+        spin->selectAll();
+        QTest::keyClicks(spin, text);
+    }
+    void enter(const char* name, const QString& text)
+    {
+        type(name, text);
+        QTest::keyClick(box(name), Qt::Key_Return);
+    }
+    /// Goal typed, sent and taken.
+    bool go(const QString& goal)
+    {
+        enter("goal", goal);
+        return waitUntilIdle();
+    }
+    QDialog* question()
+    {
+        QDialog* found = nullptr;
+        const bool open = QTest::qWaitFor([&] {
+            for (QWidget* widget : QApplication::topLevelWidgets()) {
+                if (widget->isVisible() && widget->objectName() == QLatin1String("question"))
+                    found = qobject_cast<QDialog*>(widget);
+            }
+            return found != nullptr;
+        });
+        return open ? found : nullptr;
+    }
+    /// By the tile and the question it asks.
+    bool switchModeByTile(const char* mode)
+    {
+        QTest::mouseClick(
+            find<QToolButton>(qPrintable(QStringLiteral("mode_") + QString::fromLatin1(mode))),
+            Qt::LeftButton);
+        QDialog* asked = question();
+        if (asked == nullptr)
+            return false;
+        confirmationText = asked->findChild<QLabel*>(QStringLiteral("questionText"))->text();
+        QTest::mouseClick(asked->findChild<QPushButton*>(QStringLiteral("questionYes")),
+                          Qt::LeftButton);
+        if (!waitUntilIdle() || !shown())
+            return false;
+        const catalog::Mode* now = entry().servo.mode();
+        return now != nullptr && now->key == QLatin1String(mode);
+    }
+    bool torque()
+    {
+        click("torqueSwitch");
+        return waitUntilIdle() && shown();
+    }
+    ui::ControlSlider* slider() { return find<ui::ControlSlider>("goalSlider"); }
+
+    QString confirmationText; ///< what the latest question said
+
+private:
+    /// The session looks for its folder once, when it is made.
+    static session::Session sessionWithData(const QString& folder)
+    {
+        qputenv("SERVODESK_DATA_DIR", folder.toLocal8Bit());
+        return session::Session();
+    }
+
+public:
+    AdvancingClock pressClock;               ///< nothing has just moved
+    support::TemporaryDataFolder dataFolder; ///< before the session
+    session::Settings settings{dataFolder.folder.filePath(QStringLiteral("servodesk.ini"))};
+    session::Session session; ///< in its folder
+    session::Desk desk{session};
+    ui::Selection selection;
+    ui::Commands commands{desk, selection};
+    session::MotionController drive{desk};
+    ui::ControlPanel panel{desk, commands, selection, settings, drive};
+};
+} // namespace gui

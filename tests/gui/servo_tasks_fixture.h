@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The servo menu on a real desk and a simulated bus, without the rest of the window. Dialogs are
+// found and worked as a user does, by mouse and keyboard. Main thread.
+#pragma once
+
+#include "gui/dialogs.h"
+#include "sim/host/sim_link.h"
+#include "support/temporary_data_folder.h"
+#include "ui/common/commands.h"
+#include "ui/tasks/servo_tasks.h"
+
+#include <QDialog>
+#include <QDir>
+
+namespace gui {
+class ServoTasksFixture {
+public:
+    ServoTasksFixture()
+    {
+        window.resize(800, 600);
+        window.show();
+    }
+
+    bool connectTo(const char* port) { return connectTo(QString::fromLatin1(port)); }
+    bool connectTo(const QString& port)
+    {
+        desk.connectTo({.name = port});
+        return QTest::qWaitFor([this] { return desk.state() == session::LinkState::Open; });
+    }
+    bool search(int first, int last)
+    {
+        desk.search({.firstId = first, .lastId = last, .bauds = {}});
+        return QTest::qWaitFor([this] { return !desk.isSearching() && !desk.isBusy(); }, 30000);
+    }
+    bool choose(int id)
+    {
+        for (const session::ServoRef ref : desk.servos()) {
+            if (desk.servo(ref)->servo.id == id)
+                selection.select(ref);
+        }
+        if (selection.current() == 0)
+            return false;
+        desk.readTable(selection.current());
+        return waitUntilIdle();
+    }
+    bool ready(const char* port, int first, int last, int id)
+    {
+        return connectTo(port) && search(first, last) && choose(id);
+    }
+    bool waitUntilIdle()
+    {
+        return QTest::qWaitFor([this] { return !desk.isBusy(); }, 20000);
+    }
+
+    const session::ServoEntry& entry() { return *desk.servo(selection.current()); }
+    template <typename Function>
+    decltype(auto) withBus(Function&& function)
+    {
+        return desk.connection()->simulation()->with(std::forward<Function>(function));
+    }
+    /// What the servo really holds, past the wire.
+    std::int64_t raw(int id, const char* key)
+    {
+        return withBus(
+            [&](sim::VirtualBus& wire) { return wire.servo(id)->raw(QString::fromLatin1(key)); });
+    }
+
+    /// The menu was used; the dialog it opened, or null.
+    QDialog* open(ui::Command command, const char* name)
+    {
+        commands.action(command)->trigger();
+        return dialog(name);
+    }
+    QDialog* dialog(const char* name)
+    {
+        QDialog* found = nullptr;
+        const bool shown = QTest::qWaitFor([&] {
+            for (QWidget* widget : QApplication::topLevelWidgets()) {
+                if (widget->isVisible() && widget->objectName() == QLatin1String(name))
+                    found = qobject_cast<QDialog*>(widget);
+            }
+            return found != nullptr;
+        });
+        return shown ? found : nullptr;
+    }
+
+    support::TemporaryDataFolder dataFolder; ///< before the session
+    session::Session session;
+    session::Desk desk{session};
+    ui::Selection selection;
+    ui::Commands commands{desk, selection};
+    QWidget window;
+    ui::ServoTasks* tasks = new ui::ServoTasks(desk, commands, selection, &window);
+};
+
+/// How the task ended, in its own words; empty while it runs.
+inline QString resultOf(QDialog* dialog)
+{
+    const auto* result = dialog->findChild<QWidget*>(QStringLiteral("taskResult"));
+    if (result == nullptr || !result->isVisible())
+        return {};
+    return textOf(dialog, "resultSign") + QLatin1Char(' ') + textOf(dialog, "resultWhat") +
+           QLatin1Char('\n') + textOf(dialog, "resultMore");
+}
+
+inline bool ended(QDialog* dialog, int within = 15000)
+{
+    return QTest::qWaitFor(
+        [dialog] {
+            const auto* stop = button(dialog, "taskStop");
+            return !resultOf(dialog).isEmpty() && (stop == nullptr || !stop->isVisible());
+        },
+        within);
+}
+} // namespace gui

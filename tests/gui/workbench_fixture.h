@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A desk with what widgets need beside it, and ports that are plugged by the test. One at a time;
+// main thread.
+#pragma once
+
+#include "session/port_watcher.h"
+#include "session/settings.h"
+#include "support/temporary_data_folder.h"
+#include "ui/app/program.h"
+#include "ui/common/commands.h"
+#include "ui/common/selection.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <mutex>
+
+namespace gui {
+/// All but what the screenless platform says of itself when something pops up.
+inline void failOnWarnings()
+{
+    QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
+}
+
+/// What is plugged in. The watch's thread looks, the test plugs.
+class FakePortList {
+public:
+    void plug(const session::PortInfo& port)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_look.ports.push_back(port);
+    }
+    void unplug(const QString& path)
+    {
+        const std::lock_guard lock(m_mutex);
+        auto& ports = m_look.ports;
+        ports.erase(
+            std::remove_if(ports.begin(), ports.end(),
+                           [&](const session::PortInfo& port) { return port.path == path; }),
+            ports.end());
+    }
+    void adaptersClaimedByBrltty(const QStringList& chips)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_look.claimedAdapters = chips;
+    }
+    session::PortWatcher::PortLister lister()
+    {
+        return [this] {
+            const std::lock_guard lock(m_mutex);
+            return m_look;
+        };
+    }
+
+private:
+    std::mutex m_mutex;
+    session::PortWatcher::PortList m_look;
+};
+
+inline session::PortInfo adapter(const QString& path, const QString& serial)
+{
+    session::PortInfo port;
+    port.path = path;
+    port.description = QStringLiteral("USB Serial");
+    port.manufacturer = QStringLiteral("QinHeng");
+    port.serialNumber = serial;
+    port.vendorId = 0x1a86;
+    port.productId = 0x7523;
+    return port;
+}
+
+class WorkbenchFixture {
+public:
+    bool open(const QString& port)
+    {
+        session::PortRequest request;
+        request.name = port;
+        desk.connectTo(request);
+        return QTest::qWaitFor([this] { return desk.state() == session::LinkState::Open; }, 10000);
+    }
+    bool search(const jobs::ScanSpec& spec = {})
+    {
+        desk.search(spec);
+        return QTest::qWaitFor([this] { return !desk.isSearching(); }, 60000);
+    }
+    session::ServoRef ref(int id) const
+    {
+        for (const session::ServoRef one : desk.servos()) {
+            if (desk.servo(one)->servo.id == id)
+                return one;
+        }
+        return 0;
+    }
+    QAction* action(ui::Command command) const { return commands.action(command); }
+
+private:
+    QTemporaryDir m_folder;
+
+public:
+    FakePortList portList;
+    session::Settings settings{m_folder.filePath(QStringLiteral("servodesk.ini"))};
+    session::PortWatcher ports{nullptr, portList.lister()};
+    support::TemporaryDataFolder dataFolder; ///< before the session
+    session::Session session;
+    session::Desk desk{session};
+    ui::Selection selection;
+    ui::Commands commands{desk, selection};
+};
+} // namespace gui

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bench behind the window on a simulated bus, for tests of Desk. Main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "sim/host/sim_link.h"
+#include "support/temporary_data_folder.h"
+
+#include <QtTest>
+
+using session::Desk;
+using session::LinkState;
+using session::ServoRef;
+
+struct SessionFixture {
+    explicit SessionFixture(const QString& port = QStringLiteral("sim:demo"))
+        : opened(open(port))
+    {}
+
+    bool open(const QString& port)
+    {
+        desk.connectTo({.name = port});
+        return QTest::qWaitFor([this] { return desk.state() == LinkState::Open; });
+    }
+    /// The few IDs in use, unless told otherwise.
+    bool search(const jobs::ScanSpec& spec = {.firstId = 0, .lastId = 10, .bauds = {}})
+    {
+        desk.search(spec);
+        return QTest::qWaitFor([this] { return !desk.isSearching(); }, 30000);
+    }
+    ServoRef at(int id, base::Protocol protocol = base::Protocol::Feetech) const
+    {
+        return desk.findServo(protocol, id);
+    }
+    const session::ServoEntry& entry(ServoRef ref) const { return *desk.servo(ref); }
+    QByteArray troubles() const
+    {
+        QByteArray all;
+        for (const ServoRef ref : desk.servos()) {
+            for (const auto& [key, row] : entry(ref).writes) {
+                if (row.error)
+                    all += key.toUtf8() + ": " + base::errorName(row.error->code).toUtf8() + " " +
+                           row.error->detail.toUtf8() + "; ";
+            }
+        }
+        return all;
+    }
+    bool waitUntilIdle()
+    {
+        return QTest::qWaitFor([this] { return !desk.isBusy(); }, 10000);
+    }
+    bool write(ServoRef ref, const QString& key, std::int64_t raw, bool temporary = false)
+    {
+        desk.write(ref, {{{key, raw}}, temporary, true});
+        return waitUntilIdle();
+    }
+    std::optional<std::int64_t> raw(ServoRef ref, const QString& key) const
+    {
+        return entry(ref).servo.raw(key);
+    }
+    std::optional<device::WriteOutcome> outcome(ServoRef ref, const QString& key) const
+    {
+        const auto& writes = entry(ref).writes;
+        return writes.count(key) > 0 ? writes.at(key).outcome : std::nullopt;
+    }
+    template <typename Function>
+    void withBus(Function&& function)
+    {
+        desk.connection()->simulation()->with(std::forward<Function>(function));
+    }
+
+    support::TemporaryDataFolder dataFolder; ///< before the session
+    session::Session session;
+    Desk desk{session};
+    bool opened;
+};
+
+inline const QString minAngle = QStringLiteral("min_angle_limit");
+inline const QString positionP = QStringLiteral("position_p");
+inline const QString user = QStringLiteral("test");

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The oscilloscope behind the charts on a simulated bus: what is read becomes curves, silence a
+// gap, an alarm a mark; a recording holds what the store has.
+#include "session/recording/live_data.h"
+#include "session/recording/replay.h"
+
+#include <QSignalSpy>
+
+#include "session_fixture.h"
+#include <cmath>
+
+using session::LiveData;
+
+namespace {
+const QString position = QStringLiteral("present_position");
+
+/// A bench that reads a servo's position and goal all the time.
+struct LiveDataFixture : SessionFixture {
+    explicit LiveDataFixture(const QString& port = QStringLiteral("sim:sts3215@1,sts3215@2"))
+        : SessionFixture(port)
+        , scope(desk)
+    {}
+    bool reads(const QStringList& keys)
+    {
+        if (!search())
+            return false;
+        for (const ServoRef ref : desk.servos())
+            desk.readTable(ref); // modes and units
+        if (!waitUntilIdle())
+            return false;
+        session::Subscription subscription;
+        for (const ServoRef ref : desk.servos())
+            subscription.parts.push_back({ref, keys, {}});
+        subscription.period = std::chrono::milliseconds(5);
+        desk.subscribe(QStringLiteral("test"), subscription);
+        return QTest::qWaitFor([&] { return scope.store().count() > 40; });
+    }
+    LiveData scope;
+};
+} // namespace
+
+class TestLiveData : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(QStringLiteral(".*"))); }
+
+    void everyReadingBecomesASample()
+    {
+        LiveDataFixture fixture;
+        std::map<ServoRef, std::vector<record::SamplePoint>> seen;
+        connect(&fixture.desk, &Desk::readingsReceived, this,
+                [&](const std::vector<session::Reading>& all) {
+                    for (const session::Reading& one : all) {
+                        for (const session::ReadValue& value : one.values) {
+                            if (value.reg->key == position)
+                                seen[one.servo].push_back({one.at, value.physical});
+                        }
+                    }
+                });
+        QVERIFY(fixture.reads({position}));
+        for (const ServoRef ref : fixture.desk.servos()) {
+            const session::LiveChannel* channel = fixture.scope.find(ref, position);
+            QVERIFY(channel != nullptr);
+            QCOMPARE(channel->unit, QStringLiteral("deg"));
+            const auto span = fixture.scope.store().span(channel->id);
+            QVERIFY(span);
+            QCOMPARE(fixture.scope.store().points(channel->id, *span), seen[ref]);
+        }
+    }
+
+    void theErrorIsGoalMinusPosition()
+    {
+        LiveDataFixture fixture(QStringLiteral("sim:sts3215@1"));
+        const QString goal = QStringLiteral("active_goal_position");
+        QVERIFY(fixture.reads({position, goal}));
+        const ServoRef ref = fixture.at(1);
+        const session::LiveChannel* error = fixture.scope.find(ref, session::errorKey);
+        QVERIFY(error != nullptr);
+        const auto& store = fixture.scope.store();
+        const auto at = store.latest(error->id);
+        const auto wanted = store.at(fixture.scope.find(ref, goal)->id, at->at);
+        const auto is = store.at(fixture.scope.find(ref, position)->id, at->at);
+        QVERIFY(at && wanted && is);
+        QCOMPARE(at->value, wanted->value - is->value);
+    }
+
+    void silenceIsAGapAndAMark()
+    {
+        LiveDataFixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.reads({position}));
+        fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {1}; });
+        const auto marked = [&](record::MarkKind kind) {
+            const auto& marks = fixture.scope.marks();
+            return std::any_of(marks.begin(), marks.end(),
+                               [kind](const record::Mark& mark) { return mark.kind == kind; });
+        };
+        QTRY_VERIFY(marked(record::MarkKind::LinkError));
+        const record::ChannelId id = fixture.scope.find(fixture.at(1), position)->id;
+        const base::Duration last = fixture.scope.store().latest(id)->at;
+        fixture.withBus([](sim::VirtualBus& bus) { bus.config().faults.muteIds = {}; });
+        QTRY_VERIFY(marked(record::MarkKind::LinkRestored));
+        QTRY_VERIFY(fixture.scope.store().latest(id)->at > last);
+        // Within the gap nothing is known.
+        QVERIFY(!fixture.scope.store().at(id, last + std::chrono::milliseconds(2)));
+    }
+
+    /// What is read once a second is a line, not a row of gaps.
+    void slowReadingIsNoGap()
+    {
+        LiveDataFixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.reads({position}));
+        session::Subscription slow;
+        slow.parts.push_back({fixture.at(1), {position}, {}});
+        slow.period = std::chrono::milliseconds(600);
+        fixture.desk.subscribe(QStringLiteral("test"), slow);
+        const record::ChannelId id = fixture.scope.find(fixture.at(1), position)->id;
+        const auto& store = fixture.scope.store();
+        for (int i = 0; i < 4; ++i) {
+            const base::Duration now = store.latest(id)->at;
+            QTRY_VERIFY(store.latest(id)->at > now);
+        }
+        const base::Duration last = store.latest(id)->at;
+        QVERIFY(store.at(id, last - std::chrono::milliseconds(100)).has_value());
+    }
+
+    void aTriggerIsAtItsTime()
+    {
+        LiveDataFixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.reads({position}));
+        record::TriggerSpec spec;
+        spec.kind = record::TriggerSpec::Kind::Mark;
+        spec.mark = record::MarkKind::Write;
+        spec.pre = std::chrono::milliseconds(50);
+        spec.post = std::chrono::milliseconds(50);
+        fixture.scope.armTrigger(spec);
+        fixture.desk.write(fixture.at(1), {{{QStringLiteral("position_p"), 40}}, true, false});
+        QTRY_COMPARE(fixture.scope.trigger().state(), record::Trigger::State::Complete);
+        const auto& marks = fixture.scope.marks();
+        const auto write = std::find_if(marks.begin(), marks.end(), [](const record::Mark& mark) {
+            return mark.kind == record::MarkKind::Write;
+        });
+        QVERIFY(write != marks.end());
+        QVERIFY(write->text.contains(QLatin1String("position_p")));
+        QCOMPARE(fixture.scope.trigger().window()->from, write->at - spec.pre);
+        QCOMPARE(fixture.scope.trigger().window()->to, write->at + spec.post);
+    }
+
+    void aRecordingMatchesTheStore_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("CSV") << "run.csv";
+        QTest::newRow("JSON lines") << "run.jsonl";
+    }
+    void aRecordingMatchesTheStore()
+    {
+        QFETCH(QString, name);
+        LiveDataFixture fixture;
+        QVERIFY(fixture.reads({position, QStringLiteral("present_voltage")}));
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(name);
+        QSignalSpy ended(&fixture.scope, &LiveData::recordingEnded);
+        QVERIFY(fixture.scope.startRecording({.path = path}));
+        QVERIFY(!fixture.scope.startRecording({.path = path})); // one at a time
+        QTRY_VERIFY(fixture.scope.recordingStatus().rows > 60);
+        fixture.desk.write(fixture.at(1), {{{QStringLiteral("position_p"), 41}}, true, false});
+        QTRY_VERIFY(!fixture.desk.isBusy());
+        fixture.scope.stopRecording();
+        QTRY_COMPARE(ended.size(), 1);
+        QVERIFY(!fixture.scope.recordingStatus().error);
+        QCOMPARE(fixture.scope.recordingStatus().lost, std::uint64_t(0));
+
+        session::Replay replay;
+        std::shared_ptr<session::ReplayData> back;
+        connect(&replay, &session::Replay::loaded, this,
+                [&](const std::shared_ptr<session::ReplayData>& loaded) { back = loaded; });
+        replay.load(path);
+        QTRY_VERIFY(back != nullptr);
+        QCOMPARE(back->content.report.rows, fixture.scope.recordingStatus().rows);
+        QCOMPARE(back->content.report.badLines, std::uint64_t(0));
+        QCOMPARE(back->content.head.channels.size(), std::size_t(4));
+        QVERIFY(back->content.head.simulated);
+        QCOMPARE(back->content.marks.size(), std::size_t(1));
+        for (std::size_t i = 0; i < back->content.ids.size(); ++i) {
+            const record::RecordingChannel& column = back->content.head.channels[i];
+            const auto& source = *fixture.scope.find(column.servo, column.key);
+            const auto got =
+                back->store.points(back->content.ids[i], *back->store.span(back->content.ids[i]));
+            QVERIFY(got.size() > 20);
+            const auto all =
+                fixture.scope.store().points(source.id, *fixture.scope.store().span(source.id));
+            // The same values in the same order, somewhere in what was read.
+            const auto place =
+                std::search(all.begin(), all.end(), got.begin(), got.end(),
+                            [](const record::SamplePoint& a, const record::SamplePoint& b) {
+                                return a.value == b.value;
+                            });
+            QVERIFY(place != all.end());
+        }
+    }
+
+    void anEmptyStoreCannotBeRecorded()
+    {
+        LiveDataFixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.search());
+        const QTemporaryDir folder;
+        const auto begun =
+            fixture.scope.startRecording({.path = folder.filePath(QStringLiteral("a.csv"))});
+        QVERIFY(!begun);
+        QCOMPARE(begun.error().code, base::ErrorCode::BadArgument);
+        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("a.csv"))));
+    }
+
+    void aRemovedFolderEndsTheRecordingWithAReason()
+    {
+        LiveDataFixture fixture(QStringLiteral("sim:sts3215@1"));
+        QVERIFY(fixture.reads({position}));
+        auto folder = std::make_unique<QTemporaryDir>();
+        QSignalSpy ended(&fixture.scope, &LiveData::recordingEnded);
+        QVERIFY(fixture.scope.startRecording({.path = folder->filePath(QStringLiteral("a.csv"))}));
+        QTRY_VERIFY(fixture.scope.recordingStatus().rows > 5);
+        folder.reset(); // deleted
+        QTRY_COMPARE(ended.size(), 1);
+        QVERIFY(fixture.scope.recordingStatus().error);
+        QVERIFY(!fixture.scope.isRecording());
+        // The measuring goes on.
+        const auto count = fixture.scope.store().count();
+        QTRY_VERIFY(fixture.scope.store().count() > count);
+    }
+
+    void anotherBusStartsOver()
+    {
+        LiveDataFixture fixture;
+        QVERIFY(fixture.reads({position}));
+        fixture.desk.connectTo({.name = QStringLiteral("sim:lx")});
+        QTRY_COMPARE(fixture.scope.channels().size(), std::size_t(0));
+        QTRY_COMPARE(fixture.desk.state(), LinkState::Open);
+        QVERIFY(!fixture.scope.store().span());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLiveData)
+#include "tst_live_data.moc"

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the list keeps of the journal for each servo: every write of every task, also of those that
+// change the mode or the ID, and nothing of another bus.
+#include "device/motion/motion.h"
+#include "jobs/change/change.h"
+#include "session/history/servo_journal.h"
+
+#include <QRegularExpression>
+
+#include "session_fixture.h"
+
+namespace {
+QString text(const char* latin)
+{
+    return QString::fromLatin1(latin);
+}
+
+QStringList keysOf(const std::vector<base::JournalEntry>& entries)
+{
+    QStringList keys;
+    for (const base::JournalEntry& entry : entries) {
+        for (const base::JournalItem& item : entry.intent.items)
+            keys << item.key;
+    }
+    return keys;
+}
+} // namespace
+
+class TestServoJournal : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void modeSwitchesAreIncluded();
+    void followsTheServoToItsNewId();
+    void anotherSimulatedBusIsExcluded();
+};
+
+void TestServoJournal::modeSwitchesAreIncluded()
+{
+    SessionFixture fixture(text("sim:sts3215@1"));
+    QVERIFY(fixture.opened && fixture.search());
+    const ServoRef ref = fixture.at(1);
+    session::Task task;
+    task.name = text("mode");
+    task.savesTable = true;
+    task.work = [](session::TaskContext& context) -> base::Result<void> {
+        const auto done = device::switchMode(context.device, context.servo, text("speed"));
+        return done ? base::Result<void>() : tl::unexpected(done.error());
+    };
+    fixture.desk.perform(ref, std::move(task));
+    QVERIFY(fixture.waitUntilIdle());
+    QTRY_VERIFY(keysOf(fixture.entry(ref).history).contains(text("operating_mode")));
+}
+
+void TestServoJournal::followsTheServoToItsNewId()
+{
+    SessionFixture fixture(text("sim:sts3215@1,sts3215@2"));
+    QVERIFY(fixture.opened && fixture.search());
+    const ServoRef first = fixture.at(1);
+    const ServoRef second = fixture.at(2);
+    QVERIFY(fixture.write(first, positionP, 40));
+    QVERIFY(fixture.write(second, text("position_d"), 20));
+    const auto change = [&](ServoRef ref, int id) {
+        session::Task task;
+        task.name = text("set-id");
+        task.savesTable = true;
+        task.work = [id](session::TaskContext& context) -> base::Result<void> {
+            const auto done = jobs::changeId(context.device, context.servo, id);
+            return done ? base::Result<void>() : tl::unexpected(done.error());
+        };
+        fixture.desk.perform(ref, std::move(task));
+        return fixture.waitUntilIdle();
+    };
+    QVERIFY(change(first, 7));
+    QCOMPARE(fixture.entry(first).servo.id, 7);
+    QTRY_COMPARE(keysOf(fixture.entry(first).history), QStringList({positionP, text("id")}));
+    // The other one takes the ID that has become free, not what was written to it before.
+    QVERIFY(change(second, 1));
+    QTRY_COMPARE(keysOf(fixture.entry(second).history),
+                 QStringList({text("position_d"), text("id")}));
+    QVERIFY(fixture.write(first, positionP, 41));
+    QTRY_COMPARE(keysOf(fixture.entry(first).history),
+                 QStringList({positionP, text("id"), positionP}));
+    QVERIFY(change(first, 8));
+    QTRY_COMPARE(keysOf(fixture.entry(first).history),
+                 QStringList({positionP, text("id"), positionP, text("id")}));
+}
+
+void TestServoJournal::anotherSimulatedBusIsExcluded()
+{
+    SessionFixture fixture(text("sim:sts3215@1"));
+    QVERIFY(fixture.opened && fixture.search());
+    QVERIFY(fixture.write(fixture.at(1), positionP, 40));
+    QTRY_COMPARE(fixture.entry(fixture.at(1)).history.size(), std::size_t(1));
+    fixture.desk.disconnectFrom();
+    QVERIFY(QTest::qWaitFor([&] { return fixture.desk.state() == LinkState::Off; }));
+    QVERIFY(fixture.open(text("sim:sts3215@1,sts3215@9")) && fixture.search());
+    const ServoRef other = fixture.at(1);
+    fixture.desk.loadHistory(other);
+    QVERIFY(fixture.write(other, text("position_d"), 20)); // behind it
+    QTRY_COMPARE(keysOf(fixture.entry(other).history), QStringList(text("position_d")));
+}
+
+QTEST_GUILESS_MAIN(TestServoJournal)
+#include "tst_servo_journal.moc"

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bundles, templates and results of restores as files: what was saved comes back, and whatever
+// somebody made of a file is named with its place.
+#include "catalog/catalog.h"
+#include "snapshot/bundle.h"
+#include "snapshot/restore_result.h"
+#include "snapshot/snapshot_template.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using base::ErrorCode;
+using record::Bundle;
+using record::Snapshot;
+
+namespace {
+QString text(const char* word)
+{
+    return QString::fromUtf8(word);
+}
+
+Snapshot snapshot(int id)
+{
+    using catalog::Access;
+    using catalog::Area;
+    Snapshot one;
+    one.program = text("ServoDesk 0.1.0");
+    one.at = QDateTime({2025, 1, 31}, {12, 34, 56}, Qt::UTC);
+    one.label = text("关节 %1").arg(id);
+    one.note = text("two\nlines {\"raw\": 1, \"raw\": 2}");
+    one.port = text("/dev/ttyUSB0");
+    one.baud = 1000000;
+    one.servo = {id, text("STS3215"), text("9.3"), text("3.10"), text("sts-sms"), text("feetech")};
+    one.registers = {
+        {text("firmware_major"), 0, 3, 3.0, {}, Area::Eprom, Access::ReadOnly},
+        {text("id"), 5, id, double(id), {}, Area::Eprom, Access::ReadWrite},
+        {text("position_p"), 21, 32, 32.0, {}, Area::Eprom, Access::ReadWrite},
+        {text("position_d"), 22, {}, {}, {}, Area::Eprom, Access::ReadWrite},
+    };
+    return one;
+}
+
+Bundle bundle()
+{
+    Bundle all;
+    all.program = text("ServoDesk 0.1.0");
+    all.at = QDateTime({2025, 1, 31}, {12, 34, 56}, Qt::UTC);
+    all.label = text("left arm");
+    all.port = text("/dev/ttyUSB0");
+    all.servos = {snapshot(1), snapshot(2), snapshot(7)};
+    return all;
+}
+} // namespace
+
+class TestBundle : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QTest::failOnWarning(QRegularExpression(text(".*"))); }
+
+    void saveAndLoadRoundTrip()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(text("arm.bundle.json"));
+        QVERIFY(record::saveBundle(bundle(), path));
+        QCOMPARE(record::loadBundle(path).value(), bundle());
+    }
+
+    void theTextIsStableWithOneRegisterPerLine()
+    {
+        Bundle shuffled = bundle();
+        std::reverse(shuffled.servos.begin(), shuffled.servos.end());
+        QCOMPARE(record::encodeBundle(shuffled), record::encodeBundle(bundle()));
+        for (const QByteArray& line : record::encodeBundle(bundle()).split('\n'))
+            QVERIFY(line.count("\"key\"") <= 1);
+    }
+
+    void corruptBundlesAreRefusedWithThePosition_data()
+    {
+        QTest::addColumn<QByteArray>("old");
+        QTest::addColumn<QByteArray>("changed");
+        QTest::addColumn<QString>("place");
+        const auto row = [](const char* name, const char* old, const char* changed,
+                            const char* place) {
+            QTest::newRow(name) << QByteArray(old) << QByteArray(changed) << text(place);
+        };
+        row("a snapshot instead", "servodesk-bundle", "servodesk-snapshot",
+            "format: not a ServoDesk bundle");
+        row("of a newer program", "\"version\": 1", "\"version\": 9",
+            "version: format 9 is of a newer");
+        row("a servo of a newer program", "\"servodesk-snapshot\",\n      \"version\": 1",
+            "\"servodesk-snapshot\",\n      \"version\": 2", "servos[0].version: ");
+        row("an ID twice", "\"id\": 2,", "\"id\": 1,", "servos[1].servo: ID 1 is there twice");
+        row("a name twice", "\"raw\": 32,", "\"raw\": 32, \"raw\": 99,", "line ");
+        row("the same name with an escape", "\"raw\": 32,", "\"raw\": 32, \"r\\u0061w\": 99,",
+            "line ");
+        row("servos a number", "\"servos\": [", "\"servos\": 5, \"x\": [", "servos: ");
+        row("not UTF-8", "关节", "\xff\xfe", "line ");
+    }
+    void corruptBundlesAreRefusedWithThePosition()
+    {
+        QFETCH(const QByteArray, old);
+        QFETCH(const QByteArray, changed);
+        QFETCH(const QString, place);
+        QByteArray content = record::encodeBundle(bundle());
+        const auto at = content.indexOf(old);
+        QVERIFY(at >= 0);
+        const auto loaded = record::decodeBundle(content.replace(at, old.size(), changed));
+        QVERIFY(!loaded);
+        QCOMPARE(int(loaded.error().code), int(ErrorCode::FileFormat));
+        QVERIFY2(loaded.error().detail.startsWith(place), qPrintable(loaded.error().detail));
+    }
+
+    void aTruncatedBundleIsRefused()
+    {
+        const QByteArray content = record::encodeBundle(bundle()).trimmed();
+        for (qsizetype length = 0; length < content.size(); ++length)
+            QVERIFY(!record::decodeBundle(content.left(length)));
+    }
+
+    void aDuplicateNameInASnapshotIsReported()
+    {
+        const QByteArray content = record::encodeSnapshot(snapshot(1));
+        QVERIFY(record::decodeSnapshot(content)); // the note only looks like it
+        QByteArray twice = content;
+        twice.replace("\"baud\": 1000000", "\"baud\": 1000000,\n  \"baud\": 500000");
+        const auto loaded = record::decodeSnapshot(twice);
+        QVERIFY(!loaded);
+        QCOMPARE(loaded.error().detail, text("line 10: \"baud\" is there twice"));
+    }
+
+    void aTemplateHasTheSelectedRowsOnly()
+    {
+        const auto chosen =
+            record::makeTemplate(snapshot(3), {text("position_p"), text("position_p")});
+        QVERIFY(chosen);
+        QVERIFY(chosen->isTemplate);
+        QCOMPARE(chosen->registers.size(), std::size_t(1));
+        const auto loaded = record::decodeSnapshot(record::encodeSnapshot(*chosen));
+        QCOMPARE(loaded.value(), *chosen);
+        QVERIFY(!record::encodeSnapshot(snapshot(3)).contains("template"));
+    }
+
+    void aTemplateRefusesConflicts_data()
+    {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QString>("detail");
+        QTest::newRow("identity") << text("id") << int(ErrorCode::BadArgument) << text("identity");
+        QTest::newRow("read-only")
+            << text("firmware_major") << int(ErrorCode::BadArgument) << text("read-only");
+        QTest::newRow("no value") << text("position_d") << int(ErrorCode::BadArgument)
+                                  << text("no-value");
+        QTest::newRow("unknown") << text("mood") << int(ErrorCode::UnknownRegister) << QString();
+    }
+    void aTemplateRefusesConflicts()
+    {
+        QFETCH(const QString, key);
+        QFETCH(const int, code);
+        QFETCH(const QString, detail);
+        const auto refused = record::makeTemplate(snapshot(3), {text("position_p"), key});
+        QVERIFY(!refused);
+        QCOMPARE(int(refused.error().code), code);
+        QCOMPARE(refused.error().registerKey, key);
+        QCOMPARE(refused.error().detail, detail);
+        QVERIFY(record::makeTemplate(snapshot(3), {text("id")}, true));
+        QVERIFY(!record::makeTemplate(snapshot(3), {}));
+    }
+
+    void identityKeysMatchTheMaps()
+    {
+        const auto loaded = catalog::Catalog::load();
+        for (const catalog::ModelEntry& model : loaded.catalog.models()) {
+            const auto profile = loaded.catalog.profileFor(model, 3, 10);
+            for (const catalog::Register& reg : profile->registers)
+                QVERIFY2(record::isIdentityKey(reg.key) == reg.identity, qPrintable(reg.key));
+        }
+    }
+
+    void aResultIsSavedAsJsonAndCsv()
+    {
+        record::RestoreResult result;
+        result.program = text("p");
+        result.at = QDateTime({2025, 1, 31}, {12, 0, 0}, Qt::UTC);
+        result.source = text("knee.servo.json");
+        result.servo = snapshot(4).servo;
+        result.verdict = text("failed");
+        result.lock = text("closed");
+        result.rows = {
+            {text("position_p"), 21, 40, 32, 40, {}, 32.0, text("refused"), text("refused"), true}};
+        record::RestoreResult silent;
+        silent.servo.id = 9;
+        silent.verdict = text("no-answer");
+        const QTemporaryDir folder;
+        const QString json = folder.filePath(text("r.json"));
+        const QString csv = folder.filePath(text("r.CSV"));
+        QVERIFY(record::saveRestoreResults({result, silent}, json));
+        QVERIFY(record::saveRestoreResults({result, silent}, csv));
+        QFile file(json);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QJsonArray servos =
+            QJsonDocument::fromJson(file.readAll()).object()[text("servos")].toArray();
+        QCOMPARE(servos.size(), 2);
+        const QJsonObject row = servos[0][text("rows")].toArray()[0].toObject();
+        QCOMPARE(row[text("before")].toInt(), 40);
+        QCOMPARE(row[text("outcome")].toString(), text("refused"));
+        QCOMPARE(row[text("rolled_back")].toBool(), true);
+        QFile table(csv);
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = table.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), 3);
+        QVERIFY(lines[1].startsWith("4,STS3215,3.10,2025-01-31T12:00:00Z,knee.servo.json,failed,"
+                                    "closed,position_p,21,40,32,32,,40,refused,refused,1"));
+        QCOMPARE(lines[2].count(','), lines[0].count(','));
+        QVERIFY(lines[2].startsWith("9,"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestBundle)
+#include "tst_bundle.moc"

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happened, in a technician's words, for the message line and the log: one sentence, what lies
+// behind it, and how serious it is. In the language of the installed translator. Pure; main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "ui/common/theme.h"
+
+#include <QStringList>
+
+namespace ui {
+struct EventText {
+    QString message;     ///< one sentence; empty: nothing worth a line
+    QStringList details; ///< cause, remedy, notices: one sentence each
+    Tone tone = Tone::Quiet;
+    QString symbol; ///< stands beside the color: "✓", "!", "✗", "·"
+};
+EventText describe(const session::Event& event, const session::Desk& desk);
+
+/// "set ID" for "set-id": the technical names of tasks and operations.
+QString taskLabel(const QString& task);
+} // namespace ui

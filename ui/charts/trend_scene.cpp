@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/trend_scene.h"
+
+#include "ui/charts/palette.h"
+
+#include <QChart>
+#include <QGraphicsLayout>
+#include <QLegendMarker>
+#include <QLineSeries>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+namespace {
+constexpr double legendSpace = 4;
+constexpr double minPlotSize = 40;
+
+bool hasTrace(const TrendChannel& channel)
+{
+    return channel.visible && channel.id >= 0;
+}
+
+/// Of what is drawn; a scale may turn it upside down.
+std::optional<AxisRange> extremes(const TrendState& state, const TrendChannel& channel)
+{
+    const auto range = state.store->range(channel.id, state.view.span());
+    if (!range)
+        return {};
+    const double a = range->first * channel.scale + channel.offset;
+    const double b = range->second * channel.scale + channel.offset;
+    if (!std::isfinite(a) || !std::isfinite(b))
+        return {};
+    return AxisRange{std::min(a, b), std::max(a, b)};
+}
+} // namespace
+
+TrendScene::TrendScene(QChart* chart, const TrendState& state, QObject* parent)
+    : QObject(parent)
+    , m_chart(chart)
+    , m_state(state)
+    , m_axes(new TrendAxes(chart))
+    , m_traces(new TraceItem(chart))
+    , m_overlay(new TrendOverlay(chart))
+{
+    chart->setBackgroundVisible(false);
+    chart->setPlotAreaBackgroundVisible(false);
+    chart->setMargins({});
+    chart->layout()->setContentsMargins(0, 0, 0, 0);
+    chart->setAnimationOptions(QChart::NoAnimation);
+    chart->legend()->detachFromChart();
+    chart->legend()->setAlignment(Qt::AlignTop);
+    chart->legend()->setMarkerShape(QLegend::MarkerShapeRectangle);
+    chart->legend()->setContentsMargins(0, 0, 0, 0);
+}
+
+void TrendScene::setColors(const TrendColors& colors)
+{
+    m_colors = colors;
+    m_axes->setColors(colors);
+    m_overlay->setColors(colors);
+    channelsChanged();
+}
+
+void TrendScene::setFont(const QFont& font)
+{
+    m_chart->legend()->setFont(font);
+    m_axes->setFont(font);
+    m_overlay->setFont(font);
+}
+
+void TrendScene::channelsChanged()
+{
+    rebuildSeries();
+    for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+        axis.used = false;
+        axis.color = {};
+    }
+    std::vector<QString> units;
+    for (std::size_t i = 0; i < m_state.channels.size(); ++i) {
+        const TrendChannel& channel = m_state.channels[i];
+        TrendAxes::ValueAxis& axis = m_axes->axisOf(channel.unit);
+        if (!channel.visible)
+            continue;
+        axis.color = axis.used ? QColor() : trendColorOn(channel.color, m_colors.background);
+        axis.used = true;
+    }
+    styleLegend();
+}
+
+/// Qt Charts' own objects for each channel, made anew only when there are others.
+void TrendScene::rebuildSeries()
+{
+    bool same = m_series.size() == m_state.channels.size();
+    for (std::size_t i = 0; same && i < m_series.size(); ++i)
+        same = m_series[i]->property("unit").toString() == m_state.channels[i].unit;
+    if (same)
+        return;
+    for (QLineSeries* series : m_series) {
+        m_chart->removeSeries(series);
+        delete series;
+    }
+    m_series.clear();
+    for (std::size_t i = 0; i < m_state.channels.size(); ++i) {
+        auto* const series = new QLineSeries(m_chart);
+        const QString& unit = m_state.channels[i].unit;
+        series->setProperty("unit", unit);
+        m_chart->addSeries(series);
+        m_axes->attach(series, unit);
+        m_series.push_back(series);
+        for (QLegendMarker* marker : m_chart->legend()->markers(series))
+            connect(marker, &QLegendMarker::clicked, this,
+                    [this, i] { Q_EMIT legendClicked(int(i)); });
+    }
+}
+
+void TrendScene::styleLegend()
+{
+    m_chart->legend()->setLabelColor(m_colors.text);
+    for (std::size_t i = 0; i < m_series.size(); ++i) {
+        const TrendChannel& channel = m_state.channels[i];
+        const QColor color = trendColorOn(channel.color, m_colors.background);
+        m_series[i]->setName(channel.name.toHtmlEscaped());
+        m_series[i]->setVisible(channel.visible);
+        for (QLegendMarker* marker : m_chart->legend()->markers(m_series[i])) {
+            marker->setVisible(true);
+            marker->setPen(QPen(channel.visible ? color : m_colors.muted, 1));
+            marker->setBrush(channel.visible ? QBrush(color) : QBrush(Qt::NoBrush));
+            marker->setLabelBrush(channel.visible ? m_colors.text : m_colors.muted);
+        }
+    }
+}
+
+double TrendScene::layOutLegend(double width)
+{
+    QLegend* const legend = m_chart->legend();
+    if (m_series.empty())
+        return 0;
+    legend->setGeometry(QRectF(0, 0, width, 400));
+    double bottom = 0;
+    for (const QGraphicsItem* group : legend->childItems()) {
+        for (const QGraphicsItem* marker : group->childItems())
+            bottom =
+                std::max(bottom, marker->mapRectToItem(legend, marker->boundingRect()).bottom());
+    }
+    legend->setGeometry(QRectF(0, 0, width, std::ceil(bottom)));
+    return std::ceil(bottom) + legendSpace;
+}
+
+void TrendScene::layOut()
+{
+    m_legendHeight = layOutLegend(m_chart->size().width());
+    layOutPlot();
+}
+
+bool TrendScene::layOutPlot()
+{
+    QRectF room(QPointF(0, 0), m_chart->size());
+    room.setTop(m_legendHeight);
+    QRectF plot = m_axes->layOut(room);
+    if (plot.width() < minPlotSize || plot.height() < minPlotSize)
+        plot = {};
+    if (plot == m_plot)
+        return false;
+    m_plot = plot;
+    if (!plot.isEmpty())
+        m_chart->setPlotArea(plot);
+    m_traces->setPlot(plot);
+    m_overlay->setPlot(plot);
+    return true;
+}
+
+void TrendScene::refresh(Axes axes, double ratio, bool coarseUpdates)
+{
+    rangeAxes(axes);
+    layOutPlot(); // the texts may have become longer
+    m_axes->show(m_state.view, m_state.origin);
+    showTraces(ratio, coarseUpdates);
+    refreshOverlay();
+}
+
+void TrendScene::rangeAxes(Axes how)
+{
+    for (TrendAxes::ValueAxis& axis : m_axes->valueAxes()) {
+        if (m_state.store == nullptr || !axis.used || axis.range.isFixed())
+            continue;
+        std::optional<AxisRange> range;
+        for (const TrendChannel& channel : m_state.channels) {
+            if (!hasTrace(channel) || channel.unit != axis.range.unit())
+                continue;
+            if (const auto seen = extremes(m_state, channel))
+                range = range ? AxisRange{std::min(range->low, seen->low),
+                                          std::max(range->high, seen->high)}
+                              : *seen;
+        }
+        if (!range)
+            continue;
+        if (how == Axes::Immediate)
+            axis.range.setNow(range->low, range->high);
+        else
+            axis.range.update(range->low, range->high, m_state.view.now());
+    }
+}
+
+void TrendScene::showTraces(double ratio, bool coarseUpdates)
+{
+    std::vector<TraceStyle> looks;
+    for (const TrendChannel& channel : m_state.channels) {
+        if (!hasTrace(channel))
+            continue;
+        const AxisRange range = m_axes->axisOf(channel.unit).range.paddedRange();
+        looks.push_back({channel.id, trendColorOn(channel.color, m_colors.background).rgb(),
+                         channel.steps, channel.scale, channel.offset, range.low, range.high});
+    }
+    m_traces->show(m_state.store, looks, m_state.view.span(), ratio, coarseUpdates);
+}
+
+void TrendScene::refine()
+{
+    if (m_state.store != nullptr && isCoarse())
+        m_traces->refine(*m_state.store);
+}
+
+void TrendScene::refreshOverlay()
+{
+    m_overlay->setView(m_state.view);
+    m_overlay->setMarks(m_state.marks, m_state.markTextFunction);
+    m_overlay->setCursors(m_state.cursors);
+}
+} // namespace ui

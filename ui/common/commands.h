@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one table of commands: text, icon, shortcut and when each can be used. Menus, tool bar,
+// buttons and the list of shortcuts all show these actions; whoever does the work connects to
+// triggered. Owned by the window; main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "ui/common/selection.h"
+
+#include <QAction>
+
+#include <array>
+
+namespace ui {
+enum class Command : std::uint8_t {
+    Connect,
+    Disconnect,
+    UseSimulation,
+    PowerCycle,
+    Search,
+    StopSearch,
+    StopTask,
+    ReadTable,
+    FindRegister,
+    CloseLock,
+    CopyRows,
+    ExportTable,
+    PrintTable,
+    Undo,
+    Redo,
+    SetId,
+    SetBaud,
+    Center,
+    RestoreDefaults,
+    Reboot,
+    Identify,
+    ClearAlarm,
+    OpenIntents,
+    PageOperate,
+    PageMemory,
+    PageSweep,
+    PageStep,
+    PageSnapshots,
+    TakeSnapshot,
+    PageCommission,
+    PageHistory,
+    PreviousTests,
+    PauseTrend,
+    Record,
+    OpenRecording,
+    TorqueOffAll,
+    ThemeSystem,
+    ThemeLight,
+    ThemeDark,
+    English,
+    Chinese,
+    MessageLog,
+    Help,
+    Shortcuts,
+    About,
+    Quit,
+    Count,
+};
+
+class Commands final : public QObject {
+    Q_OBJECT
+
+public:
+    Commands(session::Desk& desk, const Selection& selection, QObject* parent = nullptr);
+
+    QAction* action(Command command) const { return m_actions[static_cast<std::size_t>(command)]; }
+
+    /// After a change of language.
+    void retranslate();
+    /// After a change of theme: the icons of the other one.
+    void updateIcons();
+
+private:
+    void refresh();
+    void updateUndoTexts();
+
+    session::Desk& m_desk;
+    const Selection& m_selection;
+    std::array<QAction*, static_cast<std::size_t>(Command::Count)> m_actions{};
+};
+} // namespace ui

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/connect/connect_bar.h"
+
+#include "session/connection.h"
+#include "ui/connect/link_options.h"
+#include "ui/connect/port_dialog.h"
+#include "ui/connect/port_picker.h"
+#include "ui/widgets/pill.h"
+#include "ui/widgets/rate_text.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace ui {
+using session::LinkState;
+using namespace std::chrono_literals;
+
+ConnectBar::ConnectBar(session::Desk& desk, Commands& commands, session::Settings& settings,
+                       session::PortWatcher& ports, QWidget* parent)
+    : QWidget(parent)
+    , m_desk(desk)
+    , m_commands(commands)
+    , m_settings(settings)
+    , m_ports(ports)
+    , m_port(new PortPicker(ports, this))
+    , m_baud(new QComboBox(this))
+    , m_protocol(new QComboBox(this))
+    , m_more(new QToolButton(this))
+    , m_options(new LinkOptions(this))
+    , m_button(new QToolButton(this))
+    , m_status(new Pill(this))
+    , m_simulated(new Pill(this, true))
+{
+    build();
+    connectSignals();
+    suggestPort();
+    retranslate();
+    linkChanged();
+}
+
+void ConnectBar::build()
+{
+    setObjectName(QStringLiteral("connectBar"));
+    m_baud->setObjectName(QStringLiteral("baudBox"));
+    m_protocol->setObjectName(QStringLiteral("protocolBox"));
+    m_more->setObjectName(QStringLiteral("moreButton"));
+    m_button->setObjectName(QStringLiteral("connectButton"));
+    m_status->setObjectName(QStringLiteral("linkStatus"));
+    m_simulated->setObjectName(QStringLiteral("simulatedBadge"));
+    m_more->setIcon(QIcon::fromTheme(QStringLiteral("configure")));
+    m_button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_button->setFocusPolicy(Qt::StrongFocus);
+    m_more->setFocusPolicy(Qt::StrongFocus);
+    m_baud->addItem(QString());
+    for (const int rate : session::standardBaudRates())
+        m_baud->addItem(rateText(rate), rate);
+    m_baud->setMaxVisibleItems(20);
+    m_protocol->addItem(QString());
+    for (const base::Protocol protocol : base::allProtocols)
+        m_protocol->addItem(QString(), base::protocolName(protocol));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_port);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_baud, m_protocol, m_more, m_button})
+        row->addWidget(field);
+    row->addWidget(m_status);
+    row->addStretch(1);
+    row->addWidget(m_simulated);
+}
+
+void ConnectBar::connectSignals()
+{
+    connect(m_port, &PortPicker::portSelected, this, &ConnectBar::portChosen);
+    connect(m_port, &PortPicker::otherPortRequested, this, &ConnectBar::askForPort);
+    connect(&m_ports, &session::PortWatcher::portsChanged, this, &ConnectBar::suggestPort);
+    connect(m_more, &QToolButton::clicked, this, [this] { m_options->popUpBelow(*m_more); });
+    connect(m_options, &LinkOptions::changed, this, [this] { retranslate(); });
+    connect(&m_desk, &session::Desk::linkChanged, this, &ConnectBar::linkChanged);
+    // What came before a search counts as ever, what came during it does not.
+    connect(&m_desk, &session::Desk::searchChanged, this, [this] {
+        if (m_state == LinkState::Open)
+            m_meter.addStatistics(m_desk.statistics(), !m_desk.isSearching(), m_desk.now());
+    });
+    // Nor do the answers to a stop, which nobody waits for.
+    connect(&m_desk, &session::Desk::eventOccurred, this, [this](const session::Event& event) {
+        if (event.kind != session::Event::Kind::Stopped || m_state != LinkState::Open)
+            return;
+        m_meter.addStatistics(m_desk.statistics(), m_desk.isSearching(), m_desk.now());
+        m_stopped = true;
+    });
+    connect(m_commands.action(Command::Connect), &QAction::triggered, this,
+            &ConnectBar::connectNow);
+    connect(m_commands.action(Command::UseSimulation), &QAction::triggered, this, [this] {
+        session::PortRequest simulated;
+        simulated.name = session::simulatedPorts().constFirst();
+        setRequest(simulated);
+        connectNow();
+    });
+    m_timer.setInterval(1s);
+    connect(&m_timer, &QTimer::timeout, this, &ConnectBar::updateState);
+}
+
+/// Until the user has chosen: the adapter used last wherever it is now, else what was used last if
+/// it is no adapter, else the first adapter there is.
+void ConnectBar::suggestPort()
+{
+    if (m_port->isSelectedByUser() || m_desk.state() != LinkState::Off)
+        return;
+    const QString last = m_settings.lastPort();
+    const QString present = m_ports.findAdapter(m_settings.lastAdapter());
+    QString port = present.isEmpty() ? last : present;
+    const bool device =
+        !last.startsWith(QLatin1String("sim:")) && !last.startsWith(QLatin1String("tcp:"));
+    const auto& ports = m_ports.ports();
+    if (present.isEmpty() && device && !ports.empty() && ports.front().vendorId != 0)
+        port = ports.front().path;
+    if (port == m_port->port())
+        return;
+    m_port->suggest(port);
+    if (!port.isEmpty())
+        portChosen(port);
+}
+
+void ConnectBar::portChosen(const QString& port)
+{
+    if (m_desk.state() != LinkState::Off && m_desk.state() != LinkState::Lost)
+        return;
+    session::PortRequest used = m_settings.lastRequestFor(m_ports.adapterKey(port));
+    const QSignalBlocker quiet(m_options);
+    m_baud->setCurrentIndex(qMax(0, m_baud->findData(used.baud.value_or(0))));
+    m_protocol->setCurrentIndex(
+        used.protocol ? m_protocol->findData(base::protocolName(*used.protocol)) : 0);
+    m_options->show(used);
+    retranslate();
+}
+
+void ConnectBar::askForPort()
+{
+    auto* dialog = new PortDialog(this);
+    connect(dialog, &PortDialog::portEntered, this, [this](const QString& port) {
+        m_port->setPort(port);
+        portChosen(port);
+    });
+    dialog->open();
+}
+
+session::PortRequest ConnectBar::request() const
+{
+    session::PortRequest request;
+    m_options->apply(request);
+    request.name = m_port->port();
+    if (const int baud = m_baud->currentData().toInt(); baud > 0)
+        request.baud = baud;
+    request.protocol = base::protocolFromName(m_protocol->currentData().toString());
+    return request;
+}
+
+void ConnectBar::setRequest(const session::PortRequest& request)
+{
+    m_port->setPort(request.name);
+    const int baud = request.baud.value_or(0);
+    if (baud > 0 && m_baud->findData(baud) < 0) // a rate of the user's own
+        m_baud->addItem(rateText(baud), baud);
+    m_baud->setCurrentIndex(qMax(0, m_baud->findData(baud)));
+    m_protocol->setCurrentIndex(
+        request.protocol ? m_protocol->findData(base::protocolName(*request.protocol)) : 0);
+    m_options->show(request);
+    retranslate();
+}
+
+void ConnectBar::connectNow()
+{
+    if (m_port->port().isEmpty())
+        m_port->showPopup();
+    else
+        m_desk.connectTo(request());
+}
+
+void ConnectBar::linkChanged()
+{
+    const LinkState state = m_desk.state();
+    if (state == LinkState::Open && m_state != LinkState::Open) {
+        m_meter.reset();
+        saveRequest();
+    }
+    m_state = state;
+    const bool mayChange = state == LinkState::Off || state == LinkState::Lost;
+    for (QWidget* field : std::initializer_list<QWidget*>{m_port, m_baud, m_protocol, m_more})
+        field->setEnabled(mayChange);
+    m_simulated->setVisible(m_desk.isSimulated());
+    if (state == LinkState::Open)
+        m_timer.start();
+    else
+        m_timer.stop();
+    showButton();
+    updateState();
+}
+
+void ConnectBar::saveRequest()
+{
+    const session::PortRequest& used = m_desk.lastRequest();
+    m_settings.saveRequest(m_ports.adapterKey(used.name), used);
+}
+
+/// One button for both: pressing it does what it says, and it never moves.
+void ConnectBar::showButton()
+{
+    const bool connects = m_state == LinkState::Off || m_state == LinkState::Lost;
+    QAction* buttonAction = m_commands.action(connects ? Command::Connect : Command::Disconnect);
+    if (m_button->defaultAction() != buttonAction) {
+        if (QAction* old = m_button->defaultAction())
+            m_button->removeAction(old);
+        m_button->setDefaultAction(buttonAction);
+        m_button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    }
+    m_button->setAccessibleName(buttonAction->iconText());
+    const QFontMetrics metrics = m_button->fontMetrics();
+    const int frame = m_button->sizeHint().width() - metrics.horizontalAdvance(m_button->text());
+    int width = 0;
+    for (const Command command : {Command::Connect, Command::Disconnect})
+        width = qMax(width, metrics.horizontalAdvance(m_commands.action(command)->iconText()));
+    m_button->setMinimumWidth(width + frame);
+}
+
+void ConnectBar::updateState()
+{
+    if (m_state == LinkState::Open)
+        m_meter.addStatistics(m_desk.statistics(), m_desk.isSearching() || m_stopped, m_desk.now());
+    m_stopped = false;
+    showStatistics();
+}
+
+void ConnectBar::showStatistics()
+{
+    switch (m_state) {
+    case LinkState::Off:
+        return m_status->setState(Tone::Quiet, tr("not connected"));
+    case LinkState::Opening:
+        return m_status->setState(Tone::Accent, tr("opening the port …"));
+    case LinkState::Closing:
+        return m_status->setState(Tone::Accent, tr("closing the port …"));
+    case LinkState::Lost:
+        return m_status->setState(Tone::Bad, tr("unplugged"));
+    case LinkState::Open:
+        break;
+    }
+    session::Connection* connection = m_desk.connection();
+    if (connection != nullptr && connection->bus().isReconnecting()) {
+        return m_status->setState(
+            Tone::Warn, tr("adapter gone, waiting up to 5 s"), tr("waiting …"),
+            tr("The adapter has been pulled out or has no power. A test that is running goes on "
+               "when it is back; a servo that has restarted meanwhile is not switched on."));
+    }
+    const LinkMeter::Values& now = m_meter.values();
+    const bus::Statistics sum = m_desk.statistics();
+    const auto figure = [this](auto value) { return locale().toString(qulonglong(value)); };
+    const QString words = (now.errors == 1 ? tr("%1 reads/s · %2 error · wire %3 %")
+                                           : tr("%1 reads/s · %2 errors · wire %3 %"))
+                              .arg(figure(now.readsPerSecond), figure(now.errors))
+                              .arg(qRound(now.busLoad * 100));
+    const QString brief = tr("%1/s · %2 err").arg(figure(now.readsPerSecond), figure(now.errors));
+    const QString more =
+        tr("Port: %1 at %2 baud\nSent: %3, answered: %4\nLost: %5, damaged: %6, foreign: %7, "
+           "late: %8\nAsked more than once: %9")
+            .arg(m_desk.lastRequest().name,
+                 m_desk.canSetBaud() ? rateText(m_desk.baud()) : QStringLiteral("–"),
+                 figure(sum.total.sent), figure(sum.total.ok), figure(sum.total.timeouts),
+                 figure(sum.total.badChecksums), figure(sum.total.foreign), figure(sum.total.late),
+                 figure(sum.total.retried)) +
+        QLatin1Char('\n') +
+        tr("Round trip: %1 ms, the slowest of 100: %2 ms")
+            .arg(double(sum.total.roundTripP50.count()) / 1000, 0, 'f', 2)
+            .arg(double(sum.total.roundTripP99.count()) / 1000, 0, 'f', 2);
+    m_status->setState(now.errors == 0 ? Tone::Good : Tone::Warn, words, brief, more);
+}
+
+void ConnectBar::retranslate()
+{
+    m_baud->setItemText(0, tr("Baud: auto"));
+    m_baud->setAccessibleName(tr("Baud rate"));
+    m_baud->setToolTip(tr("Rate at which the port is opened. Auto: what servos of the chosen "
+                          "protocol leave the factory with"));
+    m_protocol->setItemText(0, tr("Protocol: auto"));
+    const std::array words{tr("Feetech"), tr("Modbus"), tr("LX")};
+    for (int i = 0; i < int(words.size()); ++i)
+        m_protocol->setItemText(i + 1, words[std::size_t(i)]);
+    m_protocol->setAccessibleName(tr("Protocol"));
+    m_protocol->setToolTip(
+        tr("Language of the servos. Auto: all that can be met at the rate are tried"));
+    const QString set = m_options->isDefault() ? QString() : tr(" (something is set)");
+    m_more->setText(m_options->isDefault() ? QStringLiteral("…") : QStringLiteral("…*"));
+    m_more->setToolButtonStyle(m_options->isDefault() ? Qt::ToolButtonIconOnly
+                                                      : Qt::ToolButtonTextBesideIcon);
+    m_more->setAccessibleName(tr("More about the port"));
+    m_more->setToolTip(tr("Parity, time-out, Modbus silence, retries") + set);
+    m_simulated->setState(Tone::Warn, tr("SIMULATED"), {},
+                          tr("These servos exist in the computer only"));
+    showButton();
+    showStatistics();
+}
+
+void ConnectBar::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::FontChange)
+        showButton();
+}
+} // namespace ui

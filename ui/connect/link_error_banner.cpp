@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/connect/link_error_banner.h"
+
+#include "text/error_text.h"
+#include "ui/connect/connect_bar.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QFileInfo>
+#include <QIcon>
+
+namespace ui {
+using session::LinkState;
+using namespace std::chrono_literals;
+
+namespace {
+/// By then the list of ports has been renewed: what it shows is there.
+constexpr auto settleDelay = 1500ms;
+} // namespace
+
+LinkErrorBanner::LinkErrorBanner(session::Desk& desk, session::PortWatcher& ports, ConnectBar& bar,
+                                 Banner& banner, QObject* parent)
+    : QObject(parent)
+    , m_desk(desk)
+    , m_ports(ports)
+    , m_bar(bar)
+    , m_banner(banner)
+    , m_retry(new QAction(this))
+    , m_reconnect(new QAction(this))
+{
+    m_retry->setIcon(QIcon::fromTheme(QStringLiteral("view-refresh")));
+    m_reconnect->setIcon(QIcon::fromTheme(QStringLiteral("network-connect")));
+    connect(m_retry, &QAction::triggered, &m_bar, &ConnectBar::connectNow);
+    connect(m_reconnect, &QAction::triggered, this, &LinkErrorBanner::reconnect);
+    connect(&m_desk, &session::Desk::connectFailed, this, &LinkErrorBanner::connectFailed);
+    connect(&m_desk, &session::Desk::linkChanged, this, &LinkErrorBanner::linkChanged);
+    connect(&m_ports, &session::PortWatcher::portsChanged, this, [this] {
+        detectAdapter();
+        detectBraille();
+    });
+    connect(&m_banner, &Banner::dismissed, this, [this] {
+        m_replug.stop();
+        m_bannerIsOurs = false;
+    });
+    m_banner.installEventFilter(this);
+    retranslate();
+}
+
+void LinkErrorBanner::connectFailed(const base::Error& error)
+{
+    m_bannerIsOurs = true;
+    m_banner.showMessage(error, {m_retry});
+}
+
+void LinkErrorBanner::linkChanged()
+{
+    switch (m_desk.state()) {
+    case LinkState::Opening:
+    case LinkState::Open:
+        m_replug.stop();
+        m_openKey = m_ports.adapterKey(m_desk.lastRequest().name);
+        adapterSettled();
+        return;
+    case LinkState::Lost:
+        linkLost();
+        return;
+    case LinkState::Off:
+    case LinkState::Closing:
+        return;
+    }
+}
+
+/// What was said of the port is of the past.
+void LinkErrorBanner::adapterSettled()
+{
+    if (m_bannerIsOurs)
+        m_banner.hideMessage();
+    m_bannerIsOurs = false;
+}
+
+void LinkErrorBanner::linkLost()
+{
+    const QString port = m_desk.lastRequest().name;
+    m_bannerIsOurs = true;
+    m_newPath.clear();
+    m_replug.start(m_ports, m_openKey, port);
+    m_banner.showMessage(
+        [port] {
+            const text::Description words =
+                text::describe({base::ErrorCode::LinkLost, QStringLiteral("read"), port});
+            const bool bridge = port.startsWith(QLatin1String("tcp:"));
+            const bool there = QFileInfo::exists(port); // it hung up, or is back already
+            const QString what = bridge || there ? tr("The connection to %1 broke off.").arg(port)
+                                                 : tr("%1 was unplugged.").arg(port);
+            const QString remedy = tr("Plug it in again: then you can go on here. What was being "
+                                      "written is in the journal, and is looked at first.");
+            return BannerText{Tone::Bad, what, words.cause, bridge ? words.remedy : remedy};
+        },
+        port.startsWith(QLatin1String("tcp:")) ? QList<QAction*>{m_retry} : QList<QAction*>{});
+    QTimer::singleShot(settleDelay, this, [this] {
+        m_replug.forgetOldPath();
+        detectAdapter();
+    });
+}
+
+void LinkErrorBanner::detectAdapter()
+{
+    const QString back = m_replug.detect(m_ports);
+    if (m_desk.state() != LinkState::Lost || back == m_newPath)
+        return;
+    m_newPath = back;
+    if (back.isEmpty()) { // and gone again
+        linkLost();
+        return;
+    }
+    m_banner.showMessage(
+        [back] {
+            return BannerText{Tone::Good,
+                              tr("The adapter is back at %1.").arg(back),
+                              {},
+                              tr("Connect again to go on with its servos; nothing is written.")};
+        },
+        {m_reconnect});
+}
+
+void LinkErrorBanner::reconnect()
+{
+    session::PortRequest request = m_desk.lastRequest();
+    if (!m_newPath.isEmpty())
+        request.name = m_newPath;
+    m_bar.setRequest(request);
+    m_bar.connectNow();
+}
+
+void LinkErrorBanner::detectBraille()
+{
+    const QStringList taken = m_ports.claimedAdapters();
+    if (taken == m_reportedBraille)
+        return;
+    m_reportedBraille = taken;
+    const bool idle = m_desk.state() == LinkState::Off || m_desk.state() == LinkState::Lost;
+    if (taken.isEmpty() || !idle)
+        return;
+    m_bannerIsOurs = true;
+    m_banner.showMessage([chip = taken.constFirst()] {
+        const text::Description words =
+            text::describe({base::ErrorCode::PortMissing, QStringLiteral("open"),
+                            chip + QStringLiteral(", brltty")});
+        return BannerText{Tone::Warn, words.message, words.cause, words.remedy};
+    });
+}
+
+void LinkErrorBanner::retranslate()
+{
+    m_retry->setText(tr("Try again"));
+    m_retry->setToolTip(tr("Open the port once more, as the fields above say"));
+    m_reconnect->setText(tr("Connect again"));
+    m_reconnect->setToolTip(tr("Open the port again with the same settings and search it"));
+}
+
+/// A plain object hears of a change of language through a widget only.
+bool LinkErrorBanner::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    return QObject::eventFilter(watched, event);
+}
+} // namespace ui

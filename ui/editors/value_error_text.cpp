@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editors/value_error_text.h"
+
+#include "text/error_text.h"
+#include "text/language.h"
+#include "text/translate.h"
+#include "ui/editors/register_text.h"
+
+namespace ui {
+using base::ErrorCode;
+using text::translate;
+
+namespace {
+/// Pasted text may be a whole page.
+QString elided(const QString& inputText)
+{
+    constexpr int longest = 24;
+    const QString line = inputText.simplified();
+    return line.size() <= longest ? line : line.left(longest) + QStringLiteral("…");
+}
+
+QString choices(const catalog::Register& reg)
+{
+    QStringList words;
+    for (const catalog::NamedValue& value : reg.values)
+        words << QStringLiteral("%1 — %2").arg(value.value).arg(value.name.in(text::isUiChinese()));
+    return words.join(translate("ValueEditor", ", ", "between items of a list"));
+}
+
+bool isChoice(const catalog::Register& reg, const catalog::ValueFormat& meaning)
+{
+    return meaning.encoding == catalog::Encoding::Enum && !reg.values.empty();
+}
+
+QString expectedInputText(const catalog::Register& reg, const catalog::ValueFormat& meaning)
+{
+    if (isChoice(reg, meaning))
+        return translate("ValueEditor", "Choose one of: %1.").arg(choices(reg));
+    const QString range = rangeText(reg, meaning, false);
+    if (meaning.unit.isEmpty() || meaning.encoding == catalog::Encoding::Bits)
+        return translate("ValueEditor", "Type a whole number, %1.").arg(range);
+    const std::int64_t sample = reg.defaultRaw.value_or(meaning.max.value_or(1));
+    return translate("ValueEditor",
+                     "Type a whole number, %1, or a value with its unit, such as %2.")
+        .arg(range, physicalText(sample, reg, meaning));
+}
+
+QString notUnderstoodText(const base::Error& error, const QString& inputText)
+{
+    if (inputText.trimmed().isEmpty())
+        return translate("ValueEditor", "There is no value.");
+    if (error.detail.startsWith(QLatin1String("less than one step")))
+        return translate("ValueEditor",
+                         "“%1” is less than one step of this register and would become 0.")
+            .arg(elided(inputText));
+    return translate("ValueEditor", "“%1” is not a value this register understands.")
+        .arg(elided(inputText));
+}
+
+QString outOfRangeText(const QString& inputText, const catalog::Register& reg,
+                       const catalog::ValueFormat& meaning)
+{
+    const QString number = elided(inputText);
+    if (isChoice(reg, meaning))
+        return translate("ValueEditor", "%1 is not one of the documented values, and the servo may "
+                                        "do anything with it.")
+            .arg(number);
+    const QString raw = rangeText(reg, meaning, false);
+    const QString physical = rangeText(reg, meaning, true);
+    return translate("ValueEditor", "%1 is outside what this register accepts (%2).")
+        .arg(number, raw == physical ? raw : QStringLiteral("%1; %2").arg(raw, physical));
+}
+} // namespace
+
+QString inputErrorText(const base::Error& error, const QString& inputText,
+                       const catalog::Register& reg, const catalog::ValueFormat& meaning)
+{
+    QStringList lines;
+    switch (error.code) {
+    case ErrorCode::BadArgument:
+        lines << notUnderstoodText(error, inputText) << expectedInputText(reg, meaning);
+        break;
+    case ErrorCode::OutOfRange:
+        lines << outOfRangeText(inputText, reg, meaning) << expectedInputText(reg, meaning);
+        break;
+    default: {
+        const text::Description words = text::describe(error);
+        lines << words.message << words.remedy;
+    }
+    }
+    lines << translate("ValueEditor", "Nothing was written.");
+    return lines.join(translate("ValueEditor", " ", "between sentences"));
+}
+} // namespace ui

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/history/history_formatter.h"
+
+#include "text/alarm_text.h"
+#include "text/language.h"
+#include "text/translate.h"
+#include "text/write_text.h"
+#include "ui/widgets/test_text.h"
+
+#include <QDir>
+
+namespace ui {
+using record::HistoryKind;
+using text::translate;
+
+namespace {
+const QString separator = QStringLiteral(" · ");
+
+QString timeText(const QDateTime& at)
+{
+    return at.isValid() ? at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"))
+                        : QString();
+}
+
+QString who(const QString& model, int id, const QString& label)
+{
+    const QString name = QStringLiteral("%1 · ID %2").arg(model).arg(id);
+    return label.isEmpty() ? name : name + separator + label;
+}
+
+QString snapshotText(record::SnapshotReason reason)
+{
+    switch (reason) {
+    case record::SnapshotReason::Automatic:
+        return translate("History", "before a change");
+    case record::SnapshotReason::Manual:
+        return translate("History", "taken");
+    case record::SnapshotReason::Bundle:
+        return translate("History", "with all servos");
+    case record::SnapshotReason::Commission:
+        return translate("History", "before commissioning");
+    }
+    return {};
+}
+
+/// Header and cell, line by line.
+QString toolTipOf(HistoryKind kind, const QStringList& cells, const QStringList& more)
+{
+    const QStringList headers = HistoryFormatter::headers(kind);
+    QStringList lines;
+    for (int i = 0; i < int(cells.size()); ++i) {
+        if (!cells[i].isEmpty())
+            lines << QStringLiteral("%1: %2").arg(headers.value(i), cells[i]);
+    }
+    for (const QString& one : more) {
+        if (!one.isEmpty())
+            lines << one;
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+} // namespace
+
+QString HistoryFormatter::kindName(HistoryKind kind)
+{
+    switch (kind) {
+    case HistoryKind::Writes:
+        return translate("History", "Writes");
+    case HistoryKind::Snapshots:
+        return translate("History", "Snapshots");
+    case HistoryKind::Runs:
+        return translate("History", "Tests");
+    case HistoryKind::Alarms:
+        return translate("History", "Alarms");
+    case HistoryKind::Recordings:
+        return translate("History", "Recordings");
+    case HistoryKind::Servos:
+        return translate("History", "Servos");
+    }
+    return {};
+}
+
+QStringList HistoryFormatter::headers(HistoryKind kind)
+{
+    const QString time = translate("History", "Time");
+    const QString servo = translate("History", "Servo");
+    const QString note = translate("History", "Note");
+    switch (kind) {
+    case HistoryKind::Writes:
+        return {time,
+                servo,
+                translate("History", "Register"),
+                translate("History", "From"),
+                translate("History", "To"),
+                translate("History", "Outcome"),
+                translate("History", "Kind"),
+                translate("History", "Port")};
+    case HistoryKind::Snapshots:
+        return {time,
+                servo,
+                translate("History", "Occasion"),
+                translate("History", "Label"),
+                note,
+                translate("History", "Rows"),
+                translate("History", "File")};
+    case HistoryKind::Runs:
+        return {time,
+                translate("History", "Test"),
+                translate("History", "Servos"),
+                translate("History", "Verdict"),
+                translate("History", "Operator"),
+                note};
+    case HistoryKind::Alarms:
+        return {translate("History", "Came"), translate("History", "Went"), servo,
+                translate("History", "Alarm"), translate("History", "Port")};
+    case HistoryKind::Recordings:
+        return {time, translate("History", "Servos"), translate("History", "Length"),
+                translate("History", "Rows"), translate("History", "File")};
+    case HistoryKind::Servos:
+        return {servo, translate("History", "Firmware"), translate("History", "Label"),
+                translate("History", "Last write"), translate("History", "Port")};
+    }
+    return {};
+}
+
+int HistoryFormatter::toneColumn(HistoryKind kind)
+{
+    return kind == HistoryKind::Writes   ? 5
+           : kind == HistoryKind::Runs   ? 3
+           : kind == HistoryKind::Alarms ? 1
+                                         : -1;
+}
+
+QString HistoryFormatter::servoTitle(const record::HistoryServo& servo)
+{
+    return who(servo.identity.model, servo.identity.id, servo.label);
+}
+
+HistoryLine HistoryFormatter::formatLine(const record::HistoryWrite& row) const
+{
+    const bool isGood = row.isGood();
+    const bool chinese = text::isUiChinese();
+    const auto value = [&](std::int64_t raw) { return m_profiles.valueText(row, raw, chinese); };
+    const QString sign = isGood                  ? QStringLiteral("✔ ")
+                         : row.outcome.isEmpty() ? QStringLiteral("⚠ ")
+                                                 : QStringLiteral("✘ ");
+    HistoryLine line{row.number, row.servo, row.at};
+    line.cells = {timeText(row.at),
+                  who(row.model, row.servoId, row.label),
+                  m_profiles.registerName(row, chinese),
+                  value(row.oldRaw),
+                  row.newRaw ? value(*row.newRaw) : QStringLiteral("–"),
+                  sign + text::writeOutcomeLabel(row.outcome),
+                  text::intentLabel(row.kind, row.temporary, row.ownDefaults),
+                  row.port};
+    line.tone = isGood ? Tone::Good : row.outcome.isEmpty() ? Tone::Warn : Tone::Bad;
+    line.tip = toolTipOf(
+        HistoryKind::Writes, line.cells,
+        {QStringLiteral("%1 (%2)").arg(row.key).arg(row.address),
+         row.readBack ? translate("History", "read back: %1").arg(value(*row.readBack)) : QString(),
+         row.detail, row.program});
+    line.label = row.label;
+    return line;
+}
+
+HistoryLine HistoryFormatter::formatLine(const record::HistorySnapshot& row) const
+{
+    HistoryLine line{row.number, row.servo, row.at};
+    line.cells = {timeText(row.at),
+                  who(row.model, row.servoId, {}),
+                  snapshotText(row.reason),
+                  row.label,
+                  row.note,
+                  QString::number(row.registers),
+                  QDir::toNativeSeparators(row.file)};
+    line.tip = toolTipOf(HistoryKind::Snapshots, line.cells, {row.port, row.program});
+    line.label = row.label;
+    line.note = row.note;
+    return line;
+}
+
+HistoryLine HistoryFormatter::formatLine(const record::HistoryAlarm& row) const
+{
+    const bool isCleared = row.clearedAt.isValid();
+    HistoryLine line{row.number, row.servo, row.at};
+    line.cells = {timeText(row.at),
+                  isCleared ? QStringLiteral("✔ ") + timeText(row.clearedAt)
+                            : QStringLiteral("⚠ ") + translate("History", "not seen to go"),
+                  who(row.model, row.servoId, row.label), text::alarmLabel(row.key), row.port};
+    line.tone = isCleared ? Tone::Good : Tone::Warn;
+    line.tip =
+        toolTipOf(HistoryKind::Alarms, line.cells,
+                  {row.derived ? translate("History", "worked out from the limits, not reported "
+                                                      "by the servo")
+                               : QString()});
+    line.label = row.label;
+    return line;
+}
+
+HistoryLine HistoryFormatter::formatLine(const record::HistoryRecording& row) const
+{
+    QStringList servos;
+    for (const record::HistoryRecording::Servo& one : row.servos)
+        servos << who(one.model, one.id, one.label);
+    const double seconds = std::chrono::duration<double>(row.length).count();
+    HistoryLine line{row.number, 0, row.at};
+    line.cells = {timeText(row.at), servos.join(QStringLiteral(", ")),
+                  QStringLiteral("%1 s").arg(seconds, 0, 'f', 1), QString::number(row.rows),
+                  QDir::toNativeSeparators(row.file)};
+    line.tip = toolTipOf(HistoryKind::Recordings, line.cells, {row.port});
+    return line;
+}
+
+HistoryLine HistoryFormatter::formatLine(const record::HistoryServo& row) const
+{
+    HistoryLine line{row.number, row.number, row.lastWrite};
+    line.cells = {
+        who(row.identity.model, row.identity.id, {}),
+        QStringLiteral("%1.%2").arg(row.identity.firmwareMajor).arg(row.identity.firmwareMinor),
+        row.label, timeText(row.lastWrite), row.identity.port};
+    line.tip = toolTipOf(HistoryKind::Servos, line.cells, {});
+    line.label = row.label;
+    return line;
+}
+
+HistoryLine HistoryFormatter::formatLine(const record::TestRun& row) const
+{
+    QStringList servos;
+    for (const record::TestServo& one : row.servos)
+        servos << who(one.model, one.id, one.label);
+    HistoryLine line{row.number, 0, row.at};
+    line.cells = {timeText(row.at),
+                  row.kind == QLatin1StringView("step") ? translate("History", "step response")
+                                                        : translate("History", "sweep test"),
+                  servos.join(QStringLiteral(", ")),
+                  row.kind == QLatin1StringView("step") ? QString() : gradeText(row.verdict),
+                  row.operatorName,
+                  row.note};
+    line.tone = gradeTone(row.verdict);
+    line.tip = toolTipOf(HistoryKind::Runs, line.cells, row.files);
+    line.note = row.note;
+    return line;
+}
+} // namespace ui

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/memory/memory_text.h"
+
+#include "catalog/raw_range.h"
+#include "text/error_text.h"
+#include "text/language.h"
+#include "text/notice_text.h"
+#include "text/translate.h"
+
+namespace ui {
+using catalog::Encoding;
+using text::translate;
+
+namespace {
+const QString dash = QStringLiteral("—");
+const QString changedMark = QStringLiteral("  •");
+
+QString accessCellText(const MemoryRow& row)
+{
+    if (!row.isWritable)
+        return QStringLiteral("r");
+    return row.reg->dangerous ? QStringLiteral("⚠ rw") : QStringLiteral("rw");
+}
+
+QString accessHelp(const MemoryRow& row)
+{
+    if (!row.isWritable)
+        return text::accessLabel(catalog::Access::ReadOnly);
+    const QString word = text::accessLabel(catalog::Access::ReadWrite);
+    return row.reg->dangerous
+               ? translate(
+                     "MemoryTable",
+                     "%1. A wrong value can make the servo unreachable or dangerous: you are asked "
+                     "before each write.")
+                     .arg(word)
+               : word;
+}
+
+QString defaultText(const MemoryRow& row, bool physical)
+{
+    if (!row.reg->defaultRaw)
+        return {};
+    return physical && !hasNamedValues(row.meaning)
+               ? physicalText(*row.reg->defaultRaw, *row.reg, row.meaning)
+               : QString::number(*row.reg->defaultRaw);
+}
+
+QString physicalCellText(const MemoryRow& row)
+{
+    if (!row.raw)
+        return {};
+    if (!row.hasSensor)
+        return translate("MemoryTable", "not measured");
+    return physicalText(*row.raw, *row.reg, row.meaning);
+}
+} // namespace
+
+QString memoryHeader(MemoryColumn column)
+{
+    switch (column) {
+    case MemoryColumn::Address:
+        return translate("MemoryTable", "Address");
+    case MemoryColumn::Name:
+        return translate("MemoryTable", "Memory");
+    case MemoryColumn::Value:
+        return translate("MemoryTable", "Value");
+    case MemoryColumn::Physical:
+        return translate("MemoryTable", "Physical");
+    case MemoryColumn::Area:
+        return translate("MemoryTable", "Area");
+    case MemoryColumn::Access:
+        return translate("MemoryTable", "Access");
+    case MemoryColumn::Default:
+        return translate("MemoryTable", "Default");
+    case MemoryColumn::Range:
+        return translate("MemoryTable", "Range");
+    case MemoryColumn::State:
+        return translate("MemoryTable", "State");
+    case MemoryColumn::Count:
+        break;
+    }
+    return {};
+}
+
+QString memoryHeaderHelp(MemoryColumn column)
+{
+    switch (column) {
+    case MemoryColumn::Address:
+        return translate("MemoryTable", "Address as the servo's sheet has it");
+    case MemoryColumn::Name:
+        return translate(
+            "MemoryTable",
+            "What the register is; • marks a value that differs from the first reading of "
+            "this session");
+    case MemoryColumn::Value:
+        return translate("MemoryTable", "The raw number in the servo, as it was read");
+    case MemoryColumn::Physical:
+        return translate("MemoryTable", "The same value with its unit, or its name");
+    case MemoryColumn::Area:
+        return translate(
+            "MemoryTable",
+            "Where the register lives: EPROM is kept, SRAM is lost at power-off, feedback "
+            "is measured, factory is the maker's");
+    case MemoryColumn::Access:
+        return translate("MemoryTable",
+                         "r: can only be read; rw: can be written; ⚠: asks before each write");
+    case MemoryColumn::Default:
+        return translate("MemoryTable", "Value from the factory; empty where it is not known");
+    case MemoryColumn::Range:
+        return translate("MemoryTable", "What may be written");
+    case MemoryColumn::State:
+        return translate("MemoryTable",
+                         "What became of the latest write, and how old the value is");
+    case MemoryColumn::Count:
+        break;
+    }
+    return {};
+}
+
+QString registerName(const MemoryRow& row)
+{
+    return row.meaning.name.in(text::isUiChinese());
+}
+
+QString memoryText(const MemoryRow& row, MemoryColumn column, bool physicalFirst)
+{
+    switch (column) {
+    case MemoryColumn::Address:
+        return QString::number(row.reg->address);
+    case MemoryColumn::Name:
+        return row.isChanged() ? registerName(row) + changedMark : registerName(row);
+    case MemoryColumn::Value:
+        return row.raw ? QString::number(*row.raw) : dash;
+    case MemoryColumn::Physical:
+        return physicalCellText(row);
+    case MemoryColumn::Area:
+        return text::areaLabel(row.reg->area);
+    case MemoryColumn::Access:
+        return accessCellText(row);
+    case MemoryColumn::Default:
+        return defaultText(row, physicalFirst);
+    case MemoryColumn::Range:
+        return row.isWritable ? rangeText(*row.reg, row.meaning, physicalFirst) : QString();
+    case MemoryColumn::State:
+        return stateText(row);
+    case MemoryColumn::Count:
+        break;
+    }
+    return {};
+}
+
+QString memoryTip(const MemoryRow& row, MemoryColumn column, bool physicalFirst)
+{
+    switch (column) {
+    case MemoryColumn::Address:
+        return QStringLiteral("%1 (0x%2), %3")
+            .arg(row.reg->address)
+            .arg(row.reg->address, 2, 16, QLatin1Char('0'))
+            .arg(row.reg->key);
+    case MemoryColumn::Name:
+        return row.isChanged()
+                   ? translate("MemoryTable", "%1: was %2 at the first reading of this session")
+                         .arg(registerName(row))
+                         .arg(*row.firstRaw)
+                   : registerName(row);
+    case MemoryColumn::Value:
+    case MemoryColumn::Physical:
+        return row.raw ? rawWord(*row.raw, *row.reg, row.meaning) : stateHelp(row);
+    case MemoryColumn::Access:
+        return accessHelp(row);
+    case MemoryColumn::Default:
+        return row.reg->defaultRaw
+                   ? rawWord(*row.reg->defaultRaw, *row.reg, row.meaning)
+                   : translate("MemoryTable", "No default is known for this model.");
+    case MemoryColumn::Range: {
+        const QString range = memoryText(row, column, physicalFirst);
+        return range.isEmpty() ? translate("MemoryTable", "There is nothing to write.")
+                               : translate("MemoryTable", "New values: %1")
+                                     .arg(rangeText(*row.reg, row.meaning, false));
+    }
+    case MemoryColumn::State:
+        return stateHelp(row);
+    case MemoryColumn::Area:
+    case MemoryColumn::Count:
+        break;
+    }
+    return memoryText(row, column, physicalFirst);
+}
+} // namespace ui

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/memory/memory_view.h"
+
+#include "ui/memory/memory_model.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QScrollBar>
+
+#include <numeric>
+
+namespace ui {
+namespace {
+// Left out where the table is narrow, in this order. The panel beside it says the same.
+constexpr std::array hideOrder{MemoryColumn::Area, MemoryColumn::Range, MemoryColumn::Default,
+                               MemoryColumn::Access};
+
+// In letters: "temporary · 12 s" with its sign. Longer ones must not make columns vanish.
+constexpr int defaultStateChars = 17;
+
+int section(MemoryColumn column)
+{
+    return static_cast<int>(column);
+}
+} // namespace
+
+MemoryView::MemoryView(QWidget* parent)
+    : QTableView(parent)
+{
+    setObjectName(QStringLiteral("memoryTable"));
+    setSelectionBehavior(SelectRows);
+    setSelectionMode(ExtendedSelection);
+    setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
+    setTabKeyNavigation(false);
+    setShowGrid(false);
+    setAlternatingRowColors(true);
+    setWordWrap(false);
+    setHorizontalScrollMode(ScrollPerPixel);
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setMinimumSectionSize(8);
+}
+
+void MemoryView::setPhysicalFirst(bool on)
+{
+    m_physicalFirst = on;
+    QHeaderView* header = horizontalHeader();
+    const int value = header->visualIndex(section(MemoryColumn::Value));
+    const int physical = header->visualIndex(section(MemoryColumn::Physical));
+    if ((physical < value) != on)
+        header->moveSection(std::max(value, physical), std::min(value, physical));
+}
+
+QStringList MemoryView::visibleKeys() const
+{
+    QStringList keys;
+    if (model() == nullptr)
+        return keys;
+    const int first = std::max(rowAt(0), 0);
+    const int below = rowAt(viewport()->height() - 1);
+    const int last = below < 0 ? model()->rowCount() - 1 : below;
+    for (int row = first; row <= last; ++row)
+        keys << model()->index(row, 0).data(MemoryModel::KeyRole).toString();
+    return keys;
+}
+
+/// The cell of this row that can be edited: the one under the cursor, else the one shown first.
+QModelIndex MemoryView::editableCell(const QModelIndex& index) const
+{
+    const auto first = m_physicalFirst ? MemoryColumn::Physical : MemoryColumn::Value;
+    const auto second = m_physicalFirst ? MemoryColumn::Value : MemoryColumn::Physical;
+    const auto can = [](const QModelIndex& cell) {
+        return (cell.flags() & Qt::ItemIsEditable) != 0;
+    };
+    if (can(index))
+        return index;
+    for (const MemoryColumn column : {first, second}) {
+        const QModelIndex cell = index.siblingAtColumn(section(column));
+        if (can(cell))
+            return cell;
+    }
+    return {};
+}
+
+bool MemoryView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event)
+{
+    const bool mine = (trigger & editTriggers()) != 0 && index.isValid();
+    if (!mine || state() == EditingState)
+        return QTableView::edit(index, trigger, event);
+    if (trigger == AnyKeyPressed && event != nullptr) {
+        static const QString begins = QStringLiteral("0123456789-+.");
+        const QString text = static_cast<QKeyEvent*>(event)->text();
+        if (text.isEmpty() || !begins.contains(text.front()))
+            return false;
+    }
+    const QModelIndex cell = editableCell(index);
+    if (!cell.isValid()) {
+        Q_EMIT readOnlyActivated(index);
+        return false;
+    }
+    return QTableView::edit(cell, trigger, event);
+}
+
+void MemoryView::keyPressEvent(QKeyEvent* event)
+{
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && state() != EditingState && currentIndex().isValid()) {
+        edit(currentIndex(), EditKeyPressed, event);
+        event->accept();
+        return;
+    }
+    QTableView::keyPressEvent(event);
+}
+
+/// Letters are for the find field.
+void MemoryView::keyboardSearch(const QString&) {}
+
+void MemoryView::measureColumn(MemoryColumn column, bool canShrink)
+{
+    const int index = section(column);
+    const int em = fontMetrics().averageCharWidth();
+    int width = sizeHintForColumn(index);
+    // Values come and go; room for a usual one is always there. Long lists of names are cut.
+    if (column == MemoryColumn::Value)
+        width = std::max(width, 9 * em);
+    if (column == MemoryColumn::Physical)
+        width = std::clamp(width, 11 * em, 26 * em);
+    if (column == MemoryColumn::State)
+        width = std::clamp(width, defaultStateChars * em, 28 * em);
+    if (column == MemoryColumn::Name)
+        width = std::min(width, 34 * em);
+    width = std::max(width, horizontalHeader()->sectionSizeHint(index));
+    int& columnWidth = m_columnWidths[static_cast<std::size_t>(index)];
+    columnWidth = canShrink ? width : std::max(columnWidth, width);
+}
+
+void MemoryView::resizeColumns()
+{
+    ensurePolished();
+    horizontalHeader()->ensurePolished();
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
+    for (int column = 0; column < memoryColumns; ++column)
+        measureColumn(static_cast<MemoryColumn>(column), true);
+    fitColumns();
+}
+
+void MemoryView::growColumns()
+{
+    const auto before = m_columnWidths;
+    for (const MemoryColumn column :
+         {MemoryColumn::Value, MemoryColumn::Physical, MemoryColumn::State})
+        measureColumn(column, false);
+    if (m_columnWidths != before)
+        fitColumns();
+}
+
+/// Long columns give way first, then the spare ones go; what is left over goes back to the long
+/// ones.
+void MemoryView::fitColumns()
+{
+    const int em = fontMetrics().averageCharWidth();
+    const int room = viewport()->width();
+    const auto name = static_cast<std::size_t>(MemoryColumn::Name);
+    const auto physical = static_cast<std::size_t>(MemoryColumn::Physical);
+    const auto state = static_cast<std::size_t>(MemoryColumn::State);
+    auto widths = m_columnWidths;
+    const auto atLeast = [&](MemoryColumn column, int minWidth) {
+        const auto index = static_cast<std::size_t>(column);
+        const int header = horizontalHeader()->sectionSizeHint(section(column));
+        widths[index] = std::min(widths[index], std::max(minWidth, header));
+    };
+    atLeast(MemoryColumn::Name, 22 * em);
+    atLeast(MemoryColumn::Physical, 12 * em);
+    atLeast(MemoryColumn::State, defaultStateChars * em);
+    int needed = std::accumulate(widths.begin(), widths.end(), 0);
+    std::array<bool, memoryColumns> shown{};
+    shown.fill(true);
+    for (const MemoryColumn column : hideOrder) {
+        const auto index = static_cast<std::size_t>(column);
+        if (needed <= room)
+            break;
+        shown[index] = false;
+        needed -= widths[index];
+    }
+    for (const auto& [column, minWidth] :
+         {std::pair{MemoryColumn::Physical, 11 * em}, std::pair{MemoryColumn::Name, 16 * em},
+          std::pair{MemoryColumn::State, 13 * em}}) {
+        int& width = widths[static_cast<std::size_t>(column)];
+        const int header = horizontalHeader()->sectionSizeHint(section(column));
+        const int less =
+            std::clamp(needed - room, 0, std::max(0, width - std::max(minWidth, header)));
+        width -= less;
+        needed -= less;
+    }
+    int left = std::max(0, room - needed);
+    for (const auto index : {state, name, physical}) {
+        const int more = std::min(left, m_columnWidths[index] - widths[index]);
+        widths[index] += more;
+        left -= more;
+    }
+    widths[name] += left;
+    for (int column = 0; column < memoryColumns; ++column) {
+        const auto index = static_cast<std::size_t>(column);
+        setColumnHidden(column, !shown[index]);
+        if (shown[index])
+            setColumnWidth(column, widths[index]);
+    }
+}
+
+void MemoryView::showEvent(QShowEvent* event)
+{
+    QTableView::showEvent(event);
+    resizeColumns(); // the style's fonts are known now
+}
+
+void MemoryView::resizeEvent(QResizeEvent* event)
+{
+    QTableView::resizeEvent(event);
+    fitColumns();
+    Q_EMIT scrolled();
+}
+
+void MemoryView::scrollContentsBy(int dx, int dy)
+{
+    QTableView::scrollContentsBy(dx, dy);
+    if (dy != 0)
+        Q_EMIT scrolled();
+}
+
+void MemoryView::changeEvent(QEvent* event)
+{
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        resizeColumns();
+}
+} // namespace ui

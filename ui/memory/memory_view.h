@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table itself: Enter and double click open the editor of a row wherever the cursor stands in
+// it, digits begin a new value, and columns that do not fit are left out, the least important
+// first; the help panel has what they say. Owned by the page; main thread.
+#pragma once
+
+#include "ui/memory/memory_text.h"
+
+#include <QTableView>
+
+#include <array>
+
+namespace ui {
+class MemoryView final : public QTableView {
+    Q_OBJECT
+
+public:
+    explicit MemoryView(QWidget* parent);
+
+    /// The unit's column before the raw one, and the one that Enter edits.
+    void setPhysicalFirst(bool on);
+    /// Registers in sight.
+    QStringList visibleKeys() const;
+    /// After another servo, language or font: columns as wide as what is in them.
+    void resizeColumns();
+    /// Columns grow where a value has become longer; they never jump back while one is watching.
+    void growColumns();
+
+Q_SIGNALS:
+    void scrolled(); ///< other rows may be in sight
+    void readOnlyActivated(const QModelIndex& index);
+
+protected:
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyboardSearch(const QString& search) override;
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void scrollContentsBy(int dx, int dy) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    QModelIndex editableCell(const QModelIndex& index) const;
+    void measureColumn(MemoryColumn column, bool canShrink);
+    void fitColumns();
+
+    bool m_physicalFirst = false;
+    std::array<int, memoryColumns> m_columnWidths{};
+};
+} // namespace ui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "History of this servo": what was written to it, newest first. Owned by the page; main thread.
+#pragma once
+
+#include "ui/memory/servo_history_model.h"
+
+#include <QWidget>
+
+class QLabel;
+class QListView;
+
+namespace ui {
+class ServoHistoryPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ServoHistoryPanel(QWidget* parent);
+    void setEntry(const session::ServoEntry* entry);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void updateVisibility();
+
+    bool m_hasServo = false; ///< there is a servo
+    ServoHistoryModel m_model;
+    QLabel* m_title;
+    QLabel* m_emptyLabel;
+    QListView* m_list;
+};
+} // namespace ui

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/memory/write_question.h"
+
+#include "text/language.h"
+#include "text/translate.h"
+#include "ui/editors/register_text.h"
+
+namespace ui {
+using catalog::Role;
+using text::translate;
+
+namespace {
+/// What a role's register will hold when everything asked for so far has been written.
+std::optional<std::int64_t> pendingValue(const session::ServoEntry& entry, Role role)
+{
+    const catalog::Register* reg = entry.servo.profile->byRole(role);
+    if (reg == nullptr)
+        return std::nullopt;
+    const auto write = entry.writes.find(reg->key);
+    if (write != entry.writes.end() && write->second.pending > 0)
+        return write->second.requested;
+    return entry.servo.raw(*reg);
+}
+
+QString nameOf(const catalog::Register& reg)
+{
+    return QStringLiteral("%1 (%2)").arg(reg.name.in(text::isUiChinese())).arg(reg.address);
+}
+
+QString nameOf(const session::ServoEntry& entry, Role role)
+{
+    const catalog::Register* reg = entry.servo.profile->byRole(role);
+    return reg != nullptr ? nameOf(*reg) : QString();
+}
+
+QString joinSentences(QStringList lines)
+{
+    lines.removeAll(QString());
+    return lines.join(translate("WriteQuestion", " ", "between sentences"));
+}
+
+QString persistenceSentence(bool temporary)
+{
+    return temporary ? translate("WriteQuestion", "The value is lost at power-off.") : QString();
+}
+
+QString modeRisk(const session::ServoEntry& entry, const catalog::Mode& to)
+{
+    if (to.command != Role::GoalPosition)
+        return translate("WriteQuestion", "In this mode the shaft turns without end as soon as it "
+                                          "is given a command. Clear the mechanism first.");
+    if (to.limitsZero && entry.servo.profile->byRole(Role::MinAngle) != nullptr)
+        return translate("WriteQuestion", "In this mode no angle limit keeps the shaft inside its "
+                                          "range. Clear the mechanism first.");
+    return {};
+}
+
+Question modeQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
+                      std::int64_t raw, const ModeTransition& step, bool temporary)
+{
+    const bool chinese = text::isUiChinese();
+    const QString target = step.to->name.in(chinese);
+    Question question;
+    question.title = translate("WriteQuestion", "Change the mode to “%1”?").arg(target);
+    const QString change =
+        step.from != nullptr
+            ? translate("WriteQuestion", "Writing %1 to %2 takes the servo from “%3” to “%4”.")
+                  .arg(QString::number(raw), nameOf(reg), step.from->name.in(chinese), target)
+            : translate("WriteQuestion", "Writing %1 to %2 leads to “%3”.")
+                  .arg(QString::number(raw), nameOf(reg), target);
+    const QString command = nameOf(entry, step.to->command);
+    const QString zeroed =
+        step.to->command == Role::GoalPosition || command.isEmpty()
+            ? QString()
+            : translate("WriteQuestion", "The command of the new mode, %1, is set to 0.")
+                  .arg(command);
+    question.text = joinSentences(
+        {change,
+         translate("WriteQuestion", "ServoDesk switches torque off first, writes, and reads back."),
+         zeroed, translate("WriteQuestion", "Torque stays off until you switch it on."),
+         persistenceSentence(temporary)});
+    question.risk = modeRisk(entry, *step.to);
+    question.acceptText = translate("WriteQuestion", "Change the mode");
+    return question;
+}
+
+QString roleRisk(const catalog::Register& reg, std::int64_t raw)
+{
+    switch (reg.role) {
+    case Role::Id:
+        return translate("WriteQuestion", "From now on the servo answers as %1. Programs that know "
+                                          "it by its old ID no longer find it.")
+            .arg(raw);
+    case Role::BaudRate:
+        return translate("WriteQuestion", "The servo leaves this rate. ServoDesk follows it; other "
+                                          "programs and servos stay where they are.");
+    case Role::ResponseLevel:
+    case Role::ReturnDelay:
+        return translate("WriteQuestion", "Programs that wait for its answers in another way may "
+                                          "take the servo for lost.");
+    case Role::UnloadCondition:
+        return translate("WriteQuestion", "A protection that is switched off no longer saves motor "
+                                          "and gears: they can burn or break.");
+    case Role::Phase:
+        return translate("WriteQuestion", "Direction, feedback and drive of the motor change. A "
+                                          "wrong value can make it run away.");
+    case Role::PositionOffset:
+    case Role::AngleResolution:
+        return translate("WriteQuestion",
+                         "Every position means another angle afterwards. Clear the "
+                         "mechanism before torque is switched on.");
+    default:
+        return translate("WriteQuestion", "A wrong value can make the servo unreachable or "
+                                          "dangerous. Note the old value before you go on.");
+    }
+}
+
+Question dangerousWriteQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
+                                std::int64_t raw, bool temporary)
+{
+    const catalog::ValueFormat meaning = entry.servo.meaning(reg);
+    const auto present = entry.displayedRaw(reg);
+    Question question;
+    question.title = translate("WriteQuestion", "Write %1?").arg(nameOf(reg));
+    const QString change =
+        present ? translate("WriteQuestion", "From %1 to %2.")
+                      .arg(rawWord(*present, reg, meaning), rawWord(raw, reg, meaning))
+                : translate("WriteQuestion", "To %1; the present value could not be read.")
+                      .arg(rawWord(raw, reg, meaning));
+    const QString torque =
+        reg.torqueOff == catalog::TorqueOff::Needed
+            ? translate("WriteQuestion", "Torque is switched off first and stays off.")
+            : QString();
+    question.text =
+        change + QStringLiteral("\n\n") + reg.help.in(text::isUiChinese()) +
+        (torque.isEmpty() && !temporary
+             ? QString()
+             : QStringLiteral("\n\n") + joinSentences({torque, persistenceSentence(temporary)}));
+    question.risk = joinSentences(
+        {reg.motion ? translate("WriteQuestion", "The shaft turns as soon as this is "
+                                                 "written: keep clear of the mechanism.")
+                    : QString(),
+         roleRisk(reg, raw)});
+    question.acceptText = translate("WriteQuestion", "Write");
+    return question;
+}
+} // namespace
+
+ModeTransition modeTransition(const session::ServoEntry& entry, const catalog::Register& reg,
+                              std::int64_t raw)
+{
+    const auto after = [&](Role role) {
+        return reg.role == role ? std::optional(raw) : pendingValue(entry, role);
+    };
+    const catalog::Profile& profile = *entry.servo.profile;
+    return {device::modeFor(profile, pendingValue(entry, Role::OperatingMode),
+                            pendingValue(entry, Role::MinAngle),
+                            pendingValue(entry, Role::MaxAngle)),
+            device::modeFor(profile, after(Role::OperatingMode), after(Role::MinAngle),
+                            after(Role::MaxAngle))};
+}
+
+std::optional<Question> writeQuestion(const session::ServoEntry& entry,
+                                      const catalog::Register& reg, std::int64_t raw,
+                                      bool temporary)
+{
+    const bool decides =
+        reg.role == Role::OperatingMode || reg.role == Role::MinAngle || reg.role == Role::MaxAngle;
+    if (decides) {
+        const ModeTransition step = modeTransition(entry, reg, raw);
+        if (step.to != nullptr && step.to != step.from)
+            return modeQuestion(entry, reg, raw, step, temporary);
+        if (step.to != nullptr)
+            return std::nullopt;
+    }
+    if (!reg.dangerous)
+        return std::nullopt;
+    return dangerousWriteQuestion(entry, reg, raw, temporary);
+}
+} // namespace ui

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/operate/operate_page.h"
+
+#include "ui/operate/control_panel.h"
+#include "ui/operate/operate_status.h"
+#include "ui/operate/servo_strip.h"
+#include "ui/trends/trend_panel.h"
+#include "ui/widgets/feedback.h"
+#include "ui/widgets/floating_overlay.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+using namespace std::chrono_literals;
+
+namespace {
+constexpr auto refreshInterval = 50ms; ///< numbers that change faster cannot be read
+constexpr int minControlWidth = 350;
+constexpr int maxControlWidth = 400;
+constexpr int controlPercent = 36;
+const QString subscriptionName = QStringLiteral("operate");
+
+QString turnCountText(const session::ServoEntry& entry)
+{
+    const auto turns = entry.turns.value();
+    if (!turns)
+        return {};
+    const QString count = QLocale().toString(turns->turns);
+    if (turns->absolute)
+        return OperatePage::tr("turns: %1").arg(count);
+    if (turns->turns == 0 && turns->isCertain)
+        return {};
+    return turns->isCertain
+               ? OperatePage::tr("turns since connecting: %1").arg(count)
+               : OperatePage::tr("turns since connecting: %1 (not certain)").arg(count);
+}
+} // namespace
+
+OperatePage::OperatePage(AppContext& appContext, session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_desk(appContext.desk)
+    , m_deskGuard(&appContext.desk)
+    , m_commands(appContext.commands)
+    , m_selection(appContext.selection)
+    , m_motion(appContext.motion)
+    , m_liveData(appContext.liveData)
+{
+    build(settings);
+    connectAll();
+    select();
+}
+
+OperatePage::~OperatePage() = default;
+
+void OperatePage::build(session::Settings& settings)
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 6, 0, 0);
+    row->setSpacing(8);
+    m_control = new ControlPanel(m_desk, m_commands, m_selection, settings, m_motion, this);
+    m_dial = new PositionDial(this);
+    m_dial->setObjectName(QStringLiteral("positionDial"));
+    m_control->setDial(m_dial);
+    row->addWidget(m_control);
+    row->addWidget(buildWatch(settings), 1);
+    new FloatingOverlay(m_control->messages(), m_trend->chart(), FloatingOverlay::Corner::TopLeft);
+    setAccessibleName(tr("Operate"));
+    m_dial->setAccessibleName(tr("Position and goal"));
+}
+
+QWidget* OperatePage::buildWatch(session::Settings& settings)
+{
+    m_watch = new QWidget(this);
+    auto* column = new QVBoxLayout(m_watch);
+    column->setContentsMargins({});
+    column->setSpacing(6);
+    m_status = new OperateStatus(m_watch);
+    auto* gauges = new QHBoxLayout;
+    gauges->setSpacing(6);
+    for (std::size_t i = 0; i < m_gauges.size(); ++i) {
+        m_gauges[i] = new Gauge(m_watch);
+        m_gauges[i]->setObjectName(QStringLiteral("gauge%1").arg(i));
+        gauges->addWidget(m_gauges[i], 1);
+    }
+    m_trend = new TrendPanel(m_desk, m_liveData, m_selection, settings, m_watch);
+    m_strip = new ServoStrip(m_desk, m_selection, m_watch);
+    column->addWidget(m_status);
+    column->addLayout(gauges);
+    column->addWidget(m_trend, 1);
+    column->addWidget(m_strip);
+    return m_watch;
+}
+
+void OperatePage::connectAll()
+{
+    connect(&m_selection, &Selection::selectedServosChanged, this, &OperatePage::select);
+    connect(m_status, &OperateStatus::acknowledgeRequested, this,
+            [this] { m_desk.acknowledgeAlarms(m_selection.current()); });
+    connect(m_dial, &PositionDial::goalRequested, m_control, &ControlPanel::setGoalFromDial);
+    connect(m_control, &ControlPanel::goalStateChanged, this, [this] { showDial(entry()); });
+    connect(m_trend, &TrendPanel::periodChanged, this, &OperatePage::updateSubscription);
+    const auto wish = [this] { updateSubscription(); };
+    connect(&m_desk, &session::Desk::servoAdded, this, wish);
+    connect(&m_desk, &session::Desk::servoRemoved, this, wish);
+    connect(&m_desk, &session::Desk::servosCleared, this, wish);
+    connect(&m_desk, &session::Desk::searchChanged, this, wish);
+    m_refreshTimer.setInterval(refreshInterval);
+    connect(&m_refreshTimer, &QTimer::timeout, this, &OperatePage::show);
+}
+
+const session::ServoEntry* OperatePage::entry() const
+{
+    return m_desk.servo(m_selection.current());
+}
+
+void OperatePage::select()
+{
+    updateSubscription();
+    show();
+}
+
+/// All servos for the strip; the chart says its own.
+void OperatePage::updateSubscription()
+{
+    if (!m_deskGuard)
+        return;
+    session::Subscription wish;
+    wish.period = m_trend->period();
+    for (const session::ServoRef ref : m_desk.servos()) {
+        const session::ServoEntry* known = m_desk.servo(ref);
+        if (known == nullptr || !known->servo.profile || !isVisible())
+            continue;
+        // Settings only of those that are driven: the others' would cost the wire its speed.
+        const auto& chosen = m_selection.selected();
+        const bool driven = std::find(chosen.begin(), chosen.end(), ref) != chosen.end();
+        wish.parts.push_back(
+            {ref, feedbackKeys(known->servo), driven ? settingKeys(known->servo) : QStringList()});
+    }
+    m_desk.subscribe(subscriptionName, wish);
+}
+
+void OperatePage::show()
+{
+    const session::ServoEntry* known = entry();
+    m_status->show(known, m_desk);
+    showDial(known);
+    showGauges(known);
+    m_strip->refresh();
+}
+
+void OperatePage::showDial(const session::ServoEntry* known)
+{
+    DialState view = known != nullptr ? dialState(*known, isFresh(*known, m_desk)) : DialState{};
+    if (known != nullptr) {
+        view.isGoalMovable = m_control->isGoalMovable();
+        if (const auto goal = m_control->positionGoal(); goal && view.goal)
+            view.goal = double(*goal);
+        const QString turns = turnCountText(*known);
+        view.turnsText = view.turnsText.isEmpty() ? turns : view.turnsText;
+    }
+    m_dial->show(view);
+}
+
+void OperatePage::showGauges(const session::ServoEntry* known)
+{
+    const bool old = known == nullptr || !isFresh(*known, m_desk);
+    for (std::size_t i = 0; i < m_gauges.size(); ++i) {
+        const GaugeState view =
+            known != nullptr ? gaugeState(*known, allQuantities[i]) : GaugeState{};
+        m_gauges[i]->setVisible(known != nullptr);
+        m_gauges[i]->setTitle(view.title);
+        m_gauges[i]->setScale(view.scale);
+        if (view.notMeasuredReason.isEmpty())
+            m_gauges[i]->setValue(view.value, view.caption, old);
+        else
+            m_gauges[i]->setNotMeasured(view.notMeasuredReason);
+    }
+}
+
+void OperatePage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    setAccessibleName(tr("Operate"));
+    m_dial->setAccessibleName(tr("Position and goal"));
+    show();
+}
+
+void OperatePage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_control->setFixedWidth(
+        std::clamp(width() * controlPercent / 100, minControlWidth, maxControlWidth));
+}
+
+void OperatePage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    m_refreshTimer.start();
+    select();
+}
+
+void OperatePage::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    m_refreshTimer.stop();
+    updateSubscription();
+}
+} // namespace ui

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drive the chosen servos, watch them on dial, gauges and charts. Says to Desk what is to be read
+// while it is seen. Opening it and selecting a servo write nothing and move nothing. Owned by the
+// window; main thread, never waits.
+#pragma once
+
+#include "session/settings.h"
+#include "ui/common/app_context.h"
+
+#include <QPointer>
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+
+namespace ui {
+class ControlPanel;
+class Gauge;
+class OperateStatus;
+class PositionDial;
+class ServoStrip;
+class TrendPanel;
+
+class OperatePage final : public QWidget {
+    Q_OBJECT
+
+public:
+    OperatePage(AppContext& appContext, session::Settings& settings, QWidget* parent = nullptr);
+    ~OperatePage() override;
+
+    TrendPanel* trend() const { return m_trend; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void build(session::Settings& settings);
+    QWidget* buildWatch(session::Settings& settings);
+    void connectAll();
+    void select();
+    void updateSubscription();
+    void show();
+    void showDial(const session::ServoEntry* entry);
+    void showGauges(const session::ServoEntry* entry);
+    const session::ServoEntry* entry() const;
+
+    session::Desk& m_desk;
+    QPointer<session::Desk> m_deskGuard; ///< a window may hide its pages on its way out
+    Commands& m_commands;
+    Selection& m_selection;
+    session::MotionController& m_motion;
+    session::LiveData& m_liveData;
+
+    ControlPanel* m_control = nullptr;
+    PositionDial* m_dial = nullptr;
+    OperateStatus* m_status = nullptr;
+    std::array<Gauge*, 5> m_gauges{};
+    QWidget* m_watch = nullptr;
+    TrendPanel* m_trend = nullptr;
+    ServoStrip* m_strip = nullptr;
+    QTimer m_refreshTimer;
+};
+} // namespace ui

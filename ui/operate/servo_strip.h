@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All servos of the bus side by side, in little room; pressing one selects it, with Ctrl it moves
+// together with the others. Hidden while there are fewer than two. Owned by the page; main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "ui/common/selection.h"
+
+#include <QScrollArea>
+
+class QHBoxLayout;
+
+namespace ui {
+class ServoCard;
+
+class ServoStrip final : public QScrollArea {
+    Q_OBJECT
+
+public:
+    ServoStrip(session::Desk& desk, Selection& selection, QWidget* parent = nullptr);
+
+    void refresh(); ///< new numbers
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void rebuild();
+    void selectServo(session::ServoRef ref);
+
+    session::Desk& m_desk;
+    Selection& m_selection;
+    QWidget* m_body = nullptr;
+    QHBoxLayout* m_row = nullptr;
+    std::vector<std::pair<session::ServoRef, ServoCard*>> m_cards;
+};
+} // namespace ui

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/operate/torque_hint.h"
+
+#include "ui/common/theme.h"
+#include "ui/widgets/press_guard.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace ui {
+namespace {
+const QString neverAskKey = QStringLiteral("operate/no_torque_hint");
+}
+
+TorqueHint::TorqueHint(session::Settings& settings, QWidget* parent)
+    : QFrame(parent)
+    , m_settings(settings)
+    , m_title(new QLabel(this))
+    , m_text(new QLabel(this))
+    , m_neverAsk(new QCheckBox(this))
+    , m_cancel(new QPushButton(this))
+    , m_yes(new QPushButton(this))
+{
+    setObjectName(QStringLiteral("torqueHint"));
+    m_title->setObjectName(QStringLiteral("torqueHintTitle"));
+    m_text->setObjectName(QStringLiteral("torqueHintText"));
+    m_neverAsk->setObjectName(QStringLiteral("torqueHintNever"));
+    m_cancel->setObjectName(QStringLiteral("torqueHintCancel"));
+    m_yes->setObjectName(QStringLiteral("torqueHintGo"));
+    m_text->setWordWrap(true);
+    m_title->setWordWrap(true);
+    QFont bold = font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(m_title);
+    column->addWidget(m_text);
+    column->addWidget(m_neverAsk);
+    auto* row = new QHBoxLayout;
+    row->addStretch();
+    row->addWidget(m_cancel);
+    row->addWidget(m_yes);
+    column->addLayout(row);
+    connect(m_cancel, &QPushButton::clicked, this, &TorqueHint::dismiss);
+    connect(m_yes, &QPushButton::clicked, this, &TorqueHint::proceed);
+    new PressGuard(m_yes); // what it lets go on moves the servo
+    retranslate();
+    hide();
+}
+
+bool TorqueHint::isConfirmed(std::function<void()> action)
+{
+    if (m_answered || m_settings.pageValue(neverAskKey, false).toBool())
+        return true;
+    m_action = std::move(action);
+    show();
+    m_yes->setFocus();
+    return false;
+}
+
+void TorqueHint::dismiss()
+{
+    m_action = nullptr;
+    hide();
+}
+
+void TorqueHint::proceed()
+{
+    m_answered = true;
+    if (m_neverAsk->isChecked())
+        m_settings.setPageValue(neverAskKey, true);
+    const auto action = std::exchange(m_action, nullptr);
+    hide();
+    if (action)
+        action();
+}
+
+void TorqueHint::retranslate()
+{
+    m_title->setText(QStringLiteral("⚠ ") + tr("Before the first torque of this session"));
+    m_text->setText(tr("• No bracket or horn that could catch or jam\n"
+                       "• Fingers and cables away from the shaft\n"
+                       "• Polarity and voltage of the supply checked\n"
+                       "• Thick leads above 12 V"));
+    m_neverAsk->setText(tr("Do not show this again"));
+    m_neverAsk->setAccessibleName(m_neverAsk->text());
+    m_neverAsk->setToolTip(tr("Also not in later sessions"));
+    m_cancel->setText(tr("Cancel"));
+    m_cancel->setAccessibleName(m_cancel->text());
+    m_cancel->setToolTip(tr("Leave the servo as it is"));
+    m_yes->setText(tr("Checked, go on"));
+    m_yes->setAccessibleName(m_yes->text());
+    m_yes->setToolTip(tr("Do what was asked for; the hint stays away until the program is started "
+                         "again"));
+}
+
+void TorqueHint::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor line = tone(Tone::Warn, palette());
+    QColor ground = line;
+    ground.setAlphaF(0.12F);
+    const QRectF frame = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+    painter.setPen(QPen(line, 1));
+    painter.setBrush(palette().color(QPalette::Window)); // it may float over a chart
+    painter.drawRoundedRect(frame, 6, 6);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(frame, 6, 6);
+}
+} // namespace ui

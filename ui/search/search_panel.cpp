@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/search/search_panel.h"
+
+#include "text/error_text.h"
+#include "ui/search/checklist_view.h"
+#include "ui/search/search_scope.h"
+#include "ui/search/servo_delegate.h"
+#include "ui/search/servo_list_model.h"
+#include "ui/widgets/rate_text.h"
+#include "ui/widgets/thin_progress.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QListView>
+#include <QMenu>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+
+#include <algorithm>
+
+namespace ui {
+using session::LinkState;
+using session::ServoRef;
+
+namespace {
+constexpr int panelWidth = 300;
+} // namespace
+
+QSize SearchPanel::sizeHint() const
+{
+    return {panelWidth, QWidget::sizeHint().height()};
+}
+
+void SearchPanel::search()
+{
+    m_desk.search(m_liveData->spec());
+}
+
+void SearchPanel::searchAll()
+{
+    m_liveData->setFullRange();
+    m_commands.action(Command::Search)->trigger();
+}
+
+void SearchPanel::searchChanged()
+{
+    const bool now = m_desk.isSearching();
+    if (now && !m_searching) {
+        m_removed = 0;
+        m_error.reset();
+        m_lastProgress.reset();
+        m_progress->setValue(0);
+        showList(true);
+    }
+    m_searching = now;
+    showStatus();
+}
+
+/// The end is told after the list has been put right; searchChanged() comes before that.
+void SearchPanel::onEvent(const session::Event& event)
+{
+    if (event.kind == session::Event::Kind::SearchEnded) {
+        m_error = event.error;
+        m_history.lostServos = m_removed;
+        searchEnded();
+    }
+    // What an earlier search has missed is no news while servos are set up one by one.
+    const bool line = event.task == QLatin1String("commission");
+    if (line && event.kind == session::Event::Kind::Started)
+        showList(true);
+    if (line && (event.kind == session::Event::Kind::Started ||
+                 event.kind == session::Event::Kind::Finished)) {
+        m_commissioning = event.kind == session::Event::Kind::Started;
+        showStatus();
+        retranslate();
+    }
+    if (event.kind != session::Event::Kind::Written || !event.report)
+        return;
+    for (const device::WriteResult& write : event.report->writes) {
+        const bool moves =
+            write.key == QLatin1String("id") || write.key == QLatin1String("baud_rate");
+        if (moves && write.outcome == device::WriteOutcome::Kept)
+            m_history.idOrBaudChanged = true;
+    }
+}
+
+void SearchPanel::searchEnded()
+{
+    m_progress->setValue(m_error || !m_desk.lastSearch() ? 0 : permille);
+    showStatus();
+    const bool nobody = m_model->rowCount() == 0;
+    const auto& report = m_desk.lastSearch();
+    if (!m_error && report && !report->stopped && (nobody || report->found.empty()))
+        showChecklist();
+}
+
+void SearchPanel::showProgress(const jobs::Progress& progress)
+{
+    m_lastProgress = progress;
+    m_progress->setValue(int(progress.fraction * permille));
+    showStatus();
+}
+
+void SearchPanel::showStatus()
+{
+    QString words;
+    QString tip;
+    if (m_searching && m_lastProgress) {
+        words = tr("%1 % · servos: %2 · %3 left")
+                    .arg(int(m_lastProgress->fraction * 100))
+                    .arg(m_lastProgress->found)
+                    .arg(spanText(m_lastProgress->remaining));
+        if (m_desk.canSetBaud())
+            words += tr(" · at %1").arg(shortRate(m_lastProgress->baud));
+    } else if (m_commissioning) {
+        words = tr("Commissioning is running: its page shows the servos.");
+    } else if (m_searching) {
+        words = tr("The search begins …");
+    } else if (m_error) {
+        const text::Description error = text::describe(*m_error);
+        words = error.message;
+        tip = error.cause + QLatin1Char('\n') + error.remedy;
+    } else if (const auto& report = m_desk.lastSearch()) {
+        words = (report->stopped ? tr("Stopped after %1 · servos: %2")
+                                 : tr("Searched in %1 · servos: %2"))
+                    .arg(spanText(report->elapsed))
+                    .arg(report->found.size());
+        if (report->slowPassAdvised)
+            words += QLatin1Char('\n') + tr("Some answered late: search again with \"wait "
+                                            "longer\", there may be more.");
+    }
+    m_status->setText(words);
+    m_status->setToolTip(tip.isEmpty() ? words : words + QLatin1Char('\n') + tip);
+    const bool done = m_desk.lastSearch().has_value() && !m_searching;
+    m_showChecklist->setVisible((done && !m_commissioning) || m_stack->currentWidget() == m_scroll);
+}
+
+void SearchPanel::showScope()
+{
+    const jobs::ScanSpec spec = m_liveData->spec();
+    const base::Duration span = m_desk.searchEstimate(spec);
+    const int ids = spec.lastId - spec.firstId + 1;
+    QString words = tr("IDs to ask: %1").arg(ids);
+    if (spec.bauds.size() > 1)
+        words += tr(" · rates: %1").arg(spec.bauds.size());
+    if (span.count() > 0)
+        words += tr(" · about %1").arg(spanText(span));
+    m_estimate->setText(words);
+    m_estimate->setToolTip(tr("How long a search takes that finds nobody"));
+}
+
+void SearchPanel::showList(bool list)
+{
+    if (!list)
+        return;
+    m_stack->setCurrentWidget(m_model->rowCount() > 0 ? static_cast<QWidget*>(m_list) : m_empty);
+    retranslate();
+}
+
+void SearchPanel::showChecklist()
+{
+    if (m_desk.lastSearch()) {
+        m_checklist->show(searchFacts(m_desk, m_history));
+        m_stack->setCurrentWidget(m_scroll);
+        retranslate();
+    }
+}
+
+void SearchPanel::showContextMenu(const QPoint& place)
+{
+    if (!m_list->indexAt(place).isValid() && !m_list->currentIndex().isValid())
+        return;
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("servoMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    const auto add = [&](std::initializer_list<Command> commands) {
+        for (const Command command : commands)
+            menu->addAction(m_commands.action(command));
+        menu->addSeparator();
+    };
+    add({Command::ReadTable, Command::Identify});
+    add({Command::SetId, Command::SetBaud, Command::Center, Command::RestoreDefaults});
+    add({Command::Reboot, Command::ClearAlarm, Command::CloseLock});
+    menu->popup(m_list->viewport()->mapToGlobal(place));
+}
+
+/// The one that was current stays the first as long as it is chosen.
+void SearchPanel::onListSelectionChanged()
+{
+    std::vector<ServoRef> refs;
+    for (const QModelIndex& index : m_list->selectionModel()->selectedIndexes()) {
+        if (const ServoRef ref = m_model->refAt(index.row()); ref != 0)
+            refs.push_back(ref);
+    }
+    if (refs.empty())
+        return followSelection(); // a click beside the rows is nobody's choice
+    const auto has = [&](ServoRef ref) {
+        return std::find(refs.begin(), refs.end(), ref) != refs.end();
+    };
+    const ServoRef now = m_model->refAt(m_list->currentIndex().row());
+    const ServoRef first = has(m_selection.current()) ? m_selection.current() : now;
+    std::stable_partition(refs.begin(), refs.end(), [&](ServoRef ref) { return ref == first; });
+    m_selection.setSelected(std::move(refs));
+}
+
+void SearchPanel::followSelection()
+{
+    QItemSelectionModel* marked = m_list->selectionModel();
+    QItemSelection rows;
+    for (const ServoRef ref : m_selection.selected()) {
+        if (const int row = m_model->rowOf(ref); row >= 0)
+            rows.select(m_model->index(row, 0), m_model->index(row, 0));
+    }
+    const int current = m_model->rowOf(m_selection.current());
+    const QSignalBlocker blocker(marked); // what is marked here has been chosen elsewhere
+    marked->select(rows, QItemSelectionModel::ClearAndSelect);
+    if (current >= 0 && m_list->currentIndex().row() != current)
+        marked->setCurrentIndex(m_model->index(current, 0), QItemSelectionModel::NoUpdate);
+    else if (current < 0)
+        marked->clearCurrentIndex();
+    m_list->viewport()->update();
+}
+
+void SearchPanel::linkChanged()
+{
+    const bool open = m_desk.state() == LinkState::Open;
+    m_liveData->setHasBaud(!open || m_desk.canSetBaud());
+    m_delegate->setDimmed(!open);
+    m_list->viewport()->update();
+    showScope();
+    showStatus();
+    retranslate();
+}
+
+void SearchPanel::retranslate()
+{
+    m_search->setText(tr("Search"));
+    m_stop->setText(tr("Stop"));
+    for (const auto& [button, command] :
+         {std::pair{m_search, Command::Search}, std::pair{m_stop, Command::StopSearch}}) {
+        button->setToolTip(m_commands.action(command)->toolTip());
+        button->setAccessibleName(button->text());
+    }
+    m_progress->setAccessibleName(tr("Progress of the search"));
+    m_progress->setToolTip(tr("How much of the search is done"));
+    m_list->setAccessibleName(tr("Servos"));
+    m_list->setToolTip(tr("Servos that have answered; choosing one reads it and writes "
+                          "nothing. With Ctrl or Shift several are chosen, to move together"));
+    m_empty->setText(m_commissioning ? QString()
+                     : m_desk.state() == LinkState::Open
+                         ? tr("No servo in the list yet. Search the bus.")
+                         : tr("Servos appear here as they are found."));
+    m_empty->setToolTip(m_empty->text());
+    const bool checklist = m_stack->currentWidget() == m_scroll;
+    m_showChecklist->setText(checklist ? tr("Back to the list")
+                                       : tr("Not all there? Find out why…"));
+    m_showChecklist->setToolTip(checklist ? tr("Show the servos again")
+                                          : tr("What to look at when servos are missing"));
+    m_showChecklist->setAccessibleName(m_showChecklist->text());
+}
+
+void SearchPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    m_model->retranslate();
+    showScope();
+    showStatus();
+    retranslate();
+}
+} // namespace ui

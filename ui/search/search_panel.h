@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The left dock: what to search, how far it is, the servos as they are found, and where nobody
+// answered, why that may be. Selecting a servo here selects it everywhere, and the other way round.
+// Does the work of Command::Search. Searching writes nothing. Owned by the window; main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "session/settings.h"
+#include "ui/common/commands.h"
+#include "ui/common/selection.h"
+#include "ui/search/search_advice.h"
+
+#include <QWidget>
+
+class QLabel;
+class QListView;
+class QPushButton;
+class QScrollArea;
+class QStackedWidget;
+
+namespace ui {
+class ChecklistView;
+class SearchScope;
+class ServoDelegate;
+class ServoListModel;
+class ThinProgress;
+
+class SearchPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    SearchPanel(session::Desk& desk, Commands& commands, Selection& selection,
+                session::Settings& settings, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    QWidget* buildList();
+    void connectDesk();
+    void connectList();
+    void search();
+    void searchAll();
+    void searchChanged();
+    void searchEnded();
+    void showProgress(const jobs::Progress& progress);
+    void showStatus();
+    void showScope();
+    void showList(bool list);
+    void showChecklist();
+    void showContextMenu(const QPoint& place);
+    void onListSelectionChanged();
+    void followSelection();
+    void onEvent(const session::Event& event);
+    void linkChanged();
+    void retranslate();
+
+    static constexpr int permille = 1000; ///< of the progress
+
+    session::Desk& m_desk;
+    Commands& m_commands;
+    Selection& m_selection;
+
+    SearchScope* m_liveData;
+    QLabel* m_estimate;
+    QPushButton* m_search;
+    QPushButton* m_stop;
+    ThinProgress* m_progress;
+    QLabel* m_status;
+    QStackedWidget* m_stack;
+    QListView* m_list;
+    QLabel* m_empty;
+    ServoListModel* m_model;
+    ServoDelegate* m_delegate;
+    QScrollArea* m_scroll;
+    ChecklistView* m_checklist;
+    QPushButton* m_showChecklist;
+
+    QTimer m_tick;
+    bool m_searching = false;
+    bool m_commissioning = false; ///< commissioning runs
+    std::optional<jobs::Progress> m_lastProgress;
+    std::optional<base::Error> m_error; ///< of the latest search
+    int m_removed = 0;                  ///< since the search began
+    SearchHistory m_history;
+};
+} // namespace ui

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the search panel is made of, and who tells whom.
+#include "ui/search/checklist_view.h"
+#include "ui/search/search_panel.h"
+#include "ui/search/search_scope.h"
+#include "ui/search/servo_delegate.h"
+#include "ui/search/servo_list_model.h"
+#include "ui/widgets/thin_progress.h"
+
+#include <QLabel>
+#include <QListView>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace ui {
+using session::ServoRef;
+using namespace std::chrono_literals;
+
+namespace {
+QLabel* secondaryLabel(QWidget* parent, const char* name)
+{
+    auto* label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+} // namespace
+
+SearchPanel::SearchPanel(session::Desk& desk, Commands& commands, Selection& selection,
+                         session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_desk(desk)
+    , m_commands(commands)
+    , m_selection(selection)
+    , m_liveData(new SearchScope(settings, this))
+    , m_estimate(secondaryLabel(this, "searchEstimate"))
+    , m_search(new QPushButton(this))
+    , m_stop(new QPushButton(this))
+    , m_progress(new ThinProgress(this))
+    , m_status(secondaryLabel(this, "searchStatus"))
+    , m_stack(new QStackedWidget(this))
+    , m_list(new QListView(this))
+    , m_empty(secondaryLabel(this, "servoListEmpty"))
+    , m_model(new ServoListModel(desk, this))
+    , m_delegate(new ServoDelegate(this))
+    , m_scroll(new QScrollArea(this))
+    , m_checklist(new ChecklistView(this))
+    , m_showChecklist(new QPushButton(this))
+{
+    build();
+    connectDesk();
+    connectList();
+    linkChanged();
+    showList(true);
+    followSelection();
+}
+
+void SearchPanel::build()
+{
+    setObjectName(QStringLiteral("searchPanel"));
+    m_search->setObjectName(QStringLiteral("searchButton"));
+    m_search->setProperty("mainAction", true);
+    m_stop->setObjectName(QStringLiteral("stopSearchButton"));
+    m_progress->setObjectName(QStringLiteral("searchProgress"));
+    m_progress->setRange(0, permille);
+    m_showChecklist->setObjectName(QStringLiteral("whyButton"));
+    m_showChecklist->setFlat(true);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_search, 1);
+    buttons->addWidget(m_stop);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->addWidget(m_liveData);
+    column->addLayout(buttons);
+    column->addWidget(m_estimate);
+    column->addWidget(m_progress);
+    column->addWidget(m_status);
+    column->addWidget(buildList(), 1);
+    column->addWidget(m_showChecklist, 0, Qt::AlignLeft);
+}
+
+QWidget* SearchPanel::buildList()
+{
+    m_list->setObjectName(QStringLiteral("servoList"));
+    m_list->setModel(m_model);
+    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_list->setItemDelegate(m_delegate);
+    m_list->setUniformItemSizes(false);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_empty->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_empty->setMargin(8);
+    m_scroll->setObjectName(QStringLiteral("checklistScroll"));
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidget(m_checklist);
+    for (QWidget* page : std::initializer_list<QWidget*>{m_list, m_empty, m_scroll})
+        m_stack->addWidget(page);
+    return m_stack;
+}
+
+void SearchPanel::connectDesk()
+{
+    const auto trigger = [this](QPushButton* button, Command command) {
+        QAction* action = m_commands.action(command);
+        connect(button, &QPushButton::clicked, action, &QAction::trigger);
+        const auto follow = [button, action] { button->setEnabled(action->isEnabled()); };
+        connect(action, &QAction::changed, button, follow);
+        follow();
+    };
+    trigger(m_search, Command::Search);
+    trigger(m_stop, Command::StopSearch);
+    connect(m_commands.action(Command::Search), &QAction::triggered, this, &SearchPanel::search);
+    connect(m_liveData, &SearchScope::changed, this, &SearchPanel::showScope);
+    connect(m_checklist, &ChecklistView::fullSearchRequested, this, &SearchPanel::searchAll);
+    connect(m_showChecklist, &QPushButton::clicked, this, [this] {
+        if (m_stack->currentWidget() == m_scroll)
+            showList(true);
+        else
+            showChecklist();
+    });
+    connect(&m_desk, &session::Desk::searchChanged, this, &SearchPanel::searchChanged);
+    connect(&m_desk, &session::Desk::searchProgress, this, &SearchPanel::showProgress);
+    connect(&m_desk, &session::Desk::eventOccurred, this, &SearchPanel::onEvent);
+    connect(&m_desk, &session::Desk::linkChanged, this, &SearchPanel::linkChanged);
+    connect(&m_desk, &session::Desk::servoRemoved, this, [this] { ++m_removed; });
+    m_tick.setInterval(1s);
+    connect(&m_tick, &QTimer::timeout, m_model, &ServoListModel::updateAges);
+    m_tick.start();
+}
+
+void SearchPanel::connectList()
+{
+    connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &SearchPanel::onListSelectionChanged);
+    connect(&m_selection, &Selection::selectedServosChanged, this, &SearchPanel::followSelection);
+    connect(m_list, &QListView::customContextMenuRequested, this, &SearchPanel::showContextMenu);
+    const auto again = [this] {
+        showList(true);
+        followSelection();
+    };
+    connect(m_model, &QAbstractItemModel::rowsInserted, this, again);
+    connect(m_model, &QAbstractItemModel::modelReset, this, again);
+    connect(m_model, &QAbstractItemModel::rowsRemoved, this, [this] {
+        followSelection();
+        showList(m_stack->currentWidget() != m_scroll);
+    });
+    // Remarks come and go: the rows have another height then.
+    connect(m_model, &QAbstractItemModel::dataChanged, m_list, [this] { m_list->doItemsLayout(); });
+}
+} // namespace ui

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/search/search_scope.h"
+
+#include "session/session.h"
+#include "ui/widgets/rate_chooser.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+constexpr int maxSearchId = 253;
+enum Rates { ThisRate, ChosenRates, AllRates };
+enum Protocols { AsConnected, AllProtocols, FirstProtocol }; ///< then those of base, in order
+
+const QString firstKey = QStringLiteral("search/first_id");
+const QString lastKey = QStringLiteral("search/last_id");
+const QString ratesKey = QStringLiteral("search/rates");
+const QString chosenKey = QStringLiteral("search/chosen_rates");
+const QString protocolKey = QStringLiteral("search/protocol");
+const QString slowKey = QStringLiteral("search/slow");
+} // namespace
+
+SearchScope::SearchScope(session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_settings(settings)
+    , m_idLabel(new QLabel(this))
+    , m_first(new QSpinBox(this))
+    , m_last(new QSpinBox(this))
+    , m_rates(new QComboBox(this))
+    , m_choose(new QToolButton(this))
+    , m_chooser(new RateChooser(this))
+    , m_protocol(new QComboBox(this))
+    , m_slow(new QCheckBox(this))
+{
+    build();
+    load();
+    const auto edited = [this] {
+        updateFields();
+        save();
+        Q_EMIT changed();
+    };
+    for (QSpinBox* box : {m_first, m_last})
+        connect(box, &QSpinBox::valueChanged, this, edited);
+    for (QComboBox* box : {m_rates, m_protocol})
+        connect(box, &QComboBox::currentIndexChanged, this, edited);
+    connect(m_chooser, &RateChooser::changed, this, edited);
+    connect(m_slow, &QCheckBox::toggled, this, edited);
+    connect(m_choose, &QToolButton::clicked, this, [this] { m_chooser->popUpBelow(*m_choose); });
+    // Choosing rates begins with showing them.
+    connect(m_rates, &QComboBox::activated, this, [this](int index) {
+        if (index == ChosenRates)
+            m_chooser->popUpBelow(*m_choose);
+    });
+    retranslate();
+}
+
+void SearchScope::build()
+{
+    setObjectName(QStringLiteral("searchScope"));
+    m_first->setObjectName(QStringLiteral("firstId"));
+    m_last->setObjectName(QStringLiteral("lastId"));
+    m_rates->setObjectName(QStringLiteral("searchRates"));
+    m_choose->setObjectName(QStringLiteral("chooseRates"));
+    m_protocol->setObjectName(QStringLiteral("searchProtocol"));
+    m_slow->setObjectName(QStringLiteral("searchSlowly"));
+    for (QSpinBox* box : {m_first, m_last}) {
+        box->setRange(0, maxSearchId);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    }
+    for (int i = 0; i < 3; ++i)
+        m_rates->addItem(QString());
+    for (int i = 0; i < FirstProtocol + int(base::allProtocols.size()); ++i)
+        m_protocol->addItem(QString());
+    m_choose->setText(QStringLiteral("…"));
+    m_choose->setFocusPolicy(Qt::StrongFocus);
+    auto* ids = new QHBoxLayout;
+    ids->addWidget(m_idLabel);
+    ids->addWidget(m_first);
+    ids->addWidget(new QLabel(QStringLiteral("–"), this));
+    ids->addWidget(m_last);
+    ids->addWidget(m_rates, 1);
+    ids->addWidget(m_choose);
+    auto* more = new QHBoxLayout;
+    more->addWidget(m_protocol, 1);
+    more->addWidget(m_slow);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(ids);
+    column->addLayout(more);
+}
+
+void SearchScope::load()
+{
+    m_first->setValue(m_settings.pageValue(firstKey, 0).toInt());
+    m_last->setValue(m_settings.pageValue(lastKey, maxSearchId).toInt());
+    m_rates->setCurrentIndex(qBound(0, m_settings.pageValue(ratesKey, 0).toInt(), int(AllRates)));
+    m_protocol->setCurrentIndex(
+        qBound(0, m_settings.pageValue(protocolKey, 0).toInt(), m_protocol->count() - 1));
+    m_slow->setChecked(m_settings.pageValue(slowKey, false).toBool());
+    std::vector<int> chosen;
+    const QStringList defaultRates{QStringLiteral("1000000"), QStringLiteral("115200")};
+    for (const QString& rate : m_settings.pageValue(chosenKey, defaultRates).toStringList())
+        chosen.push_back(rate.toInt());
+    m_chooser->setRates(chosen);
+    updateFields();
+}
+
+void SearchScope::save()
+{
+    m_settings.setPageValue(firstKey, m_first->value());
+    m_settings.setPageValue(lastKey, m_last->value());
+    m_settings.setPageValue(ratesKey, m_rates->currentIndex());
+    m_settings.setPageValue(protocolKey, m_protocol->currentIndex());
+    m_settings.setPageValue(slowKey, m_slow->isChecked());
+    QStringList chosen;
+    for (const int rate : m_chooser->rates())
+        chosen << QString::number(rate);
+    m_settings.setPageValue(chosenKey, chosen);
+}
+
+void SearchScope::updateFields()
+{
+    m_choose->setVisible(m_hasBaud && m_rates->currentIndex() == ChosenRates);
+    m_rates->setEnabled(m_hasBaud);
+}
+
+void SearchScope::setHasBaud(bool canSetBaud)
+{
+    if (m_hasBaud == canSetBaud)
+        return;
+    m_hasBaud = canSetBaud;
+    updateFields();
+    retranslate();
+}
+
+void SearchScope::setFullRange()
+{
+    {
+        const QSignalBlocker blocker(this);
+        m_first->setValue(0);
+        m_last->setValue(maxSearchId);
+        m_rates->setCurrentIndex(m_hasBaud ? AllRates : ThisRate);
+        m_protocol->setCurrentIndex(AllProtocols);
+    }
+    Q_EMIT changed();
+}
+
+jobs::ScanSpec SearchScope::spec() const
+{
+    jobs::ScanSpec spec;
+    spec.firstId = std::min(m_first->value(), m_last->value());
+    spec.lastId = std::max(m_first->value(), m_last->value());
+    if (m_hasBaud && m_rates->currentIndex() == ChosenRates)
+        spec.bauds = m_chooser->rates();
+    if (m_hasBaud && m_rates->currentIndex() == AllRates)
+        spec.bauds = session::standardBaudRates();
+    const int protocol = m_protocol->currentIndex();
+    if (protocol == AllProtocols)
+        spec.protocols.assign(base::allProtocols.begin(), base::allProtocols.end());
+    else if (protocol >= FirstProtocol)
+        spec.protocols = {base::allProtocols[std::size_t(protocol - FirstProtocol)]};
+    spec.slowPass = m_slow->isChecked();
+    return spec;
+}
+
+void SearchScope::retranslate()
+{
+    const QSignalBlocker ratesBlocker(m_rates);
+    const QSignalBlocker protocolBlocker(m_protocol);
+    const auto name = [](QWidget* field, const QString& label, const QString& tip) {
+        field->setAccessibleName(label);
+        field->setToolTip(tip);
+    };
+    m_idLabel->setText(tr("ID"));
+    name(m_first, tr("First ID"), tr("First ID to ask"));
+    name(m_last, tr("Last ID"), tr("Last ID to ask"));
+    m_rates->setItemText(ThisRate, tr("this rate"));
+    m_rates->setItemText(ChosenRates, tr("chosen rates"));
+    m_rates->setItemText(AllRates, tr("all rates"));
+    name(m_rates, tr("Rates"),
+         m_hasBaud ? tr("At which baud rates to search; the port's own rate is put back afterwards")
+                   : tr("The far end of the TCP connection sets the rate"));
+    name(m_choose, tr("Choose rates"), tr("Tick the rates to search"));
+    m_protocol->setItemText(AsConnected, tr("Protocol: as connected"));
+    m_protocol->setItemText(AllProtocols, tr("All protocols"));
+    const std::array words{tr("Feetech"), tr("Modbus"), tr("LX")};
+    for (int i = 0; i < int(words.size()); ++i)
+        m_protocol->setItemText(FirstProtocol + i, words[std::size_t(i)]);
+    name(m_protocol, tr("Protocol"), tr("In which protocols to ask"));
+    m_slow->setText(tr("wait longer"));
+    name(m_slow, tr("Wait longer"),
+         tr("Ask silent IDs again with long patience, for adapters that answer late"));
+}
+
+void SearchScope::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

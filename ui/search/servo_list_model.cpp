@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/search/servo_list_model.h"
+
+#include "ui/widgets/rate_text.h"
+
+#include <algorithm>
+
+namespace ui {
+using session::ServoRef;
+
+ServoListModel::ServoListModel(session::Desk& desk, QObject* parent)
+    : QAbstractTableModel(parent)
+    , m_desk(desk)
+{
+    connect(&desk, &session::Desk::servoAdded, this, &ServoListModel::added);
+    connect(&desk, &session::Desk::servoChanged, this, &ServoListModel::changed);
+    connect(&desk, &session::Desk::tableChanged, this, &ServoListModel::changed);
+    connect(&desk, &session::Desk::servoRemoved, this, &ServoListModel::removed);
+    connect(&desk, &session::Desk::servosCleared, this, &ServoListModel::reload);
+    reload();
+}
+
+int ServoListModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(m_rows.size());
+}
+
+int ServoListModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(ColumnCount);
+}
+
+QVariant ServoListModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid() || index.row() >= rowCount())
+        return {};
+    const ServoRow& row = m_rows[std::size_t(index.row())];
+    if (role == RefRole)
+        return row.ref;
+    if (role == RowRole)
+        return QVariant::fromValue(row);
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
+        return row.toolTipText();
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (Column(index.column())) {
+    case Id:
+        return row.id;
+    case Model:
+        return row.model;
+    case Firmware:
+        return row.firmware;
+    case Map:
+        return row.map;
+    case Line:
+        return row.line;
+    case Rate:
+        return row.rate;
+    case Alarm:
+        return row.alarm;
+    case LastSeen:
+        return row.lastSeen;
+    case ColumnCount:
+        break;
+    }
+    return {};
+}
+
+QVariant ServoListModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (Column(section)) {
+    case Id:
+        return tr("ID");
+    case Model:
+        return tr("Model");
+    case Firmware:
+        return tr("Firmware");
+    case Map:
+        return tr("Register map");
+    case Line:
+        return tr("Line");
+    case Rate:
+        return tr("Baud rate");
+    case Alarm:
+        return tr("State");
+    case LastSeen:
+        return tr("Last seen");
+    case ColumnCount:
+        break;
+    }
+    return {};
+}
+
+ServoRef ServoListModel::refAt(int row) const
+{
+    return row >= 0 && row < rowCount() ? m_rows[std::size_t(row)].ref : 0;
+}
+
+int ServoListModel::rowOf(ServoRef ref) const
+{
+    const auto found = std::find_if(m_rows.begin(), m_rows.end(),
+                                    [ref](const ServoRow& row) { return row.ref == ref; });
+    return found == m_rows.end() ? -1 : int(found - m_rows.begin());
+}
+
+ServoRow ServoListModel::makeRow(ServoRef ref)
+{
+    const session::ServoEntry* entry = m_desk.servo(ref);
+    if (entry == nullptr)
+        return {};
+    return servoRow(*entry, newerFirmware(entry->servo.profile), m_desk.now());
+}
+
+const std::optional<catalog::KnownFirmware>&
+ServoListModel::newerFirmware(const catalog::ProfilePtr& profile)
+{
+    const auto [place, isNew] = m_newer.try_emplace(profile);
+    if (isNew && profile)
+        place->second = m_desk.catalog().newerFirmware(*profile);
+    return place->second;
+}
+
+void ServoListModel::added(ServoRef ref)
+{
+    const auto& order = m_desk.servos();
+    const auto place = std::find(order.begin(), order.end(), ref);
+    if (place == order.end() || rowOf(ref) >= 0)
+        return;
+    const int row = std::min(int(place - order.begin()), rowCount());
+    beginInsertRows({}, row, row);
+    m_rows.insert(m_rows.begin() + row, makeRow(ref));
+    endInsertRows();
+}
+
+/// An ID or rate that has changed may have moved it; its index goes along, and with it the choice.
+void ServoListModel::changed(ServoRef ref)
+{
+    const int row = rowOf(ref);
+    if (row < 0 || m_desk.servo(ref) == nullptr)
+        return;
+    ServoRow now = makeRow(ref);
+    if (now != m_rows[std::size_t(row)]) {
+        m_rows[std::size_t(row)] = std::move(now);
+        Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    }
+    const auto& order = m_desk.servos();
+    const int target =
+        std::min(int(std::find(order.begin(), order.end(), ref) - order.begin()), rowCount() - 1);
+    if (target == row)
+        return;
+    beginMoveRows({}, row, row, {}, target > row ? target + 1 : target);
+    ServoRow moved = std::move(m_rows[std::size_t(row)]);
+    m_rows.erase(m_rows.begin() + row);
+    m_rows.insert(m_rows.begin() + target, std::move(moved));
+    endMoveRows();
+}
+
+void ServoListModel::removed(ServoRef ref)
+{
+    const int row = rowOf(ref);
+    if (row < 0)
+        return;
+    beginRemoveRows({}, row, row);
+    m_rows.erase(m_rows.begin() + row);
+    endRemoveRows();
+}
+
+void ServoListModel::reload()
+{
+    beginResetModel();
+    m_rows.clear();
+    for (const ServoRef ref : m_desk.servos())
+        m_rows.push_back(makeRow(ref));
+    endResetModel();
+}
+
+void ServoListModel::updateAges()
+{
+    for (int row = 0; row < rowCount(); ++row) {
+        const session::ServoEntry* entry = m_desk.servo(m_rows[std::size_t(row)].ref);
+        const QString ago =
+            entry != nullptr ? timeAgoText(m_desk.now() - entry->lastSeen) : QString();
+        if (ago.isEmpty() || ago == m_rows[std::size_t(row)].lastSeen)
+            continue;
+        m_rows[std::size_t(row)] = makeRow(entry->ref); // its color may have aged as well
+        // The first column as well: the delegate draws the whole row there.
+        Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    }
+}
+
+void ServoListModel::retranslate()
+{
+    for (ServoRow& row : m_rows)
+        row = makeRow(row.ref);
+    if (!m_rows.empty())
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    Q_EMIT headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
+}
+} // namespace ui

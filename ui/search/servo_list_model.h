@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The servos of the desk as a table, one row a servo, in the desk's order: they come in as they are
+// found. Each cell's tooltip tells everything; the row as a value is under RowRole, for the
+// delegate that draws it in two lines. Owned by its panel; main thread.
+#pragma once
+
+#include "ui/widgets/servo_row.h"
+
+#include <QAbstractTableModel>
+
+namespace ui {
+class ServoListModel final : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Id, Model, Firmware, Map, Line, Rate, Alarm, LastSeen, ColumnCount };
+    enum Roles { RefRole = Qt::UserRole, RowRole };
+
+    explicit ServoListModel(session::Desk& desk, QObject* parent = nullptr);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation,
+                        int role = Qt::DisplayRole) const override;
+
+    session::ServoRef refAt(int row) const;
+    int rowOf(session::ServoRef ref) const; ///< -1: not in the list
+
+    /// The times of "last seen" have gone on. An answer that is too old is no longer shown in the
+    /// color of a good one.
+    void updateAges();
+    void retranslate();
+
+private:
+    void added(session::ServoRef ref);
+    void changed(session::ServoRef ref);
+    void removed(session::ServoRef ref);
+    void reload();
+    ServoRow makeRow(session::ServoRef ref);
+    const std::optional<catalog::KnownFirmware>& newerFirmware(const catalog::ProfilePtr& profile);
+
+    session::Desk& m_desk;
+    std::vector<ServoRow> m_rows;
+    std::map<catalog::ProfilePtr, std::optional<catalog::KnownFirmware>>
+        m_newer; ///< looked up once
+};
+} // namespace ui

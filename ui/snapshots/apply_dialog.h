@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One snapshot or template for several servos, or a bundle back onto its bus: which servos, what
+// would be written to each (dry run), then the writing with a verdict each, and the list of results
+// as a file. Closed while it writes, it goes on and ends in the message log. Main thread, never
+// waits.
+#pragma once
+
+#include "session/snapshot/restore_request.h"
+#include "session/snapshot/snapshots.h"
+#include "ui/widgets/task_result.h"
+
+#include <QDialog>
+
+#include <map>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+class QTableWidgetItem;
+
+namespace ui {
+struct ApplySource {
+    QString name{};                     ///< as the user calls it
+    session::SharedSnapshot snapshot{}; ///< or
+    session::SharedBundle bundle{};
+    QStringList only{};             ///< keys; empty: all that is usual
+    bool dangerous = false;         ///< dangerous rows are among them
+    QStringList otherModelLimits{}; ///< limits that were ticked for another model
+};
+
+class ApplyDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    ApplyDialog(session::Desk& desk, session::Snapshots& snapshots, ApplySource source,
+                QWidget* parent);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    enum Column : int { Servo, Model, Rows, Verdict, Count };
+    struct Row {
+        int id = -1;
+        QString model{};
+        std::optional<jobs::ApplyResult> applied{};
+    };
+    void build();
+    void retranslate();
+    void fillServos();
+    void fillRow(int row);
+    std::vector<int> selected() const;
+    bool dangerous() const;
+    void askForConfirmation();
+    void run(bool dryRun);
+    void addResult(const jobs::ApplyResult& one);
+    void onFinished(const session::ApplyCompletion& end, bool dryRun);
+    void updateControls();
+    void askForSavePath();
+
+    session::Desk& m_desk;
+    session::Snapshots& m_snapshots;
+    const ApplySource m_source;
+    std::vector<Row> m_rows;
+    bool m_running = false;
+    bool m_written = false; ///< results worth a file
+    QLabel* m_summary = nullptr;
+    QTableWidget* m_table = nullptr;
+    QCheckBox* m_rollBack = nullptr;
+    QCheckBox* m_otherModel = nullptr;
+    QCheckBox* m_dangerous = nullptr; ///< of a bundle; else the ticks say it
+
+    TaskResult* m_result = nullptr;
+    QPushButton* m_dryRun = nullptr;
+    QPushButton* m_write = nullptr;
+    QPushButton* m_stop = nullptr;
+    QPushButton* m_save = nullptr;
+    QPushButton* m_close = nullptr;
+};
+} // namespace ui

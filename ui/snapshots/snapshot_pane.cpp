@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/snapshots/snapshot_pane.h"
+
+#include "ui/widgets/fit_columns.h"
+#include "ui/widgets/flow_layout.h"
+#include "ui/widgets/pill.h"
+#include "ui/widgets/tone_delegate.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+constexpr int rowPadding = 8;
+constexpr int widestColumn = 30; ///< characters
+} // namespace
+
+SnapshotPane::SnapshotPane(QWidget* parent)
+    : QWidget(parent)
+{
+    build();
+    m_filter.setSourceModel(&m_model);
+    m_table->setModel(&m_filter);
+    m_fit = new FitColumns(m_table);
+    connect(&m_model, &CompareModel::modelReset, m_fit, &FitColumns::fit);
+    connect(m_all, &QToolButton::toggled, this, [this](bool all) {
+        m_filter.setAll(all);
+        showCounts();
+        m_fit->fit();
+    });
+    retranslate();
+}
+
+void SnapshotPane::build()
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(6);
+    m_title = new QLabel(this);
+    m_title->setObjectName(QStringLiteral("compareTitle"));
+    m_title->setWordWrap(true);
+    m_title->setTextFormat(Qt::PlainText);
+    QFont bold = m_title->font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    auto* row = new FlowLayout(nullptr, 6);
+    const auto pill = [&](const char* name) {
+        auto* made = new Pill(this);
+        made->setObjectName(QString::fromLatin1(name));
+        row->addWidget(made);
+        return made;
+    };
+    m_age = pill("compareAge");
+    m_different = pill("compareDifferent");
+    m_excluded = pill("compareNever");
+    m_same = pill("compareSame");
+    m_otherRows = pill("compareRest");
+    m_all = new QToolButton(this);
+    m_all->setObjectName(QStringLiteral("compareAll"));
+    m_all->setCheckable(true);
+    m_columns = new QToolButton(this);
+    m_columns->setObjectName(QStringLiteral("compareColumns"));
+    m_columns->setPopupMode(QToolButton::InstantPopup);
+    row->addWidget(m_all);
+    row->addWidget(m_columns);
+    m_table = new QTableView(this);
+    m_table->setObjectName(QStringLiteral("compareTable"));
+    m_table->setItemDelegate(new ToneDelegate(m_table));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setTabKeyNavigation(false);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + rowPadding);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    // One long list of flags must not push the other columns out of sight; its tooltip has it
+    // whole.
+    m_table->horizontalHeader()->setMaximumSectionSize(widestColumn *
+                                                       m_table->fontMetrics().averageCharWidth());
+    m_table->installEventFilter(this);
+    m_emptyLabel = new QLabel(this);
+    m_emptyLabel->setObjectName(QStringLiteral("compareNothing"));
+    m_emptyLabel->setWordWrap(true);
+    m_emptyLabel->setAlignment(Qt::AlignCenter);
+    column->addWidget(m_title);
+    column->addLayout(row);
+    column->addWidget(m_emptyLabel, 1);
+    column->addWidget(m_table, 1);
+}
+
+void SnapshotPane::show(const QString& title, std::vector<CompareColumn> tables,
+                        std::optional<jobs::RestorePlan> plan, const QString& nothing,
+                        const QStringList& ages)
+{
+    m_ages = ages;
+    m_title->setText(title);
+    m_emptyLabel->setText(nothing);
+    m_model.show(std::move(tables), std::move(plan));
+    showCounts();
+}
+
+void SnapshotPane::showCounts()
+{
+    const record::SnapshotComparison& found = m_model.comparison();
+    const bool some = !m_model.tables().empty();
+    const bool several = m_model.tables().size() > 1;
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_different, m_same, m_otherRows, m_all})
+        widget->setVisible(some && several);
+    m_filter.setAll(m_all->isChecked() || !several);
+    const QStringList never = m_model.unrestorableRows();
+    const int different = found.different - int(never.size());
+    const bool current = m_ages.isEmpty();
+    const Tone good = current ? Tone::Good : Tone::Quiet;
+    m_age->setVisible(some && !current);
+    m_age->setState(Tone::Warn, current ? QString() : m_ages.front(), {},
+                    m_ages.mid(1).join(QLatin1Char('\n')));
+    m_different->setState(different > 0 ? Tone::Accent : good,
+                          different > 0 ? tr("≠ %1 differ").arg(different)
+                          : current     ? tr("= no setting differs")
+                                        : tr("= no setting differed then"));
+    m_excluded->setVisible(some && several && !never.isEmpty());
+    m_excluded->setState(Tone::Quiet, tr("≠ %1 not restored").arg(never.size()), {},
+                         never.join(QLatin1Char('\n')));
+    m_same->setState(good, tr("= %1 the same").arg(found.identical));
+    m_otherRows->setState(Tone::Quiet,
+                          tr("%1 read-only, %2 missing, %3 not known")
+                              .arg(found.readOnly)
+                              .arg(found.missing)
+                              .arg(found.unknown),
+                          tr("%1 others").arg(found.readOnly + found.missing + found.unknown));
+    const bool empty = m_filter.rowCount() == 0;
+    if (some && empty)
+        m_emptyLabel->setText(current
+                                  ? tr("Nothing to set differs.")
+                                  : tr("Nothing to set differed when the servo was last read."));
+    m_emptyLabel->setVisible(empty);
+    m_table->setVisible(!empty);
+}
+
+void SnapshotPane::toggleCheck()
+{
+    const QModelIndex current = m_table->currentIndex();
+    if (!current.isValid())
+        return;
+    const QModelIndex cell = m_filter.mapToSource(current).siblingAtColumn(CompareModel::Name);
+    const bool on = m_model.data(cell, Qt::CheckStateRole).toInt() == Qt::Checked;
+    m_model.setData(cell, on ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
+}
+
+/// Space ticks the row, wherever in it the cursor stands.
+bool SnapshotPane::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_table && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+        toggleCheck();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void SnapshotPane::retranslate()
+{
+    m_all->setText(tr("All rows"));
+    m_all->setAccessibleName(m_all->text());
+    m_all->setToolTip(tr("Show the rows that are the same, too, and those that are only read"));
+    m_columns->setText(tr("Columns"));
+    m_columns->setAccessibleName(m_columns->text());
+    m_columns->setToolTip(tr("Compare with the factory default and with other servos, too. More "
+                             "snapshots: hold Ctrl while clicking them"));
+    m_table->setAccessibleName(tr("Tables side by side"));
+    m_table->setToolTip(tr("Space ticks a row; what is ticked is written"));
+    m_model.retranslate();
+    showCounts();
+}
+
+void SnapshotPane::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_table != nullptr)
+        retranslate();
+}
+} // namespace ui

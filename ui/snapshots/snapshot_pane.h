@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tables that were chosen side by side, how many rows differ, and the ticks of what would be
+// restored. Owned by the snapshots page; main thread.
+#pragma once
+
+#include "ui/snapshots/compare_model.h"
+
+#include <QWidget>
+
+class QLabel;
+class QTableView;
+class QToolButton;
+
+namespace ui {
+class FitColumns;
+class Pill;
+
+class SnapshotPane final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SnapshotPane(QWidget* parent);
+
+    CompareModel& model() { return m_model; }
+    QToolButton* columns() const { return m_columns; } ///< its menu is the page's
+    /// `nothing` stands where there is no table to show. `ages`: a line for each servo whose table
+    /// is not of now.
+    void show(const QString& title, std::vector<CompareColumn> tables,
+              std::optional<jobs::RestorePlan> plan, const QString& nothing,
+              const QStringList& ages);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void build();
+    void retranslate();
+    void showCounts();
+    void toggleCheck();
+
+    CompareModel m_model;
+    CompareFilter m_filter;
+    QLabel* m_title = nullptr;
+    QStringList m_ages;
+    Pill* m_age = nullptr;
+    Pill* m_different = nullptr;
+    Pill* m_excluded = nullptr; ///< differ too, but a restore leaves them alone
+    Pill* m_same = nullptr;
+    Pill* m_otherRows = nullptr;
+    QToolButton* m_all = nullptr;
+    QToolButton* m_columns = nullptr;
+    QTableView* m_table = nullptr;
+    FitColumns* m_fit = nullptr;
+    QLabel* m_emptyLabel = nullptr;
+};
+} // namespace ui

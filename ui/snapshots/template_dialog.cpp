@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/snapshots/template_dialog.h"
+
+#include "catalog/value.h"
+#include "jobs/restore/restore_rows.h"
+#include "text/language.h"
+
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+constexpr int initialWidth = 520;
+constexpr int initialHeight = 560;
+constexpr int keyRole = Qt::UserRole;
+
+/// Settings that other servos may be given: no identity, nothing of the moment.
+bool isTransferable(const catalog::Register& reg)
+{
+    using jobs::RestoreReason;
+    const auto nature = jobs::registerReasons(reg);
+    return !(nature & (jobs::RestoreReasons(RestoreReason::ReadOnly) | RestoreReason::Factory |
+                       RestoreReason::Identity | RestoreReason::Live));
+}
+} // namespace
+
+TemplateDialog::TemplateDialog(const record::Snapshot& from, catalog::ProfilePtr profile,
+                               QWidget* parent)
+    : QDialog(parent)
+    , m_profile(std::move(profile))
+    , m_summary(new QLabel(this))
+    , m_table(new QTableWidget(0, 3, this))
+    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this))
+{
+    setObjectName(QStringLiteral("templateDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    m_summary->setWordWrap(true);
+    m_table->setObjectName(QStringLiteral("templateTable"));
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setTabKeyNavigation(false);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("templateSave"));
+    m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("templateCancel"));
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(m_summary);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_buttons);
+    connect(m_table, &QTableWidget::itemChanged, this, &TemplateDialog::updateCount);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    fill(from);
+    retranslate();
+    resize(initialWidth, initialHeight);
+}
+
+void TemplateDialog::fill(const record::Snapshot& from)
+{
+    const QSignalBlocker blocker(m_table);
+    const auto lookup = [&](const QString& key) -> std::optional<std::int64_t> {
+        const record::SnapshotRegister* other = from.find(key);
+        return other != nullptr ? other->raw : std::nullopt;
+    };
+    for (const catalog::Register& reg : m_profile->registers) {
+        const record::SnapshotRegister* has = from.find(reg.key);
+        if (has == nullptr || !has->raw || !isTransferable(reg))
+            continue;
+        const int row = m_table->rowCount();
+        m_table->insertRow(row);
+        auto* tick = new QTableWidgetItem;
+        tick->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        tick->setData(keyRole, reg.key);
+        const bool own = reg.defaultRaw && *reg.defaultRaw != *has->raw && !reg.dangerous &&
+                         reg.area == catalog::Area::Eprom;
+        tick->setCheckState(own ? Qt::Checked : Qt::Unchecked);
+        m_table->setItem(row, 0, tick);
+        m_table->setItem(row, 1, new QTableWidgetItem(QString::number(qint64(*has->raw))));
+        const QString words = catalog::formatValue(
+            *has->raw, reg, catalog::valueFormat(reg, *m_profile, lookup), text::isUiChinese());
+        m_table->setItem(row, 2, new QTableWidgetItem(words));
+        m_table->item(row, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+}
+
+QStringList TemplateDialog::keys() const
+{
+    QStringList selected;
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        if (m_table->item(row, 0)->checkState() == Qt::Checked)
+            selected << m_table->item(row, 0)->data(keyRole).toString();
+    }
+    return selected;
+}
+
+void TemplateDialog::updateCount()
+{
+    QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
+    const auto count = keys().size();
+    save->setText(count == 1 ? tr("Save 1 row…") : tr("Save %1 rows…").arg(count));
+    save->setAccessibleName(save->text());
+    save->setEnabled(count > 0);
+}
+
+void TemplateDialog::retranslate()
+{
+    setWindowTitle(tr("Make a template"));
+    setAccessibleName(windowTitle());
+    m_summary->setText(tr("Tick what other servos are to be given. ID and rate are never part of a "
+                          "template. Ticked at first is what differs from the factory default."));
+    m_table->setAccessibleName(tr("Rows of the template"));
+    m_table->setHorizontalHeaderLabels({tr("Register"), tr("Value"), tr("Meaning")});
+    m_table->horizontalHeaderItem(1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    const QSignalBlocker blocker(m_table);
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        QTableWidgetItem* item = m_table->item(row, 0);
+        const QString key = item->data(keyRole).toString();
+        item->setText(m_profile->find(key)->name.in(text::isUiChinese()));
+        item->setToolTip(key);
+    }
+    m_buttons->button(QDialogButtonBox::Save)->setToolTip(tr("Save the ticked rows as a file"));
+    QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
+    cancel->setText(tr("Cancel"));
+    cancel->setAccessibleName(cancel->text());
+    cancel->setToolTip(tr("Save nothing"));
+    updateCount();
+}
+
+void TemplateDialog::changeEvent(QEvent* event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_buttons != nullptr)
+        retranslate();
+}
+} // namespace ui

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a step-response run is asked to do: how far, from where, how often, how long it waits, how
+// fast. Empty start, hold, speed and acceleration mean "as it fits". Sends nothing. Owned by its
+// page; main thread.
+#pragma once
+
+#include "results/step_run.h"
+#include "session/servo_entry.h"
+#include "session/settings.h"
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+
+namespace ui {
+class StepForm final : public QWidget {
+    Q_OBJECT
+
+public:
+    StepForm(session::Settings& settings, QWidget* parent);
+
+    /// Proposes a size that suits it, until somebody types one; hides the fields it has not.
+    void showServo(const session::ServoEntry* entry);
+    record::StepSpec spec() const; ///< without a trial
+    void saveSettings();           ///< for the next start of the program
+
+Q_SIGNALS:
+    void changed();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QLineEdit* line(const char* name);
+    void retranslate();
+
+    session::Settings& m_settings;
+    QLabel* m_sizeLabel;
+    QLineEdit* m_size;
+    QLabel* m_fromLabel;
+    QLineEdit* m_from;
+    QLabel* m_repeatsLabel;
+    QSpinBox* m_repeats;
+    QLabel* m_holdLabel;
+    QSpinBox* m_hold;
+    QLabel* m_speedLabel;
+    QLineEdit* m_speed;
+    QLabel* m_accelerationLabel;
+    QLineEdit* m_acceleration;
+    bool m_sizeEdited = false;
+};
+} // namespace ui

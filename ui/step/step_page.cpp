@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/step/step_page.h"
+
+#include "device/motion/move_limits.h"
+#include "report/sweep_text.h"
+#include "text/language.h"
+#include "ui/step/step_form.h"
+#include "ui/step/step_gains.h"
+#include "ui/step/step_results.h"
+#include "ui/step/step_text.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/question_dialog.h"
+#include "ui/widgets/test_text.h"
+#include "ui/widgets/thin_progress.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+
+#include <algorithm>
+
+namespace ui {
+namespace {
+constexpr int minSetupWidth = 280;
+constexpr int maxSetupWidth = 340;
+constexpr int setupPercent = 27;
+} // namespace
+
+StepPage::StepPage(AppContext& appContext, session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_desk(appContext.desk)
+    , m_deskGuard(&appContext.desk)
+    , m_selection(appContext.selection)
+    , m_historyService(appContext.history)
+    , m_test(appContext.desk)
+{
+    setObjectName(QStringLiteral("stepPage"));
+    build(settings);
+    connectAll();
+    retranslate();
+    onServoSelected();
+}
+
+void StepPage::connectAll()
+{
+    connect(m_form, &StepForm::changed, this, &StepPage::showState);
+    connect(m_gains, &StepGains::changed, this, &StepPage::showState);
+    connect(m_switchMode, &QCheckBox::toggled, this, &StepPage::showState);
+    connect(m_run, &QPushButton::clicked, this, [this] { run(false); });
+    connect(m_try, &QPushButton::clicked, this, [this] { run(true); });
+    connect(m_stop, &QPushButton::clicked, &m_test, &session::StepTest::stop);
+    connect(m_accept, &QPushButton::clicked, this, &StepPage::accept);
+    connect(m_back, &QPushButton::clicked, this, [this] {
+        m_gains->reset();
+        m_test.revert(m_selection.current());
+    });
+    connect(m_results, &StepResults::adviceRequested, this,
+            [this](const record::StepAdvice& advice) {
+                m_gains->setTrial(advice.key, advice.proposed);
+                m_try->setFocus();
+            });
+    connect(&m_test, &session::StepTest::progressChanged, this, &StepPage::showProgress);
+    connect(&m_test, &session::StepTest::finished, this, &StepPage::onTestFinished);
+    connect(&m_test, &session::StepTest::failed, this, &StepPage::onTestFailed);
+    connect(&m_test, &session::StepTest::acceptedChanged, this, &StepPage::showState);
+    connect(&m_selection, &Selection::changed, this, &StepPage::onServoSelected);
+    for (const auto signal : {&session::Desk::linkChanged, &session::Desk::searchChanged,
+                              &session::Desk::servosCleared, &session::Desk::taskChanged})
+        connect(&m_desk, signal, this, &StepPage::showState);
+    const auto isShownServo = [this](session::ServoRef ref) {
+        if (ref == m_selection.current())
+            onServoSelected();
+    };
+    connect(&m_desk, &session::Desk::servoChanged, this, isShownServo);
+    connect(&m_desk, &session::Desk::tableChanged, this, isShownServo);
+}
+
+void StepPage::onServoSelected()
+{
+    if (!m_deskGuard)
+        return;
+    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    m_form->showServo(entry);
+    // What a trial sets is no value of the servo's own.
+    if (!m_test.isRunning())
+        m_gains->showServo(entry);
+    if (m_test.servo() != 0 && m_test.servo() != m_selection.current() && !m_test.isRunning() &&
+        !m_test.runs().empty()) {
+        m_test.clear();
+        m_results->refresh();
+    }
+    showState();
+}
+
+bool StepPage::otherMode() const
+{
+    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    if (entry == nullptr || !entry->servo.profile || entry->servo.mode() == nullptr)
+        return false;
+    const auto kind = device::goalKind(entry->servo);
+    return kind != device::GoalKind::Position && kind != device::GoalKind::Turns;
+}
+
+QString StepPage::blockedReason() const
+{
+    if (m_desk.state() != session::LinkState::Open)
+        return tr("Connect first.");
+    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    if (entry == nullptr)
+        return tr("Choose a servo in the list.");
+    if (!entry->servo.profile || !entry->servo.profile->writable)
+        return tr("What this servo is, is not known: nothing is moved.");
+    if (m_desk.isSearching())
+        return tr("The search goes on; a run can be started when it has ended.");
+    if (m_desk.isTesting())
+        return tr("Another test runs.");
+    if (entry->stopped)
+        return tr("It was stopped in an emergency: switch torque on first.");
+    if (otherMode() && !m_switchMode->isChecked())
+        return tr("It is in a mode without positions; tick the switch, or change its mode.");
+    if (m_form->spec().size.isEmpty())
+        return tr("Say how far the step is to go.");
+    return {};
+}
+
+QString StepPage::trialBlockedReason() const
+{
+    const QString why = blockedReason();
+    if (!why.isEmpty())
+        return why;
+    return m_gains->trial().empty() ? tr("Change a value under Try first.") : QString();
+}
+
+void StepPage::showState()
+{
+    if (!m_deskGuard)
+        return;
+    const bool running = m_test.isRunning();
+    const session::ServoRef ref = m_selection.current();
+    m_switchMode->setVisible(otherMode() && !running);
+    const QString why = blockedReason();
+    const QString noTrial = trialBlockedReason();
+    m_setup->setEnabled(!running);
+    m_run->setEnabled(!running && why.isEmpty());
+    m_try->setEnabled(!running && noTrial.isEmpty());
+    m_stop->setEnabled(running);
+    const bool open = m_desk.state() == session::LinkState::Open && !m_desk.isTesting();
+    m_accept->setEnabled(!running && open && !m_gains->trial().empty());
+    m_back->setEnabled(!running && open &&
+                       (!m_gains->trial().empty() || !m_test.previousValues(ref).empty()));
+    m_progress->setVisible(running);
+    m_reasonLabel->setText(running ? tr("The servo moves. Esc takes torque off all servos.")
+                           : !why.isEmpty() ? why
+                                            : tr("The servo will move when you press Run or Try."));
+    m_try->setToolTip(noTrial.isEmpty()
+                          ? tr("The same step with the values under Try, which are put back "
+                               "afterwards: %1")
+                                .arg(stepGainsText(m_gains->trial()))
+                          : noTrial);
+    QStringList earlier;
+    for (const device::WriteItem& item : m_test.previousValues(ref))
+        earlier << QStringLiteral("%1 %2").arg(item.key).arg(item.raw);
+    m_back->setToolTip(
+        earlier.isEmpty()
+            ? tr("Under Try the values as they are now")
+            : tr("Write what was accepted over: %1").arg(earlier.join(QStringLiteral(", "))));
+    showProgress();
+}
+
+void StepPage::showProgress()
+{
+    if (m_test.isRunning())
+        m_progress->setValue(int(m_test.progress().fraction * 1000));
+}
+
+void StepPage::run(bool trial)
+{
+    if (m_confirmed)
+        start(trial);
+    else
+        askForConfirmation(trial);
+}
+
+void StepPage::askForConfirmation(bool trial)
+{
+    const session::ServoEntry* entry = m_desk.servo(m_selection.current());
+    if (entry == nullptr || !entry->servo.profile)
+        return;
+    Question question;
+    question.title = tr("Start the run?");
+    question.text = tr("ID %1 · %2 gets torque and moves by itself, as fast as it can, until the "
+                       "run has ended.")
+                        .arg(entry->servo.id)
+                        .arg(entry->servo.profile->modelName) +
+                    QLatin1Char('\n') +
+                    tr("Afterwards it holds its position with torque on. The same applies if you "
+                       "stop the run or close the window during it.");
+    question.risk = tr("Keep hands and objects out of its way. Esc takes torque off all servos at "
+                       "once.");
+    question.acceptText = tr("Start");
+    question.guard = this;
+    ask(this, question, [this, trial] {
+        m_confirmed = true;
+        start(trial);
+    });
+}
+
+void StepPage::start(bool trial)
+{
+    m_banner->hideMessage();
+    m_form->saveSettings();
+    session::StepTestRequest order{m_form->spec(), m_selection.current()};
+    if (trial)
+        order.spec.trial = m_gains->trial();
+    order.switchMode = otherMode() && m_switchMode->isChecked();
+    if (!m_test.start(order))
+        m_banner->showMessage([] { return notStartedText(); });
+    showState();
+}
+
+/// What is tried now, for good: an ordinary safe write, which the journal and Undo know.
+void StepPage::accept()
+{
+    m_test.accept(m_selection.current(), m_gains->trial());
+}
+
+void StepPage::onTestFinished()
+{
+    const record::StepRun& run = m_test.runs().back();
+    m_historyService.saveRun(std::make_shared<const record::StepRun>(run));
+    const bool early =
+        run.end != record::SweepEnd::Finished && run.end != record::SweepEnd::Stopped;
+    if (early || !run.isReverted || !m_test.unreleasedTorque().empty())
+        m_banner->showMessage(endMessage());
+    onServoSelected();
+}
+
+/// How the latest run ended, and all that it has left in the servo.
+std::function<BannerText()> StepPage::endMessage() const
+{
+    const record::StepRun& run = m_test.runs().back();
+    const session::ServoEntry* entry = m_desk.servo(m_test.servo());
+    return [end = run.end, isReverted = run.isReverted, trial = m_test.unrevertedItems(),
+            torque = m_test.unreleasedTorque(),
+            profile = entry != nullptr ? entry->servo.profile : catalog::ProfilePtr()] {
+        const bool bad = !isReverted || !torque.empty();
+        BannerText message{bad ? Tone::Bad : Tone::Warn,
+                           report::endText(end).in(text::isUiChinese())};
+        QStringList left;
+        QStringList remedies;
+        if (!trial.empty())
+            left << tr("Trial values still in the servo: %1.")
+                        .arg(unrevertedTrialText(trial, profile.get()));
+        else if (!isReverted)
+            left << tr("What the run had set could not be put back.");
+        if (!isReverted)
+            remedies << unrevertedSettingsRemedy();
+        if (!torque.empty()) {
+            left << unreleasedTorqueText(torque);
+            remedies << unreleasedTorqueRemedy();
+        }
+        message.cause = left.join(QLatin1Char(' '));
+        message.remedy = remedies.join(QLatin1Char(' '));
+        return message;
+    };
+}
+
+void StepPage::onTestFailed(const base::Error& error)
+{
+    if (!m_test.unreleasedTorque().empty())
+        m_banner->showMessage(
+            [error, left = m_test.unreleasedTorque()] { return failureText(error, left); });
+    else if (error.code != base::ErrorCode::Stopped)
+        m_banner->showMessage(error);
+    onServoSelected();
+}
+
+void StepPage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        showState();
+    }
+}
+
+void StepPage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_scroll->setFixedWidth(std::clamp(width() * setupPercent / 100, minSetupWidth, maxSetupWidth));
+}
+
+void StepPage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    onServoSelected();
+}
+} // namespace ui

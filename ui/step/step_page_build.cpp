@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the step page consists of, and its words.
+#include "ui/step/step_form.h"
+#include "ui/step/step_gains.h"
+#include "ui/step/step_page.h"
+#include "ui/step/step_results.h"
+#include "ui/widgets/banner.h"
+#include "ui/widgets/floating_overlay.h"
+#include "ui/widgets/press_guard.h"
+#include "ui/widgets/thin_progress.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace ui {
+void StepPage::build(session::Settings& settings)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 6, 0, 0);
+    m_banner = new Banner(this);
+    m_banner->setObjectName(QStringLiteral("stepBanner"));
+    m_banner->hideMessage();
+    // What could not be put back is settled elsewhere; then there is nothing to say any more.
+    connect(&m_desk, &session::Desk::openIntentsFound, m_banner,
+            [this](const std::vector<jobs::RecoveryResult>& found, const auto& elsewhere) {
+                const bool settled =
+                    std::any_of(found.begin(), found.end(), [](const jobs::RecoveryResult& one) {
+                        return one.done && one.before.intent.kind == base::IntentKind::Trial;
+                    });
+                if (settled || (found.empty() && elsewhere.empty()))
+                    m_banner->hideMessage();
+            });
+    auto* left = new QVBoxLayout;
+    left->setSpacing(6);
+    m_scroll = new QScrollArea(this);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setWidget(buildSetup(settings));
+    left->addWidget(m_scroll, 1);
+    left->addWidget(buildRun());
+    m_results = new StepResults(m_test, settings, this);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(10);
+    row->addLayout(left);
+    row->addWidget(m_results, 1);
+    column->addLayout(row, 1);
+    new FloatingOverlay(m_banner, this, FloatingOverlay::Corner::BottomRight);
+}
+
+QWidget* StepPage::buildSetup(session::Settings& settings)
+{
+    m_setup = new QWidget(m_scroll);
+    auto* setup = new QVBoxLayout(m_setup);
+    setup->setContentsMargins(0, 0, 4, 0);
+    m_form = new StepForm(settings, m_setup);
+    m_gainsTitle = new QLabel(m_setup);
+    m_gainsTitle->setTextFormat(Qt::RichText);
+    m_gains = new StepGains(m_setup);
+    setup->addWidget(m_form);
+    setup->addWidget(m_gainsTitle);
+    setup->addWidget(m_gains);
+    setup->addStretch();
+    return m_setup;
+}
+
+QPushButton* StepPage::button(const char* name, QWidget* parent)
+{
+    auto* made = new QPushButton(parent);
+    made->setObjectName(QString::fromLatin1(name));
+    return made;
+}
+
+/// Always in sight, however long the fields above are.
+QWidget* StepPage::buildRun()
+{
+    auto* box = new QWidget(this);
+    auto* grid = new QGridLayout(box);
+    grid->setContentsMargins({});
+    grid->setSpacing(4);
+    m_reasonLabel = new QLabel(box);
+    m_reasonLabel->setObjectName(QStringLiteral("stepWhy"));
+    m_reasonLabel->setWordWrap(true);
+    m_switchMode = new QCheckBox(box);
+    m_switchMode->setObjectName(QStringLiteral("stepSwitchMode"));
+    m_switchMode->hide();
+    m_run = button("stepRun", box);
+    m_run->setProperty("mainAction", true);
+    m_try = button("stepTry", box);
+    m_stop = button("stepStop", box);
+    m_accept = button("stepAccept", box);
+    m_back = button("stepBack", box);
+    m_progress = new ThinProgress(box);
+    m_progress->setObjectName(QStringLiteral("stepProgress"));
+    m_progress->setRange(0, 1000);
+    // The buttons stand last: what comes and goes above them must not move them.
+    grid->addWidget(m_progress, 0, 0, 1, 3);
+    grid->addWidget(m_reasonLabel, 1, 0, 1, 3);
+    grid->addWidget(m_switchMode, 2, 0, 1, 3);
+    grid->addWidget(m_run, 3, 0);
+    grid->addWidget(m_try, 3, 1);
+    grid->addWidget(m_stop, 3, 2);
+    grid->addWidget(m_accept, 4, 0, 1, 2);
+    grid->addWidget(m_back, 4, 2);
+    for (QWidget* mover : {m_run, m_try})
+        new PressGuard(mover);
+    return box;
+}
+
+void StepPage::retranslate()
+{
+    setAccessibleName(tr("Step response"));
+    m_gainsTitle->setText(QStringLiteral("<b>%1</b>").arg(tr("Gains")));
+    m_run->setText(tr("Run"));
+    m_run->setToolTip(tr("The step with the servo's own values: it will move"));
+    m_try->setText(tr("Try"));
+    m_stop->setText(tr("Stop"));
+    m_stop->setToolTip(tr("End the run; the servo holds where it is"));
+    m_accept->setText(tr("Accept"));
+    m_accept->setToolTip(tr("Write the values under Try for good"));
+    m_back->setText(tr("Back"));
+    m_switchMode->setText(tr("Switch to position mode for the run"));
+    m_switchMode->setAccessibleName(m_switchMode->text());
+    m_switchMode->setToolTip(tr("Until the run has ended, then back again; nothing is kept in the "
+                                "servo for good"));
+    m_progress->setAccessibleName(tr("Progress of the run"));
+    for (QPushButton* one : {m_run, m_try, m_stop, m_accept, m_back})
+        one->setAccessibleName(one->text());
+}
+} // namespace ui

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the results of step responses are shown in, and its words.
+#include "text/error_text.h"
+#include "ui/charts/trend_chart.h"
+#include "ui/step/step_results.h"
+#include "ui/step/step_text.h"
+#include "ui/widgets/flow_layout.h"
+#include "ui/widgets/stretch_first_column.h"
+#include "ui/widgets/tone_delegate.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QTableWidget>
+#include <QUrl>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+constexpr int rowPadding = 6;
+constexpr int columns = 5;
+constexpr int minAdviceHeight = 220;
+constexpr int minChartHeight = 210;
+
+QTableWidget* metricsTableWidget(QWidget* parent)
+{
+    auto* table = new QTableWidget(0, columns, parent);
+    table->setObjectName(QStringLiteral("stepFigures"));
+    table->setItemDelegate(new ToneDelegate(table));
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setTabKeyNavigation(false);
+    table->setWordWrap(false);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowPadding);
+    new StretchFirstColumn(table);
+    return table;
+}
+} // namespace
+
+void StepResults::build()
+{
+    setObjectName(QStringLiteral("stepResults"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    auto* head = new QHBoxLayout;
+    m_title = new QLabel(this);
+    m_choiceLabel = new QLabel(this);
+    m_choice = new QComboBox(this);
+    m_choice->setObjectName(QStringLiteral("stepChoice"));
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_choiceLabel->setBuddy(m_choice);
+    m_forget = new QPushButton(this);
+    m_forget->setObjectName(QStringLiteral("stepForget"));
+    m_title->setWordWrap(true);
+    head->addWidget(m_title, 1);
+    head->addWidget(m_choiceLabel);
+    head->addWidget(m_choice);
+    head->addWidget(m_forget);
+    m_emptyLabel = new QLabel(this);
+    m_emptyLabel->setObjectName(QStringLiteral("stepNothing"));
+    m_emptyLabel->setWordWrap(true);
+    m_emptyLabel->setForegroundRole(QPalette::PlaceholderText);
+    m_chart = new TrendChart(this);
+    m_chart->setObjectName(QStringLiteral("stepChart"));
+    m_chart->setMinimumHeight(minChartHeight);
+    auto* findings = new QSplitter(Qt::Horizontal, this);
+    findings->setChildrenCollapsible(false);
+    m_figures = metricsTableWidget(findings);
+    auto* side = new QScrollArea(findings);
+    side->setFrameShape(QFrame::NoFrame);
+    side->setWidgetResizable(true);
+    side->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    side->setMinimumWidth(minAdviceHeight);
+    m_adviceBox = new QWidget(side);
+    auto* advice = new QVBoxLayout(m_adviceBox);
+    advice->setContentsMargins(6, 0, 0, 0);
+    m_adviceTitle = new QLabel(m_adviceBox);
+    m_adviceTitle->setTextFormat(Qt::RichText);
+    advice->addWidget(m_adviceTitle);
+    m_advice = new QVBoxLayout;
+    advice->addLayout(m_advice, 1);
+    auto* buttons = new QWidget(m_adviceBox);
+    auto* flow = new FlowLayout(buttons);
+    for (const char* ending : {"html", "csv", "json"}) {
+        auto* button = new QPushButton(buttons);
+        const QString end = QString::fromLatin1(ending);
+        button->setObjectName(QStringLiteral("stepReport_") + end);
+        button->setProperty("ending", end);
+        connect(button, &QPushButton::clicked, this, [this, end] { askForSavePath(end); });
+        flow->addWidget(button);
+        m_reports.push_back(button);
+    }
+    m_saved = new QLabel(m_adviceBox);
+    m_saved->setTextFormat(Qt::RichText);
+    m_saved->setObjectName(QStringLiteral("stepSaved"));
+    m_saved->setWordWrap(true);
+    m_saved->setOpenExternalLinks(true);
+    m_saved->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    advice->addWidget(buttons);
+    advice->addWidget(m_saved);
+    side->setWidget(m_adviceBox);
+    findings->addWidget(m_figures);
+    findings->addWidget(side);
+    findings->setStretchFactor(0, 3);
+    findings->setStretchFactor(1, 2);
+    auto* split = new QSplitter(Qt::Vertical, this);
+    split->setChildrenCollapsible(false);
+    split->addWidget(m_chart);
+    split->addWidget(findings);
+    split->setStretchFactor(0, 3);
+    split->setStretchFactor(1, 2);
+    column->addLayout(head);
+    column->addWidget(m_emptyLabel);
+    column->addWidget(split, 1);
+}
+
+void StepResults::retranslate()
+{
+    const bool some = !m_test.runs().empty();
+    m_title->setText(tr("Responses, in steps towards the target"));
+    m_choiceLabel->setText(tr("Step"));
+    m_choice->setAccessibleName(tr("Which step of each run is shown"));
+    m_choice->setToolTip(tr("Which step of each run is shown"));
+    m_forget->setText(tr("Clear"));
+    m_forget->setToolTip(tr("Forget these runs; nothing in the servo changes"));
+    m_forget->setAccessibleName(m_forget->toolTip());
+    m_forget->setEnabled(some && !m_test.isRunning());
+    m_emptyLabel->setText(
+        tr("Run measures how the servo answers a step; Try does the same with other "
+           "gains, lays both over each other, and puts the gains back."));
+    m_chart->setAccessibleName(tr("Step responses over each other"));
+    m_figures->setAccessibleName(tr("Figures before and after"));
+    m_figures->setToolTip(tr("Means of all steps of a run, there and back"));
+    const QString value = m_test.previousRun() != nullptr ? tr("After") : tr("Value");
+    m_figures->setHorizontalHeaderLabels(
+        {tr("Figure"),
+         wasAborted(m_test.previousRun()) ? tr("%1 (broken off)").arg(tr("Before")) : tr("Before"),
+         some && wasAborted(&m_test.runs().back()) ? tr("%1 (broken off)").arg(value) : value,
+         tr("Difference"), tr("Change")});
+    const bool advised = !m_test.advice().empty();
+    m_adviceTitle->setText(advised ? tr("<b>What to try next</b>")
+                           : some  ? tr("Nothing in these figures asks for another setting.")
+                                   : QString());
+    m_adviceTitle->setWordWrap(true);
+    for (QPushButton* button : m_reports) {
+        const QString ending = button->property("ending").toString();
+        button->setText(ending.toUpper());
+        button->setEnabled(some && !m_test.isRunning());
+        button->setToolTip(tr("Save these runs as %1").arg(ending.toUpper()));
+        button->setAccessibleName(button->toolTip());
+    }
+    m_saved->setVisible(m_saveError || !m_savedPath.isEmpty());
+    if (m_saveError) {
+        m_saved->setText(text::describe(*m_saveError).message.toHtmlEscaped());
+    } else if (!m_savedPath.isEmpty()) {
+        m_saved->setText(QStringLiteral("<a href=\"%1\">%2</a>")
+                             .arg(QUrl::fromLocalFile(m_savedPath).toString(QUrl::FullyEncoded),
+                                  QFileInfo(m_savedPath).fileName().toHtmlEscaped()));
+    }
+}
+} // namespace ui

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sweep/limits_dialog.h"
+
+#include "text/error_text.h"
+#include "ui/common/theme.h"
+#include "ui/sweep/limits_delegate.h"
+#include "ui/sweep/limits_model.h"
+
+#include <QDir>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QThread>
+#include <QVBoxLayout>
+
+namespace ui {
+using record::SweepLimits;
+
+namespace {
+/// `work` on a thread of its own; its result comes back on the dialog's, if that is still there.
+template <typename Work, typename Then>
+void runInThread(QObject* home, Work work, Then then)
+{
+    using Result = decltype(work());
+    const auto result = std::make_shared<std::optional<Result>>();
+    QThread* thread = QThread::create([work, result] { *result = work(); });
+    QObject::connect(thread, &QThread::finished, home, [result, then] { then(**result); });
+    QObject::connect(thread, &QThread::finished, thread, &QObject::deleteLater);
+    thread->start();
+}
+
+QPushButton* button(QWidget* parent, const char* name)
+{
+    auto* one = new QPushButton(parent);
+    one->setObjectName(QString::fromLatin1(name));
+    one->setAutoDefault(false);
+    return one;
+}
+} // namespace
+
+LimitsDialog::LimitsDialog(const SweepLimits& limits, const QString& model, const QString& series,
+                           QWidget* parent)
+    : QDialog(parent)
+    , m_model(model)
+    , m_series(series)
+    , m_lines(new LimitsModel(this))
+{
+    setObjectName(QStringLiteral("limitsDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    connectAll();
+    retranslate();
+    setLimits(limits);
+    resize(fontMetrics().averageCharWidth() * 96, fontMetrics().height() * 34);
+}
+
+void LimitsDialog::build()
+{
+    auto* column = new QVBoxLayout(this);
+    m_form = new QFormLayout;
+    const auto field = [this](const char* name) {
+        auto* edit = new QLineEdit(this);
+        edit->setObjectName(QString::fromLatin1(name));
+        auto* label = new QLabel(this);
+        label->setBuddy(edit);
+        m_form->addRow(label, edit);
+        return edit;
+    };
+    m_name = field("limitsName");
+    m_models = field("limitsModels");
+    m_tolerance = field("limitsTolerance");
+    m_table = new QTableView(this);
+    m_table->setObjectName(QStringLiteral("limitsTable"));
+    m_table->setModel(m_lines);
+    m_table->setItemDelegate(new LimitsDelegate(m_table));
+    m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::SelectedClicked |
+                             QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setTabKeyNavigation(true);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(int(LimitColumn::Unit),
+                                                      QHeaderView::ResizeToContents);
+    m_problem = new QLabel(this);
+    m_problem->setObjectName(QStringLiteral("limitsTrouble"));
+    m_problem->setWordWrap(true);
+    m_problem->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    column->addLayout(m_form);
+    column->addWidget(m_table, 1);
+    column->addLayout(buildLineButtons());
+    column->addWidget(m_problem);
+    column->addLayout(buildButtons());
+}
+
+QLayout* LimitsDialog::buildLineButtons()
+{
+    m_add = button(this, "limitsAdd");
+    m_remove = button(this, "limitsRemove");
+    m_builtIn = button(this, "limitsBuiltIn");
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_add);
+    row->addWidget(m_remove);
+    row->addStretch();
+    row->addWidget(m_builtIn);
+    return row;
+}
+
+QLayout* LimitsDialog::buildButtons()
+{
+    m_load = button(this, "limitsLoad");
+    m_save = button(this, "limitsSave");
+    m_cancel = button(this, "limitsCancel");
+    m_use = button(this, "limitsUse");
+    m_use->setProperty("mainAction", true);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_load);
+    row->addWidget(m_save);
+    row->addStretch();
+    row->addWidget(m_cancel);
+    row->addWidget(m_use);
+    return row;
+}
+
+void LimitsDialog::connectAll()
+{
+    for (QLineEdit* field : {m_name, m_models, m_tolerance})
+        connect(field, &QLineEdit::textChanged, this, &LimitsDialog::refresh);
+    connect(m_lines, &LimitsModel::edited, this, &LimitsDialog::refresh);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &LimitsDialog::refresh);
+    connect(m_add, &QPushButton::clicked, this, &LimitsDialog::addLine);
+    connect(m_remove, &QPushButton::clicked, this, &LimitsDialog::removeLine);
+    connect(m_builtIn, &QPushButton::clicked, this,
+            [this] { setLimits(record::builtInSweepLimits(m_model, m_series)); });
+    connect(m_load, &QPushButton::clicked, this, [this] { askForFile(false); });
+    connect(m_save, &QPushButton::clicked, this, [this] { askForFile(true); });
+    connect(m_cancel, &QPushButton::clicked, this, &QDialog::close);
+    connect(m_use, &QPushButton::clicked, this, [this] {
+        Q_EMIT limitsAccepted(limits());
+        close();
+    });
+}
+
+void LimitsDialog::setLimits(const SweepLimits& limits)
+{
+    m_name->setText(limits.name);
+    m_models->setText(limits.models.join(QStringLiteral(", ")));
+    m_tolerance->setText(
+        limits.tolerance ? QString::number(*limits.tolerance, 'g', QLocale::FloatingPointShortest)
+                         : QString());
+    m_lines->setLines(limits.lines);
+    if (m_lines->rowCount() > 0)
+        m_table->setCurrentIndex(m_lines->index(0, int(LimitColumn::Warn)));
+    refresh();
+}
+
+SweepLimits LimitsDialog::limits() const
+{
+    SweepLimits limits;
+    limits.name = m_name->text().trimmed();
+    for (const QString& one : m_models->text().split(u',', Qt::SkipEmptyParts)) {
+        if (!one.trimmed().isEmpty())
+            limits.models << one.trimmed();
+    }
+    limits.tolerance = numberFromText(m_tolerance->text());
+    limits.lines = m_lines->lines();
+    return limits;
+}
+
+QString LimitsDialog::problem() const
+{
+    if (m_name->text().trimmed().isEmpty())
+        return tr("Give these limits a name: the report says by which ones a servo was judged.");
+    const auto tolerance = numberFromText(m_tolerance->text());
+    if (!m_tolerance->text().trimmed().isEmpty() && (!tolerance || *tolerance <= 0))
+        return tr("The tolerance must be a number of steps above 0, or empty.");
+    if (m_lines->rowCount() == 0)
+        return tr("Without a line every servo would pass: add one.");
+    for (int row = 0; row < m_lines->rowCount(); ++row) {
+        const QString wrong = m_lines->problem(row);
+        if (!wrong.isEmpty())
+            return tr("Line %1, %2: %3")
+                .arg(row + 1)
+                .arg(m_lines->index(row, int(LimitColumn::Metric)).data().toString(), wrong);
+    }
+    return {};
+}
+
+void LimitsDialog::refresh()
+{
+    const QString wrong = problem();
+    showResult(wrong, true);
+    for (QPushButton* one : {m_use, m_save})
+        one->setEnabled(wrong.isEmpty());
+    m_use->setToolTip(wrong.isEmpty() ? tr("Judge by these limits from now on") : wrong);
+    m_save->setToolTip(wrong.isEmpty() ? tr("Keep these limits in a file") : wrong);
+    m_remove->setEnabled(m_table->currentIndex().isValid());
+}
+
+void LimitsDialog::showResult(const QString& words, bool bad)
+{
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(bad ? Tone::Bad : Tone::Good, palette()));
+    m_problem->setPalette(colors);
+    const QString sign = bad ? QStringLiteral("✘ ") : QStringLiteral("✔ ");
+    m_problem->setText(words.isEmpty() ? QString() : sign + words);
+    m_problem->setVisible(!words.isEmpty());
+}
+
+void LimitsDialog::addLine()
+{
+    const QModelIndex fresh = m_lines->index(m_lines->add(), int(LimitColumn::Metric));
+    m_table->setCurrentIndex(fresh);
+    m_table->setFocus();
+}
+
+void LimitsDialog::removeLine()
+{
+    m_lines->remove(m_table->currentIndex().row());
+    refresh();
+}
+
+void LimitsDialog::askForFile(bool saving)
+{
+    auto* dialog = new QFileDialog(this, saving ? tr("Keep the limits") : tr("Limits from a file"));
+    dialog->setObjectName(saving ? QStringLiteral("saveLimitsDialog")
+                                 : QStringLiteral("loadLimitsDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setNameFilters({tr("Limits (*.json)"), tr("All files (*)")});
+    if (!m_folder.isEmpty())
+        dialog->setDirectory(m_folder);
+    if (saving) {
+        dialog->setAcceptMode(QFileDialog::AcceptSave);
+        dialog->setDefaultSuffix(QStringLiteral("json"));
+    } else {
+        dialog->setFileMode(QFileDialog::ExistingFile);
+    }
+    connect(dialog, &QFileDialog::fileSelected, this,
+            saving ? &LimitsDialog::save : &LimitsDialog::load);
+    dialog->open();
+}
+
+void LimitsDialog::load(const QString& path)
+{
+    runInThread(
+        this, [path] { return record::loadSweepLimits(path); },
+        [this, path](const base::Result<SweepLimits>& limits) {
+            if (!limits) {
+                onFileError(limits.error());
+                return;
+            }
+            m_folder = QFileInfo(path).absolutePath();
+            setLimits(*limits);
+            Q_EMIT loaded(path);
+        });
+}
+
+void LimitsDialog::save(const QString& path)
+{
+    const SweepLimits kept = limits();
+    runInThread(
+        this, [kept, path] { return record::saveSweepLimits(kept, path); },
+        [this, path](const base::Result<void>& done) {
+            if (!done) {
+                onFileError(done.error());
+                return;
+            }
+            m_folder = QFileInfo(path).absolutePath();
+            showResult(tr("Kept in %1").arg(QDir::toNativeSeparators(path)), false);
+            Q_EMIT saved(path);
+        });
+}
+
+void LimitsDialog::onFileError(const base::Error& error)
+{
+    const text::Description words = text::describe(error);
+    showResult(words.message + QLatin1Char(' ') + words.remedy, true);
+}
+
+void LimitsDialog::retranslate()
+{
+    setWindowTitle(tr("Limits of the sweep test"));
+    const auto label = [this](QWidget* field, const QString& text, const QString& tip) {
+        static_cast<QLabel*>(m_form->labelForField(field))->setText(text);
+        field->setAccessibleName(text);
+        field->setToolTip(tip);
+    };
+    label(m_name, tr("Name"), tr("Stands in the report"));
+    label(m_models, tr("Models"),
+          tr("Models or series these are for, with commas between them; empty: any"));
+    label(m_tolerance, tr("Tolerance, steps"),
+          tr("So near its target a servo has reached it; empty: as is usual for its family"));
+    m_models->setPlaceholderText(tr("any"));
+    m_tolerance->setPlaceholderText(tr("as usual for the family"));
+    m_table->setAccessibleName(tr("Limits"));
+    m_table->setToolTip(tr("A line a figure; type, or press F2, to change it"));
+    const auto setTexts = [](QPushButton* one, const QString& text, const QString& tip) {
+        one->setText(text);
+        one->setAccessibleName(text);
+        one->setToolTip(tip);
+    };
+    setTexts(m_add, tr("Add a line"), tr("A limit for one more figure"));
+    setTexts(m_remove, tr("Remove the line"), tr("The chosen figure is no longer judged"));
+    setTexts(m_builtIn, tr("Built-in values"), tr("The limits that come with the program"));
+    setTexts(m_load, tr("Load…"), tr("Limits from a file"));
+    setTexts(m_save, tr("Save as…"), QString());
+    setTexts(m_cancel, tr("Cancel"), tr("The limits stay as they were"));
+    setTexts(m_use, tr("Use these limits"), QString());
+    m_lines->retranslate();
+    refresh();
+}
+
+void LimitsDialog::changeEvent(QEvent* event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sweep/sweep_form.h"
+
+#include "device/motion/move_limits.h"
+#include "results/sweep_points.h"
+#include "text/error_text.h"
+#include "ui/widgets/flow_layout.h"
+#include "ui/widgets/segment_button.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <limits>
+
+namespace ui {
+using record::SweepPace;
+using record::SweepShape;
+
+namespace {
+constexpr std::array shapes{SweepShape::Sweep, SweepShape::Stairs, SweepShape::BothSides,
+                            SweepShape::Sine,  SweepShape::Random, SweepShape::Points};
+constexpr int columns = 2;
+constexpr int maxPause = 3'600'000; // ms
+constexpr int maxCycles = 1'000'000;
+constexpr double maxMinutes = 7 * 24 * 60;
+constexpr int minPeriod = 100; // ms
+constexpr double maxPeriod = 3600;
+constexpr int maxWarmUp = 24 * 3600;
+constexpr int defaultPause = 2000;
+constexpr int defaultCycles = 10;
+constexpr double defaultMinutes = 10;
+constexpr double defaultPeriod = 4;
+
+const QString paceKey = QStringLiteral("sweep/pace");
+const QString shapeKey = QStringLiteral("sweep/shape");
+const QString cyclesKey = QStringLiteral("sweep/cycles");
+const QString minutesKey = QStringLiteral("sweep/minutes");
+const QString untilKey = QStringLiteral("sweep/until");
+const QString operatorKey = QStringLiteral("sweep/operator");
+const QString folderKey = QStringLiteral("sweep/list_folder");
+} // namespace
+
+SweepForm::SweepForm(session::Settings& settings, QWidget* parent)
+    : QWidget(parent)
+    , m_settings(settings)
+{
+    setObjectName(QStringLiteral("sweepForm"));
+    build();
+    loadSettings(settings);
+    retranslate();
+    arrange();
+}
+
+void SweepForm::build()
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(6);
+    auto* kinds = new QWidget(this);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    kinds->setSizePolicy(policy);
+    auto* flow = new FlowLayout(kinds, 2);
+    auto* group = new QButtonGroup(this);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        auto* button = new SegmentButton(kinds);
+        button->setObjectName(QStringLiteral("sweepShape_") + record::sweepShapeName(shapes[i]));
+        button->setCheckable(true);
+        group->addButton(button);
+        flow->addWidget(button);
+        m_shapes[i] = button;
+        connect(button, &QToolButton::clicked, this, [this, i] {
+            selectShape(shapes[i]);
+            onEdited();
+        });
+    }
+    m_middle = new QVBoxLayout;
+    for (QGridLayout** grid : {&m_grid, &m_extraGrid}) {
+        *grid = new QGridLayout;
+        (*grid)->setHorizontalSpacing(10);
+        (*grid)->setVerticalSpacing(2);
+    }
+    column->addWidget(kinds);
+    column->addLayout(m_grid);
+    column->addLayout(m_middle);
+    buildFields();
+    m_earlyTitle = new QLabel(this);
+    auto* early = new QWidget(this);
+    early->setSizePolicy(policy);
+    auto* ticks = new FlowLayout(early, 10);
+    const auto tick = [&](const char* name, bool on) {
+        auto* box = new QCheckBox(early);
+        box->setObjectName(QString::fromLatin1(name));
+        box->setChecked(on);
+        ticks->addWidget(box);
+        connect(box, &QCheckBox::toggled, this, &SweepForm::onEdited);
+        return box;
+    };
+    m_onAlarm = tick("sweepOnAlarm", true);
+    m_onStall = tick("sweepOnStall", true);
+    m_onFailure = tick("sweepOnFailure", false);
+    column->addWidget(m_earlyTitle);
+    column->addWidget(early);
+    column->addLayout(m_extraGrid);
+}
+
+void SweepForm::insertServoList(QWidget* servos)
+{
+    m_middle->addWidget(servos);
+    m_inserted = servos;
+}
+
+void SweepForm::setLocked(bool locked)
+{
+    for (auto* child : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (child != m_inserted)
+            child->setEnabled(!locked);
+    }
+}
+
+void SweepForm::add(Cell cell, QWidget* field, const char* name, bool wide)
+{
+    field->setObjectName(QString::fromLatin1(name));
+    field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the panel says how wide
+    auto* title = new QLabel(this);
+    title->setBuddy(field);
+    title->setForegroundRole(QPalette::PlaceholderText);
+    m_cells[cell] = {title, field, wide};
+}
+
+QLineEdit* SweepForm::line(Cell cell, const char* name, bool wide)
+{
+    auto* edit = new QLineEdit(this);
+    add(cell, edit, name, wide);
+    connect(edit, &QLineEdit::textEdited, this, &SweepForm::onEdited);
+    return edit;
+}
+
+void SweepForm::buildFields()
+{
+    const auto spin = [this](Cell cell, const char* name, int minValue, int maxValue, int value) {
+        auto* box = new QSpinBox(this);
+        box->setRange(minValue, maxValue);
+        box->setValue(value);
+        add(cell, box, name);
+        connect(box, &QSpinBox::valueChanged, this, &SweepForm::onEdited);
+        return box;
+    };
+    const auto real = [this](Cell cell, const char* name, double minValue, double maxValue,
+                             double value) {
+        auto* box = new QDoubleSpinBox(this);
+        box->setRange(minValue, maxValue);
+        box->setDecimals(1);
+        box->setValue(value);
+        add(cell, box, name);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &SweepForm::onEdited);
+        return box;
+    };
+    const auto choice = [this](Cell cell, const char* name) {
+        auto* box = new QComboBox(this);
+        box->addItems({QString(), QString()});
+        add(cell, box, name);
+        connect(box, &QComboBox::activated, this, [this] {
+            retranslate(); // a delay becomes a dwell
+            arrange();
+            onEdited();
+        });
+        return box;
+    };
+    m_start = line(Start, "sweepStart");
+    m_end = line(End, "sweepEnd");
+    m_step = line(Step, "sweepStep");
+    m_step->setText(QStringLiteral("256"));
+    m_period = real(Period, "sweepPeriod", minPeriod / 1000.0, maxPeriod, defaultPeriod);
+    m_seed = spin(Seed, "sweepSeed", 0, std::numeric_limits<int>::max(), 1);
+    m_list = new QPushButton(this);
+    add(List, m_list, "sweepList", true);
+    connect(m_list, &QPushButton::clicked, this, &SweepForm::openList);
+    m_pace = choice(Pace, "sweepPace");
+    m_pause = spin(Pause, "sweepPause", 1, maxPause, defaultPause);
+    m_pause->setSingleStep(100);
+    m_until = choice(Until, "sweepUntil");
+    m_cycles = spin(Cycles, "sweepCycles", 1, maxCycles, defaultCycles);
+    m_minutes = real(Minutes, "sweepMinutes", 0.1, maxMinutes, defaultMinutes);
+    m_speed = line(Speed, "sweepSpeed");
+    m_acceleration = line(Acceleration, "sweepAcceleration");
+    m_time = line(Time, "sweepTime");
+    m_warmUp = spin(WarmUp, "sweepWarmUp", 0, maxWarmUp, 0);
+    m_afterwards = choice(Afterwards, "sweepAfterwards");
+    m_operator = line(Operator, "sweepOperator", true);
+    m_note = line(Note, "sweepNote", true);
+    const auto range = [this] { m_rangeEdited = true; };
+    connect(m_start, &QLineEdit::textEdited, this, range);
+    connect(m_end, &QLineEdit::textEdited, this, range);
+    connect(m_pause, &QSpinBox::valueChanged, this, [this] { m_pauseEdited = true; });
+    connect(m_period, &QDoubleSpinBox::valueChanged, this, [this] { m_periodEdited = true; });
+}
+
+void SweepForm::loadSettings(session::Settings& settings)
+{
+    const QString shape = settings.pageValue(shapeKey, QString()).toString();
+    selectShape(record::sweepShapeFromName(shape).value_or(SweepShape::Sweep));
+    const QSignalBlocker blocker(this);
+    m_pace->setCurrentIndex(settings.pageValue(paceKey, 0).toInt() == 1 ? 1 : 0);
+    m_until->setCurrentIndex(settings.pageValue(untilKey, 0).toInt() == 1 ? 1 : 0);
+    m_cycles->setValue(settings.pageValue(cyclesKey, defaultCycles).toInt());
+    m_minutes->setValue(settings.pageValue(minutesKey, defaultMinutes).toDouble());
+    m_operator->setText(settings.pageValue(operatorKey, QString()).toString());
+}
+
+void SweepForm::saveSettings()
+{
+    m_settings.setPageValue(shapeKey, record::sweepShapeName(m_shape));
+    m_settings.setPageValue(paceKey, m_pace->currentIndex());
+    m_settings.setPageValue(untilKey, m_until->currentIndex());
+    m_settings.setPageValue(cyclesKey, m_cycles->value());
+    m_settings.setPageValue(minutesKey, m_minutes->value());
+    m_settings.setPageValue(operatorKey, m_operator->text().trimmed());
+}
+
+void SweepForm::onEdited()
+{
+    Q_EMIT changed();
+}
+
+void SweepForm::selectShape(SweepShape shape)
+{
+    m_shape = shape;
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        m_shapes[i]->setChecked(shapes[i] == shape);
+    arrange();
+}
+
+bool SweepForm::isShown(Cell cell) const
+{
+    const bool list = m_shape == SweepShape::Points;
+    const bool sine = m_shape == SweepShape::Sine;
+    switch (cell) {
+    case Start:
+    case End:
+        return !list;
+    case Step:
+        return m_shape == SweepShape::Stairs;
+    case Period:
+        return sine;
+    case Seed:
+        return m_shape == SweepShape::Random;
+    case List:
+        return list;
+    case Pace:
+    case Pause:
+        return !sine;
+    case Cycles:
+        return m_until->currentIndex() == 0;
+    case Minutes:
+        return m_until->currentIndex() == 1;
+    case Speed:
+        return m_moves[0];
+    case Acceleration:
+        return m_moves[1];
+    case Time:
+        return m_moves[2];
+    default:
+        return true;
+    }
+}
+
+void SweepForm::arrange()
+{
+    if (m_cells[Note].field == nullptr)
+        return;
+    arrange(*m_grid, Start, Time);
+    arrange(*m_extraGrid, WarmUp, Note);
+}
+
+/// Title above field, two columns.
+void SweepForm::arrange(QGridLayout& grid, Cell first, Cell last)
+{
+    int place = 0;
+    for (int i = first; i <= last; ++i) {
+        const FieldCell& cell = m_cells[std::size_t(i)];
+        grid.removeWidget(cell.title);
+        grid.removeWidget(cell.field);
+        const bool shown = isShown(static_cast<Cell>(i));
+        cell.title->setVisible(shown);
+        cell.field->setVisible(shown);
+        if (!shown)
+            continue;
+        if (cell.wide && place % columns != 0)
+            ++place;
+        const int row = place / columns * 2;
+        const int width = cell.wide ? columns : 1;
+        grid.addWidget(cell.title, row, place % columns, 1, width);
+        grid.addWidget(cell.field, row + 1, place % columns, 1, width);
+        place += width;
+    }
+    for (int column = 0; column < columns; ++column)
+        grid.setColumnStretch(column, 1);
+}
+
+void SweepForm::showServo(const session::ServoEntry* entry)
+{
+    if (entry == nullptr || !entry->servo.profile)
+        return;
+    const device::MoveFieldSet fields = device::moveFields(entry->servo);
+    // In a mode without positions nothing is known of them yet.
+    const std::array moves{fields.speed, fields.acceleration, fields.time};
+    if (moves != m_moves && moves != decltype(moves){}) {
+        m_moves = moves;
+        arrange();
+    }
+}
+
+SweepForm::UserInput SweepForm::userInput() const
+{
+    UserInput values;
+    if (m_rangeEdited)
+        values.range = record::SweepRange{m_start->text(), m_end->text()};
+    if (m_pauseEdited)
+        values.pause = m_pause->value();
+    if (m_periodEdited)
+        values.period = m_period->value();
+    return values;
+}
+
+void SweepForm::setUserInput(const UserInput& values)
+{
+    m_rangeEdited = values.range.has_value();
+    m_pauseEdited = values.pause.has_value();
+    m_periodEdited = values.period.has_value();
+    const QSignalBlocker pauseBlocker(m_pause);
+    const QSignalBlocker periodBlocker(m_period);
+    if (values.range) {
+        m_start->setText(values.range->from);
+        m_end->setText(values.range->to);
+    }
+    if (values.pause)
+        m_pause->setValue(*values.pause);
+    if (values.period)
+        m_period->setValue(*values.period);
+}
+
+void SweepForm::propose(const record::SweepRange& range)
+{
+    if (m_rangeEdited)
+        return;
+    m_start->setText(range.from);
+    m_end->setText(range.to);
+}
+
+void SweepForm::propose(base::Duration enough)
+{
+    if (enough <= base::Duration::zero())
+        return;
+    const auto ms = enough / std::chrono::milliseconds(1);
+    if (m_shape == SweepShape::Sine && !m_periodEdited) {
+        const QSignalBlocker blocker(m_period);
+        m_period->setValue(double(ms) / 1000);
+    } else if (m_shape != SweepShape::Sine && !m_pauseEdited && m_pace->currentIndex() == 0) {
+        const QSignalBlocker blocker(m_pause);
+        m_pause->setValue(int(std::min<std::int64_t>(ms, maxPause)));
+    }
+}
+
+void SweepForm::setPace(base::Duration enough)
+{
+    (m_shape == SweepShape::Sine ? m_periodEdited : m_pauseEdited) = false;
+    propose(enough);
+}
+
+record::SweepSpec SweepForm::spec() const
+{
+    using std::chrono::milliseconds;
+    record::SweepSpec spec;
+    const auto shown = [this](Cell cell, const QLineEdit* edit) {
+        return isShown(cell) ? edit->text().trimmed() : QString();
+    };
+    spec.shape = m_shape;
+    spec.range = {shown(Start, m_start), shown(End, m_end)};
+    spec.step = shown(Step, m_step);
+    if (isShown(List))
+        spec.points = m_points;
+    spec.seed = std::uint32_t(m_seed->value());
+    if (isShown(Period))
+        spec.period = milliseconds(std::llround(m_period->value() * 1000));
+    spec.pace = m_pace->currentIndex() == 1 ? SweepPace::Dwell : SweepPace::Delay;
+    if (isShown(Pause))
+        spec.pause = milliseconds(m_pause->value());
+    spec.cycles = isShown(Cycles) ? m_cycles->value() : 0;
+    if (isShown(Minutes))
+        spec.length = milliseconds(std::llround(m_minutes->value() * 60'000));
+    spec.speed = shown(Speed, m_speed);
+    spec.acceleration = shown(Acceleration, m_acceleration);
+    spec.time = shown(Time, m_time);
+    spec.warmUp = std::chrono::seconds(m_warmUp->value());
+    spec.releaseAtEnd = m_afterwards->currentIndex() == 1;
+    spec.stopOnAlarm = m_onAlarm->isChecked();
+    spec.stopOnStall = m_onStall->isChecked();
+    spec.stopOnFailure = m_onFailure->isChecked();
+    spec.operatorName = m_operator->text().trimmed();
+    spec.note = m_note->text().trimmed();
+    return spec;
+}
+
+void SweepForm::openList()
+{
+    auto* dialog = new QFileDialog(this, tr("Open a list of targets"));
+    dialog->setObjectName(QStringLiteral("sweepListDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters(
+        {tr("Targets, one a line: target,pause in ms (*.csv *.txt)"), tr("All files (*)")});
+    dialog->setDirectory(m_settings.pageValue(folderKey, QString()).toString());
+    connect(dialog, &QFileDialog::fileSelected, this, &SweepForm::readList);
+    dialog->open();
+}
+
+void SweepForm::readList(const QString& path)
+{
+    m_settings.setPageValue(folderKey, QFileInfo(path).absolutePath());
+    m_listPath = path;
+    auto points = record::loadSweepPoints(path);
+    m_points = points ? std::move(*points) : std::vector<record::SweepPoint>{};
+    m_listTrouble.clear();
+    if (!points) {
+        const text::Description description = text::describe(points.error());
+        m_listTrouble = description.message + QLatin1Char(' ') + description.remedy;
+    }
+    retranslate();
+    onEdited();
+}
+
+void SweepForm::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

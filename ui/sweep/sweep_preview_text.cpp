@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sweep/sweep_preview_text.h"
+
+#include "jobs/sweep/sweep_path.h"
+#include "text/error_text.h"
+#include "ui/sweep/sweep_page.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+using base::Duration;
+using record::SweepPace;
+using record::SweepShape;
+
+namespace {
+double seconds(Duration span)
+{
+    return std::chrono::duration<double>(span).count();
+}
+
+/// "1.45 s", "3 min", "2 h 5 min"
+QString durationText(Duration span)
+{
+    const double s = seconds(span);
+    if (s < 100)
+        return SweepPage::tr("%1 s").arg(QLocale().toString(s, 'f', s < 10 ? 2 : 0));
+    const auto minutes = std::llround(s / 60);
+    if (minutes < 120)
+        return SweepPage::tr("%1 min").arg(minutes);
+    return SweepPage::tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
+}
+
+QString shortDurationText(Duration span)
+{
+    const auto s = std::llround(seconds(span));
+    return s < 60     ? SweepPage::tr("%1 s").arg(s)
+           : s < 3600 ? SweepPage::tr("%1 min %2 s").arg(s / 60).arg(s % 60)
+                      : SweepPage::tr("%1 h %2 min").arg(s / 3600).arg(s % 3600 / 60);
+}
+
+/// Of the whole test; 0: nothing tells.
+Duration totalDuration(const session::SweepPreview& preview, const record::SweepSpec& spec)
+{
+    const Duration byTime = spec.warmUp + spec.length;
+    if (spec.cycles <= 0 || !preview.estimate)
+        return byTime;
+    const jobs::SweepPath path(spec, preview.estimate->axis);
+    const int legs = path.legsPerCycle() * spec.cycles;
+    Duration each = spec.pause;
+    if (spec.shape == SweepShape::Sine)
+        each = spec.period / 2;
+    else if (spec.pace == SweepPace::Dwell)
+        each += preview.estimate->travel.value_or(Duration{});
+    return spec.warmUp + legs * each;
+}
+
+PreviewText durationCheckText(const session::SweepPreview& preview, const record::SweepSpec& spec,
+                              const session::Desk& desk)
+{
+    const jobs::SweepEstimate& estimate = *preview.estimate;
+    const bool sine = spec.shape == SweepShape::Sine;
+    const QString link =
+        QStringLiteral("<a href=\"enough\">%1</a>")
+            .arg(SweepPage::tr("Take %1").arg(durationText(estimate.proposedDelay)));
+    const session::ServoEntry* entry = desk.servo(preview.servo);
+    const QString who =
+        entry != nullptr ? QStringLiteral("ID %1: ").arg(entry->servo.id) : QString();
+    if (estimate.tooShort && sine)
+        return {
+            Tone::Warn,
+            who +
+                SweepPage::tr("the sine is faster than the servo can turn; it needs a period of "
+                              "at least %1.")
+                    .arg(durationText(estimate.proposedDelay)) +
+                QLatin1Char(' ') + link};
+    if (estimate.tooShort)
+        return {Tone::Warn,
+                who +
+                    SweepPage::tr("the longest way takes %1 at this speed: the servo would turn "
+                                  "round before it arrives.")
+                        .arg(durationText(*estimate.travel)) +
+                    QLatin1Char(' ') + link};
+    if (estimate.minMove > 0)
+        return {Tone::Warn,
+                who + SweepPage::tr("most moves are too short for a verdict: targets count as "
+                                    "reached within %1 steps, so moves need at least %2 steps.")
+                          .arg(QLocale().toString(estimate.axis.tolerance, 'g', 4),
+                               QLocale().toString(std::ceil(estimate.minMove), 'f', 0))};
+    if (!estimate.travel)
+        return {Tone::Quiet,
+                who + SweepPage::tr("nothing tells how fast it goes, so the delay cannot be "
+                                    "judged.")};
+    if (sine || spec.pace == SweepPace::Dwell)
+        return {Tone::Quiet, who + SweepPage::tr("the longest way takes %1 at this speed.")
+                                       .arg(durationText(*estimate.travel))};
+    return {Tone::Good,
+            who + SweepPage::tr("the longest way takes %1 at this speed: the delay is long enough.")
+                      .arg(durationText(*estimate.travel))};
+}
+} // namespace
+
+PreviewText previewText(const std::vector<session::SweepPreview>& previews,
+                        const record::SweepSpec& spec, const session::Desk& desk, bool switching)
+{
+    if (previews.empty())
+        return {};
+    for (const session::SweepPreview& preview : previews) {
+        if (!preview.error)
+            continue;
+        const bool mode = preview.error->detail == QLatin1StringView("not-position");
+        if (mode && switching)
+            continue;
+        const text::Description words = text::describe(*preview.error);
+        const QString who =
+            preview.error->id >= 0 ? QStringLiteral("ID %1: ").arg(preview.error->id) : QString();
+        return {Tone::Bad, (who + words.message + QLatin1Char(' ') + words.remedy).toHtmlEscaped()};
+    }
+    PreviewText worst;
+    Duration whole{};
+    for (const session::SweepPreview& preview : previews) {
+        if (!preview.estimate)
+            continue;
+        const PreviewText words = durationCheckText(preview, spec, desk);
+        const bool first = worst.text.isEmpty();
+        if (first || (words.tone == Tone::Warn && worst.tone != Tone::Warn))
+            worst = words;
+        whole = std::max(whole, totalDuration(preview, spec));
+    }
+    if (whole > Duration::zero())
+        worst.text +=
+            QLatin1Char(' ') + SweepPage::tr("About %1 in all.").arg(shortDurationText(whole));
+    return worst;
+}
+
+namespace {
+/// "No answer from ID 1, ID 2 for 3 s"
+QString silenceText(const jobs::SweepProgress& progress)
+{
+    QStringList names;
+    for (const int id : progress.silent)
+        names.append(QStringLiteral("ID %1").arg(id));
+    return SweepPage::tr("No answer from %1 for %2")
+        .arg(names.join(QStringLiteral(", ")), shortDurationText(progress.silentFor));
+}
+} // namespace
+
+QString progressText(const jobs::SweepProgress& progress, const record::SweepRun* run)
+{
+    if (progress.ended)
+        return SweepPage::tr("The test has ended; stopping the servos");
+    if (!progress.silent.empty())
+        return silenceText(progress);
+    if (run == nullptr || (progress.leg == 0 && run->spec.warmUp <= Duration::zero()))
+        return SweepPage::tr("On the way to the start");
+    if (progress.warmingUp)
+        return SweepPage::tr("Warming up; nothing is measured yet");
+    const QString cycle =
+        run->spec.cycles > 0
+            ? SweepPage::tr("cycle %1 of %2").arg(progress.cycle).arg(run->spec.cycles)
+            : SweepPage::tr("cycle %1").arg(progress.cycle);
+    if (progress.fraction <= 0)
+        return cycle;
+    return SweepPage::tr("%1 · %2 left").arg(cycle, shortDurationText(progress.remaining));
+}
+} // namespace ui

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the results of a sweep test are shown in.
+#include "ui/charts/trend_chart.h"
+#include "ui/sweep/sweep_results.h"
+#include "ui/widgets/error_histogram.h"
+#include "ui/widgets/flow_layout.h"
+#include "ui/widgets/pill.h"
+#include "ui/widgets/stretch_first_column.h"
+#include "ui/widgets/tone_delegate.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+constexpr int rowPadding = 6;
+constexpr int chartStretch = 5;
+constexpr int findingsStretch = 5;
+constexpr int tableStretch = 5;
+constexpr int reportStretch = 2;
+constexpr int minReportWidth = 210;
+
+QTableView* table(const char* name, QAbstractItemModel& model, QWidget* parent)
+{
+    auto* view = new QTableView(parent);
+    view->setObjectName(QString::fromLatin1(name));
+    view->setModel(&model);
+    view->setItemDelegate(new ToneDelegate(view));
+    view->setSelectionBehavior(QAbstractItemView::SelectRows);
+    view->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    view->setTabKeyNavigation(false);
+    view->setWordWrap(false);
+    view->verticalHeader()->hide();
+    view->verticalHeader()->setDefaultSectionSize(view->fontMetrics().height() + rowPadding);
+    view->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    return view;
+}
+} // namespace
+
+void SweepResults::build()
+{
+    setObjectName(QStringLiteral("sweepResults"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(6);
+    auto* head = new QHBoxLayout;
+    m_title = new QLabel(this);
+    m_servos = new QComboBox(this);
+    m_servos->setObjectName(QStringLiteral("sweepShownServo"));
+    m_servos->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_servos->hide();
+    m_verdict = new Pill(this);
+    m_verdict->setObjectName(QStringLiteral("sweepVerdict"));
+    head->addWidget(m_title);
+    head->addWidget(m_servos);
+    head->addStretch();
+    head->addWidget(m_verdict);
+    m_emptyLabel = new QLabel(this);
+    m_emptyLabel->setObjectName(QStringLiteral("sweepNothing"));
+    m_emptyLabel->setWordWrap(true);
+    m_emptyLabel->setForegroundRole(QPalette::PlaceholderText);
+    m_chart = new TrendChart(this);
+    m_chart->setObjectName(QStringLiteral("sweepChart"));
+    auto* split = new QSplitter(Qt::Vertical, this);
+    split->setChildrenCollapsible(false);
+    split->addWidget(m_chart);
+    split->addWidget(buildFindings());
+    split->setStretchFactor(0, chartStretch);
+    split->setStretchFactor(1, findingsStretch);
+    column->addLayout(head);
+    column->addWidget(m_emptyLabel);
+    column->addWidget(split, 1);
+}
+
+QWidget* SweepResults::buildFindings()
+{
+    auto* split = new QSplitter(Qt::Horizontal, this);
+    split->setChildrenCollapsible(false);
+    m_tabs = new QTabWidget(split);
+    m_tabs->setObjectName(QStringLiteral("sweepTabs"));
+    m_tabs->setDocumentMode(true);
+    m_verdictView = table("sweepVerdictTable", m_verdictModel, m_tabs);
+    new StretchFirstColumn(m_verdictView);
+    m_all = new QToolButton(m_tabs);
+    m_all->setObjectName(QStringLiteral("sweepAllFigures"));
+    m_all->setCheckable(true);
+    m_all->setAutoRaise(true);
+    m_tabs->setCornerWidget(m_all);
+    auto* legs = new QWidget(m_tabs);
+    auto* legsColumn = new QVBoxLayout(legs);
+    legsColumn->setContentsMargins({});
+    m_legsView = table("sweepLegsTable", m_legsModel, legs);
+    m_legsView->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
+    m_legsNotice = new QLabel(legs);
+    m_legsNotice->setWordWrap(true);
+    m_legsNotice->hide();
+    legsColumn->addWidget(m_legsView, 1);
+    legsColumn->addWidget(m_legsNotice);
+    m_tabs->addTab(m_verdictView, QString());
+    m_tabs->addTab(legs, QString());
+    split->addWidget(m_tabs);
+    split->addWidget(buildReport());
+    split->setStretchFactor(0, tableStretch);
+    split->setStretchFactor(1, reportStretch);
+    return split;
+}
+
+QWidget* SweepResults::buildReport()
+{
+    auto* side = new QWidget(this);
+    side->setMinimumWidth(minReportWidth);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(6, 0, 0, 0);
+    column->setSpacing(4);
+    const auto text = [side](const char* name) {
+        auto* label = new QLabel(side);
+        label->setObjectName(QString::fromLatin1(name));
+        label->setWordWrap(true);
+        return label;
+    };
+    m_histogramTitle = text("sweepHistogramTitle");
+    m_histogram = new ErrorHistogram(side);
+    m_histogram->setObjectName(QStringLiteral("sweepHistogram"));
+    m_end = text("sweepEnd");
+    m_comparison = text("sweepComparison");
+    m_comparison->hide();
+    m_reportTitle = text("sweepReportTitle");
+    auto* buttons = new QWidget(side);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    buttons->setSizePolicy(policy);
+    auto* row = new FlowLayout(buttons, 4);
+    for (const char* ending : {"html", "pdf", "csv", "json"}) {
+        auto* button = new QPushButton(QString::fromLatin1(ending).toUpper(), buttons);
+        button->setObjectName(QStringLiteral("sweepReport_") + QLatin1String(ending));
+        button->setMinimumWidth(0);
+        row->addWidget(button);
+        m_reports.push_back(button);
+        connect(button, &QPushButton::clicked, this,
+                [this, ending] { askForSavePath(QString::fromLatin1(ending)); });
+    }
+    m_previousTests = new QPushButton(buttons);
+    m_previousTests->setObjectName(QStringLiteral("sweepEarlier"));
+    row->addWidget(m_previousTests);
+    connect(m_previousTests, &QPushButton::clicked, this, &SweepResults::previousTestsRequested);
+    m_saved = text("sweepSaved");
+    m_saved->setTextFormat(Qt::RichText);
+    m_saved->setOpenExternalLinks(true);
+    m_saved->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    m_saved->hide();
+    // The buttons stand first: what comes and goes below them must not move them, and messages
+    // float at the bottom.
+    column->addWidget(m_reportTitle);
+    column->addWidget(buttons);
+    column->addWidget(m_saved);
+    column->addWidget(m_end);
+    column->addWidget(m_comparison);
+    column->addWidget(m_histogramTitle);
+    column->addWidget(m_histogram, 1);
+    return side;
+}
+} // namespace ui

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sweep/sweep_servos.h"
+
+#include "report/sweep_text.h"
+#include "ui/widgets/test_text.h"
+#include "ui/widgets/tone_delegate.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace ui {
+namespace {
+enum Column { Servo, Start, End, Verdicts, ColumnCount };
+constexpr int visibleRows = 4;
+constexpr int rowPadding = 8;
+
+QString limitsKey(const QString& model)
+{
+    return QStringLiteral("sweep/limits/") + model;
+}
+
+/// Short enough for a narrow column.
+QString shortGrade(record::Grade grade)
+{
+    return grade == record::Grade::Warn
+               ? report::gradeSign(grade) + QLatin1Char(' ') + SweepServos::tr("Warning")
+               : gradeText(grade);
+}
+
+bool isTestable(const session::ServoEntry* entry)
+{
+    return entry != nullptr && entry->servo.profile && entry->servo.profile->writable;
+}
+} // namespace
+
+SweepServos::SweepServos(session::Desk& desk, Selection& selection, session::Settings& settings,
+                         QWidget* parent)
+    : QWidget(parent)
+    , m_desk(desk)
+    , m_selection(selection)
+    , m_settings(settings)
+    , m_title(new QLabel(this))
+    , m_table(new QTableWidget(0, ColumnCount, this))
+    , m_limitsName(new QLabel(this))
+    , m_limits(new QPushButton(this))
+    , m_editTriggers(m_table->editTriggers())
+{
+    m_table->setObjectName(QStringLiteral("sweepServos"));
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + rowPadding);
+    m_table->setMinimumHeight((fontMetrics().height() + rowPadding) * (visibleRows + 1));
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setTabKeyNavigation(false);
+    m_table->setItemDelegateForColumn(Verdicts, new ToneDelegate(m_table));
+    m_table->setColumnHidden(Verdicts, true);
+    m_limits->setObjectName(QStringLiteral("sweepLimits"));
+    m_limitsName->setObjectName(QStringLiteral("sweepLimitsName"));
+    m_limitsName->setForegroundRole(QPalette::PlaceholderText);
+    m_limitsName->setWordWrap(true);
+    auto* limits = new QHBoxLayout;
+    limits->addWidget(m_limitsName, 1);
+    limits->addWidget(m_limits);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins({});
+    column->setSpacing(4);
+    column->addWidget(m_title);
+    column->addWidget(m_table);
+    column->addLayout(limits);
+    m_rebuild.setSingleShot(true);
+    m_rebuild.setInterval(0);
+    connect(&m_rebuild, &QTimer::timeout, this, &SweepServos::rebuild);
+    const auto again = [this] { m_rebuild.start(); };
+    connect(&desk, &session::Desk::servoAdded, this, again);
+    connect(&desk, &session::Desk::servoRemoved, this, again);
+    connect(&desk, &session::Desk::servosCleared, this, again);
+    connect(&desk, &session::Desk::orderChanged, this, again);
+    connect(&selection, &Selection::selectedServosChanged, this, &SweepServos::followSelection);
+    connect(m_table, &QTableWidget::itemChanged, this, &SweepServos::onItemEdited);
+    connect(m_table, &QTableWidget::currentCellChanged, this, &SweepServos::showLimits);
+    connect(m_table, &QTableWidget::cellClicked, this, [this](int row) {
+        if (const auto ref = refAt(row))
+            Q_EMIT clicked(ref);
+    });
+    connect(m_limits, &QPushButton::clicked, this, [this] {
+        if (const auto ref = refAt(std::max(0, m_table->currentRow())))
+            Q_EMIT limitsRequested(ref);
+    });
+    retranslate();
+    followSelection();
+}
+
+session::ServoRef SweepServos::refAt(int row) const
+{
+    const QTableWidgetItem* item = m_table->item(row, Servo);
+    return item != nullptr ? item->data(Qt::UserRole).toInt() : 0;
+}
+
+void SweepServos::rebuild()
+{
+    const session::ServoRef current = refAt(m_table->currentRow());
+    m_filling = true;
+    m_table->clearContents();
+    std::vector<const session::ServoEntry*> shown;
+    for (const session::ServoRef ref : m_desk.servos()) {
+        if (const session::ServoEntry* entry = m_desk.servo(ref); isTestable(entry))
+            shown.push_back(entry);
+    }
+    m_table->setRowCount(int(shown.size()));
+    int row = 0;
+    for (const session::ServoEntry* entry : shown) {
+        fillRow(row, *entry);
+        if (entry->ref == current || (current == 0 && m_ticked.count(entry->ref) != 0))
+            m_table->setCurrentCell(row, Servo);
+        ++row;
+    }
+    m_filling = false;
+    showVerdicts();
+    const auto gone = [this](const auto& one) { return m_desk.servo(one) == nullptr; };
+    const std::size_t before = m_ticked.size();
+    std::erase_if(m_ticked, gone);
+    if (m_ticked.empty() && std::exchange(m_userSelected, false))
+        followSelection();
+    std::erase_if(m_ranges, [&](const auto& one) { return gone(one.first); });
+    showLimits();
+    if (before != m_ticked.size())
+        Q_EMIT changed();
+}
+
+void SweepServos::fillRow(int row, const session::ServoEntry& entry)
+{
+    auto* servo = new QTableWidgetItem(
+        QStringLiteral("%1 · %2").arg(entry.servo.id).arg(entry.servo.profile->modelName));
+    servo->setData(Qt::UserRole, entry.ref);
+    servo->setFlags(servoFlags());
+    servo->setCheckState(m_ticked.count(entry.ref) != 0 ? Qt::Checked : Qt::Unchecked);
+    servo->setToolTip(tr("Ticked: takes part in the test"));
+    const auto own = m_ranges.find(entry.ref);
+    const record::SweepRange range = own != m_ranges.end() ? own->second : record::SweepRange{};
+    const QString tip = tr("A range of its own; empty: start and end above");
+    auto* from = new QTableWidgetItem(range.from);
+    auto* to = new QTableWidgetItem(range.to);
+    from->setToolTip(tip);
+    to->setToolTip(tip);
+    m_table->setItem(row, Servo, servo);
+    m_table->setItem(row, Start, from);
+    m_table->setItem(row, End, to);
+    auto* verdict = new QTableWidgetItem;
+    verdict->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    m_table->setItem(row, Verdicts, verdict);
+}
+
+void SweepServos::setVerdicts(const std::map<session::ServoRef, Verdict>& verdicts)
+{
+    m_verdicts = verdicts;
+    showVerdicts();
+}
+
+void SweepServos::showVerdicts()
+{
+    m_filling = true;
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        QTableWidgetItem* item = m_table->item(row, Verdicts);
+        const auto found = m_verdicts.find(refAt(row));
+        if (item == nullptr)
+            continue;
+        const bool known = found != m_verdicts.end();
+        item->setText(known ? shortGrade(found->second.grade) : QString());
+        item->setToolTip(known ? found->second.text : QString());
+        item->setData(toneRole, known ? QVariant(int(gradeTone(found->second.grade))) : QVariant());
+    }
+    m_filling = false;
+    m_table->setColumnHidden(Verdicts, m_verdicts.empty());
+    const bool narrow = !m_verdicts.empty();
+    m_table->horizontalHeaderItem(Start)->setText(narrow ? tr("Start") : tr("own start"));
+    m_table->horizontalHeaderItem(End)->setText(narrow ? tr("End") : tr("own end"));
+    for (const int column : {Servo, Verdicts})
+        m_table->horizontalHeader()->setSectionResizeMode(
+            column, narrow ? QHeaderView::ResizeToContents : QHeaderView::Stretch);
+}
+
+void SweepServos::markRow(session::ServoRef ref)
+{
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        if (refAt(row) == ref && m_table->currentRow() != row)
+            m_table->setCurrentCell(row, Servo);
+    }
+}
+
+Qt::ItemFlags SweepServos::servoFlags() const
+{
+    const Qt::ItemFlags always = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    return m_locked ? always : always | Qt::ItemIsUserCheckable;
+}
+
+void SweepServos::setLocked(bool locked)
+{
+    if (locked == m_locked)
+        return;
+    m_locked = locked;
+    m_table->setEditTriggers(locked ? QAbstractItemView::NoEditTriggers : m_editTriggers);
+    m_filling = true;
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        if (QTableWidgetItem* servo = m_table->item(row, Servo))
+            servo->setFlags(servoFlags());
+    }
+    m_filling = false;
+    showLimits();
+}
+
+void SweepServos::onItemEdited(QTableWidgetItem* item)
+{
+    const session::ServoRef ref = refAt(item->row());
+    if (m_filling || ref == 0)
+        return;
+    if (item->column() == Verdicts)
+        return;
+    if (item->column() == Servo) {
+        if (item->checkState() == Qt::Checked)
+            m_ticked.insert(ref);
+        else
+            m_ticked.erase(ref);
+        m_userSelected = !m_ticked.empty();
+    } else {
+        record::SweepRange& range = m_ranges[ref];
+        (item->column() == Start ? range.from : range.to) = item->text().trimmed();
+    }
+    Q_EMIT changed();
+}
+
+/// What the user has ticked stays, whatever is looked at elsewhere, until the last tick is gone.
+void SweepServos::followSelection()
+{
+    if (m_userSelected)
+        return;
+    const auto& chosen = m_selection.selected();
+    m_ticked = {chosen.begin(), chosen.end()};
+    m_rebuild.start();
+    Q_EMIT changed();
+}
+
+std::vector<session::ServoRef> SweepServos::selected() const
+{
+    std::vector<session::ServoRef> refs;
+    for (const session::ServoRef ref : m_desk.servos()) {
+        if (m_ticked.count(ref) != 0 && isTestable(m_desk.servo(ref)))
+            refs.push_back(ref);
+    }
+    return refs;
+}
+
+std::map<int, record::SweepRange> SweepServos::ranges() const
+{
+    std::map<int, record::SweepRange> ranges;
+    for (const session::ServoRef ref : selected()) {
+        const auto own = m_ranges.find(ref);
+        if (own != m_ranges.end() && !(own->second.from.isEmpty() && own->second.to.isEmpty()))
+            ranges[m_desk.servo(ref)->servo.id] = own->second;
+    }
+    return ranges;
+}
+
+const std::optional<record::SweepLimits>& SweepServos::ownLimits(const QString& model) const
+{
+    const auto known = m_modelLimits.find(model);
+    if (known != m_modelLimits.end())
+        return known->second;
+    const QByteArray kept = m_settings.pageValue(limitsKey(model), QString()).toString().toUtf8();
+    std::optional<record::SweepLimits> own;
+    if (const auto read = record::decodeSweepLimits(kept); !kept.isEmpty() && read)
+        own = *read;
+    return m_modelLimits[model] = own;
+}
+
+record::SweepLimits SweepServos::limits(session::ServoRef ref) const
+{
+    const session::ServoEntry* entry = m_desk.servo(ref);
+    if (!isTestable(entry))
+        return {};
+    const auto& profile = *entry->servo.profile;
+    return ownLimits(profile.modelName)
+        .value_or(record::builtInSweepLimits(profile.modelName, profile.series));
+}
+
+void SweepServos::setLimits(const QString& model, const QString& series,
+                            const record::SweepLimits& limits)
+{
+    const bool own = !(limits == record::builtInSweepLimits(model, series));
+    m_modelLimits[model] = own ? std::optional(limits) : std::nullopt;
+    m_settings.setPageValue(limitsKey(model),
+                            own ? QString::fromUtf8(record::encodeSweepLimits(limits)) : QString());
+    showLimits();
+    Q_EMIT changed();
+}
+
+void SweepServos::showLimits()
+{
+    const session::ServoRef ref = refAt(std::max(0, m_table->currentRow()));
+    m_limits->setEnabled(ref != 0 && !m_locked);
+    const session::ServoEntry* entry = m_desk.servo(ref);
+    if (ref == 0 || entry == nullptr) {
+        m_limitsName->clear();
+        return;
+    }
+    const bool own = ownLimits(entry->servo.profile->modelName).has_value();
+    m_limitsName->setText(own ? tr("Limits: %1").arg(limits(ref).name) : tr("Limits: built in"));
+}
+
+void SweepServos::retranslate()
+{
+    m_title->setText(tr("Servos"));
+    m_table->setAccessibleName(tr("Servos to be tested"));
+    m_table->setHorizontalHeaderLabels(
+        {tr("Servo"), tr("own start"), tr("own end"), tr("Verdict")});
+    m_table->setToolTip(
+        tr("Tick who takes part; start and end of their own, where they need them"));
+    m_limits->setText(tr("Limits…"));
+    m_limits->setAccessibleName(m_limits->text());
+    m_limits->setToolTip(tr("What the servo of the marked row is judged by: look, edit, load, "
+                            "save"));
+    m_rebuild.start();
+}
+
+void SweepServos::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+} // namespace ui

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which servos a sweep test is for, the range of those that have one of their own, and the limits
+// each is judged by. Ticks follow the selection of the window until they are set by hand. Owned by
+// the sweep page; main thread. Sends nothing.
+#pragma once
+
+#include "results/sweep_limits.h"
+#include "results/sweep_run.h"
+#include "results/sweep_spec.h"
+#include "session/desk.h"
+#include "session/settings.h"
+#include "ui/common/selection.h"
+
+#include <QAbstractItemView>
+#include <QTimer>
+#include <QWidget>
+
+#include <map>
+#include <set>
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+class QTableWidgetItem;
+
+namespace ui {
+class SweepServos final : public QWidget {
+    Q_OBJECT
+
+public:
+    SweepServos(session::Desk& desk, Selection& selection, session::Settings& settings,
+                QWidget* parent);
+
+    /// Those that can be tested, in the order of the list.
+    std::vector<session::ServoRef> selected() const;
+    std::map<int, record::SweepRange> ranges() const; ///< by ID, of the ticked ones
+    /// The user's for this model, which the settings keep, else the built-in ones.
+    record::SweepLimits limits(session::ServoRef ref) const;
+    void setLimits(const QString& model, const QString& series, const record::SweepLimits& limits);
+
+    /// What the latest test found of each; empty: nothing yet, and no column for it.
+    struct Verdict {
+        record::Grade grade = record::Grade::NotMeasured;
+        QString text{}; ///< said by the tool tip
+        bool operator==(const Verdict&) const = default;
+    };
+    void setVerdicts(const std::map<session::ServoRef, Verdict>& verdicts);
+    void markRow(session::ServoRef ref);
+    /// While a test runs rows can be clicked, but nothing can be changed.
+    void setLocked(bool locked);
+
+Q_SIGNALS:
+    void clicked(session::ServoRef ref);
+    void changed();
+    void limitsRequested(session::ServoRef ref); ///< to be looked at and edited
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void rebuild();
+    void fillRow(int row, const session::ServoEntry& entry);
+    Qt::ItemFlags servoFlags() const;
+    void onItemEdited(QTableWidgetItem* item);
+    void followSelection();
+    void showLimits();
+    void showVerdicts();
+    void retranslate();
+    session::ServoRef refAt(int row) const;
+    const std::optional<record::SweepLimits>& ownLimits(const QString& model) const;
+
+    session::Desk& m_desk;
+    Selection& m_selection;
+    session::Settings& m_settings;
+    QLabel* m_title;
+    QTableWidget* m_table;
+    QLabel* m_limitsName;
+    QPushButton* m_limits;
+    const QAbstractItemView::EditTriggers m_editTriggers;
+    QTimer m_rebuild; ///< several changes of the list are one
+    std::set<session::ServoRef> m_ticked;
+    bool m_userSelected = false; ///< m_ticked is the user's choice, not the selection
+    std::map<session::ServoRef, record::SweepRange> m_ranges;
+    std::map<session::ServoRef, Verdict> m_verdicts;
+    mutable std::map<QString, std::optional<record::SweepLimits>> m_modelLimits; ///< as read
+    bool m_filling = false;
+    bool m_locked = false;
+};
+} // namespace ui

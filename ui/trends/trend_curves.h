@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which curves the trend chart shows: a list of servo and register, remembered, and what that means
+// right now: the samples of the scope, the registers to be read. "The selected servo" is a choice
+// of its own, so that the curves follow the selection. Values and pure functions; main thread.
+#pragma once
+
+#include "session/recording/live_data.h"
+#include "ui/charts/trend_channel.h"
+
+namespace ui {
+/// `servo` as presets have it: "*" the selected one, "3" the one with that ID.
+struct TrendCurve {
+    QString servo = QStringLiteral("*");
+    QString key;    ///< register key, session::errorKey, or a role's word: see standsFor
+    QColor color{}; ///< invalid: from the palette, by its place
+    bool visible = true;
+    double scale = 1.0;
+    double offset = 0.0;
+    QString id() const { return servo + QLatin1Char('/') + key; }
+    static TrendCurve fromId(const QString& id);
+    bool operator==(const TrendCurve&) const = default;
+};
+
+/// Words that mean a register of each family: "@goal", "@position", "@speed", "@load", "@current",
+/// "@voltage", "@temperature", "@error".
+QString registerOf(const catalog::Profile& profile, const QString& key);
+QStringList builtInKeys();
+QString builtInName(const QString& key);
+
+/// Goal, position, speed, current of the selected servo; load where no current is measured.
+std::vector<TrendCurve> defaultCurves();
+
+/// Of a recording's column: the register's name as far as a servo here has it, else its key.
+QString recordedChannelName(const session::Desk& desk, const record::RecordingChannel& column);
+
+/// A mark as the chart says it: "ID 1 · Over-temperature".
+QString markText(const session::Desk& desk, const record::Mark& mark);
+
+class TrendResolver {
+public:
+    TrendResolver(const session::Desk& desk, const session::LiveData& scope,
+                  session::ServoRef selected)
+        : m_desk(desk)
+        , m_liveData(scope)
+        , m_selected(selected)
+    {}
+    session::ServoRef servoOf(const TrendCurve& curve) const; ///< 0: not in the list
+    /// As the chart draws it; id −1 while nothing has been read.
+    std::optional<TrendChannel> channel(const TrendCurve& curve, std::size_t place,
+                                        const QColor& background) const;
+    /// What must be read for these.
+    session::Subscription subscription(const std::vector<TrendCurve>& curves) const;
+
+private:
+    const session::Desk& m_desk;
+    const session::LiveData& m_liveData;
+    session::ServoRef m_selected;
+};
+} // namespace ui

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trends/trend_toolbar.h"
+
+#include "ui/common/theme.h"
+#include "ui/widgets/flow_layout.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QIcon>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <algorithm>
+#include <array>
+
+namespace ui {
+using base::Duration;
+using namespace std::chrono_literals;
+
+namespace {
+constexpr std::array<Duration, 8> widths{2s, 5s, 10s, 30s, 60s, 600s, 3600s, 14400s};
+constexpr std::array rates{0, 200, 100, 50, 20, 10, 5, 1};
+} // namespace
+
+TrendToolbar::TrendToolbar(QWidget* parent)
+    : QWidget(parent)
+    , m_layout(new FlowLayout(this, 4))
+{
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    m_pause = add("trendPause", "media-playback-pause", true);
+    m_width = new QComboBox(this);
+    m_width->setObjectName(QStringLiteral("trendWidth"));
+    m_layout->addWidget(m_width);
+    m_fit = add("trendFit", "zoom-fit-best");
+    m_back = add("trendBack", "edit-undo");
+    m_cursors = add("trendCursors", "measure", true);
+    m_channels = add("trendChannels", "office-chart-line");
+    m_trigger = add("trendTrigger", "flag");
+    m_rate = new QComboBox(this);
+    m_rate->setObjectName(QStringLiteral("trendRate"));
+    m_layout->addWidget(m_rate);
+    m_more = add("trendMore", "application-menu");
+    m_live = add("trendLive", "media-playback-start");
+    m_record = add("trendRecord", "media-record");
+    m_recordState = new QLabel(this);
+    m_recordState->setObjectName(QStringLiteral("trendRecordState"));
+    m_layout->addWidget(m_recordState);
+    m_menu = new QMenu(this);
+    m_menu->setObjectName(QStringLiteral("trendMenu"));
+    // Not the button's own menu: that one waits in a loop of its own.
+    connect(m_more, &QToolButton::clicked, this,
+            [this] { m_menu->popup(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
+    // Little room: these speak by their icons, tooltips and names.
+    for (QToolButton* button : {m_pause, m_fit, m_back, m_cursors, m_more})
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    connect(m_pause, &QToolButton::clicked, this, [this](bool on) { Q_EMIT followRequested(!on); });
+    connect(m_width, &QComboBox::activated, this, [this](int index) {
+        Q_EMIT widthRequested(widths.at(static_cast<std::size_t>(index)));
+    });
+    connect(m_rate, &QComboBox::activated, this,
+            [this](int index) { Q_EMIT rateRequested(rates.at(static_cast<std::size_t>(index))); });
+    connect(m_fit, &QToolButton::clicked, this, &TrendToolbar::fitRequested);
+    connect(m_back, &QToolButton::clicked, this, &TrendToolbar::backRequested);
+    connect(m_cursors, &QToolButton::clicked, this, &TrendToolbar::cursorsRequested);
+    connect(m_channels, &QToolButton::clicked, this, &TrendToolbar::channelsRequested);
+    connect(m_trigger, &QToolButton::clicked, this, &TrendToolbar::triggerRequested);
+    connect(m_live, &QToolButton::clicked, this, &TrendToolbar::liveRequested);
+    connect(m_record, &QToolButton::clicked, this, &TrendToolbar::recordRequested);
+    retranslate();
+    setReplaying(false);
+    setRecording({});
+}
+
+QToolButton* TrendToolbar::add(const char* name, const char* icon, bool checkable)
+{
+    auto* button = new QToolButton(this);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setProperty("iconName", QString::fromLatin1(icon));
+    button->setIcon(QIcon::fromTheme(QString::fromLatin1(icon)));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setCheckable(checkable);
+    m_layout->addWidget(button);
+    return button;
+}
+
+void TrendToolbar::setFollowing(bool following)
+{
+    m_pause->setChecked(!following);
+}
+
+void TrendToolbar::setShownWidth(Duration width)
+{
+    const auto place = std::find(widths.begin(), widths.end(), width);
+    const QSignalBlocker blocker(m_width);
+    m_width->setCurrentIndex(place != widths.end() ? int(place - widths.begin()) : -1);
+}
+
+void TrendToolbar::setCursorsShown(bool shown)
+{
+    m_cursors->setChecked(shown);
+}
+
+void TrendToolbar::setTrigger(const QString& words, bool waiting)
+{
+    m_triggerWords = words;
+    m_trigger->setText(words.isEmpty() ? tr("Trigger…") : words);
+    m_trigger->setProperty("waiting", waiting);
+}
+
+void TrendToolbar::setRecording(const QString& words)
+{
+    m_recordWords = words;
+    const bool runs = !words.isEmpty();
+    m_record->setText(runs ? tr("Stop recording") : tr("Record…"));
+    const QString icon =
+        runs ? QStringLiteral("media-playback-stop") : QStringLiteral("media-record");
+    if (m_record->property("iconName") != icon) {
+        m_record->setProperty("iconName", icon);
+        m_record->setIcon(QIcon::fromTheme(icon));
+    }
+    m_recordState->setText(runs ? QStringLiteral("● ") + words : QString());
+    m_recordState->setVisible(runs);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, tone(Tone::Bad, palette()));
+    m_recordState->setPalette(colors);
+}
+
+void TrendToolbar::setRate(int hz)
+{
+    const auto place = std::find(rates.begin(), rates.end(), hz);
+    m_rate->setCurrentIndex(place != rates.end() ? int(place - rates.begin()) : 0);
+}
+
+void TrendToolbar::setReplaying(bool replaying)
+{
+    m_replaying = replaying;
+    m_live->setVisible(replaying);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_pause, m_trigger, m_rate, m_channels})
+        widget->setEnabled(!replaying);
+    fillPresets();
+}
+
+void TrendToolbar::setPresets(const QStringList& names)
+{
+    m_presets = names;
+    fillPresets();
+}
+
+void TrendToolbar::fillPresets()
+{
+    m_menu->clear();
+    m_menu->setToolTipsVisible(true);
+    const auto action = [this](const char* name, const QString& text, auto signal) {
+        QAction* one = m_menu->addAction(text);
+        one->setObjectName(QString::fromLatin1(name));
+        one->setEnabled(!m_replaying || QLatin1String(name) != QLatin1String("trendClear"));
+        connect(one, &QAction::triggered, this, signal);
+    };
+    action("trendSaveImage", tr("Save the &picture…"), &TrendToolbar::saveImageRequested);
+    action("trendOpen", tr("&Open a recording…"), &TrendToolbar::openRequested);
+    action("trendClear", tr("&Clear the history"), &TrendToolbar::clearRequested);
+    m_menu->addSeparator();
+    action("trendPresetSave", tr("&Keep this view as…"), &TrendToolbar::presetSaveRequested);
+    for (const QString& name : m_presets)
+        connect(m_menu->addAction(name), &QAction::triggered, this,
+                [this, name] { Q_EMIT presetRequested(name); });
+    if (m_presets.isEmpty())
+        return;
+    QMenu* remove = m_menu->addMenu(tr("&Remove a view"));
+    for (const QString& name : m_presets)
+        connect(remove->addAction(name), &QAction::triggered, this,
+                [this, name] { Q_EMIT presetRemoveRequested(name); });
+}
+
+void TrendToolbar::retranslate()
+{
+    const auto set = [](QToolButton* button, const QString& text, const QString& tip) {
+        button->setText(text);
+        button->setToolTip(text + QStringLiteral(": ") + tip);
+        button->setAccessibleName(text);
+        button->setAccessibleDescription(tip);
+    };
+    set(m_pause, tr("Pause"), tr("Let the picture stand still; measuring goes on (Space)"));
+    set(m_fit, tr("All"), tr("Show everything that was measured"));
+    set(m_back, tr("Back"), tr("The view before the last zoom (double click)"));
+    set(m_cursors, tr("Cursors"), tr("Measure between two cursors"));
+    set(m_channels, tr("Curves…"), tr("Choose which registers of which servos are shown"));
+    set(m_trigger, tr("Trigger…"), tr("Let the picture stand when something happens"));
+    set(m_more, tr("More"), tr("Pictures, recordings, kept views"));
+    set(m_live, tr("Back to the servos"), tr("Leave the recording and show what is measured now"));
+    set(m_record, tr("Record…"), tr("Write what is measured to a file"));
+    m_recordState->setAccessibleName(tr("Recording"));
+    m_width->setAccessibleName(tr("Time shown"));
+    m_width->setToolTip(tr("How much time the chart shows"));
+    m_rate->setAccessibleName(tr("Readings per second"));
+    m_rate->setToolTip(tr("How often the servos are read"));
+    const QSignalBlocker widthBlocker(m_width);
+    const QSignalBlocker rateBlocker(m_rate);
+    const int width = m_width->count() > 0 ? m_width->currentIndex() : 2;
+    const int rate = m_rate->currentIndex();
+    m_width->clear();
+    for (const Duration one : widths) {
+        const auto seconds = one.count() / 1'000'000;
+        if (seconds < 60)
+            m_width->addItem(tr("%1 s").arg(seconds));
+        else if (seconds < 3600)
+            m_width->addItem(tr("%1 min").arg(seconds / 60));
+        else
+            m_width->addItem(tr("%1 h").arg(seconds / 3600));
+    }
+    m_width->setCurrentIndex(width);
+    m_rate->clear();
+    for (const int hz : rates)
+        m_rate->addItem(hz == 0 ? tr("fastest") : tr("%1 Hz").arg(hz));
+    m_rate->setCurrentIndex(std::max(rate, 0));
+    fillPresets();
+    setTrigger(m_triggerWords, m_trigger->property("waiting").toBool());
+    setRecording(m_recordWords);
+}
+
+void TrendToolbar::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange) {
+        for (QToolButton* button : findChildren<QToolButton*>())
+            button->setIcon(QIcon::fromTheme(button->property("iconName").toString()));
+        setRecording(m_recordWords);
+    }
+}
+} // namespace ui

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the gauges, the dial and the lights of the operate page show of one servo: scales and limits
+// from its own registers, values only as far as they were really read, words in the language of the
+// moment. Pure functions of an entry; main thread.
+#pragma once
+
+#include "session/desk.h"
+#include "ui/common/theme.h"
+#include "ui/widgets/gauge.h"
+#include "ui/widgets/position_dial.h"
+
+#include <array>
+
+namespace ui {
+enum class Quantity : std::uint8_t { Voltage, Temperature, Load, Current, Speed };
+inline constexpr std::array allQuantities{Quantity::Voltage, Quantity::Temperature, Quantity::Load,
+                                          Quantity::Current, Quantity::Speed};
+
+struct GaugeState {
+    QString title;
+    GaugeScale scale;
+    std::optional<double> value; ///< none: not read
+    QString caption;
+    QString notMeasuredReason; ///< why there is no such measurement; empty: there is
+};
+GaugeState gaugeState(const session::ServoEntry& entry, Quantity measure);
+
+/// The registers the page reads of a servo as fast as it can, and those it looks at now and then.
+QStringList feedbackKeys(const device::Servo& servo);
+QStringList settingKeys(const device::Servo& servo);
+
+/// Without turns in words and without leave to move the goal: whoever drives adds them.
+DialState dialState(const session::ServoEntry& entry, bool fresh);
+
+/// It answers, the port is open and the last answer is recent: what is shown is so now.
+bool isFresh(const session::ServoEntry& entry, const session::Desk& desk);
+
+/// "过温": what a fault bit is called beside its light. `key` as the catalog names the bit.
+QString faultText(const QString& key);
+
+/// "12.3°", "30 rpm": a number with its unit, for labels.
+QString withUnit(double value, const QString& unit, int decimals);
+} // namespace ui

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/note_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace ui {
+namespace {
+constexpr int initialWidth = 420;
+constexpr int noteLines = 5;
+} // namespace
+
+NoteDialog::NoteDialog(const QString& label, const QString& note, QWidget* parent)
+    : QDialog(parent)
+    , m_labelName(new QLabel(this))
+    , m_label(new QLineEdit(label, this))
+    , m_noteName(new QLabel(this))
+    , m_note(new QPlainTextEdit(note, this))
+    , m_buttons(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this))
+{
+    setObjectName(QStringLiteral("noteDialog"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    m_label->setObjectName(QStringLiteral("noteLabel"));
+    m_note->setObjectName(QStringLiteral("noteText"));
+    m_note->setTabChangesFocus(true);
+    m_note->setFixedHeight(noteLines * fontMetrics().lineSpacing());
+    m_buttons->button(QDialogButtonBox::Save)->setObjectName(QStringLiteral("noteSave"));
+    m_buttons->button(QDialogButtonBox::Cancel)->setObjectName(QStringLiteral("noteCancel"));
+    m_labelName->setBuddy(m_label);
+    m_noteName->setBuddy(m_note);
+    auto* column = new QVBoxLayout(this);
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_labelName, m_label, m_noteName, m_note, m_buttons})
+        column->addWidget(widget);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    resize(initialWidth, sizeHint().height());
+    retranslate();
+}
+
+void NoteDialog::setNoteVisible(bool visible)
+{
+    m_noteName->setVisible(visible);
+    m_note->setVisible(visible);
+    adjustSize();
+}
+
+QString NoteDialog::label() const
+{
+    return m_label->text().trimmed();
+}
+
+QString NoteDialog::note() const
+{
+    return m_note->toPlainText().trimmed();
+}
+
+void NoteDialog::retranslate()
+{
+    setWindowTitle(tr("Label and note"));
+    setAccessibleName(windowTitle());
+    m_labelName->setText(tr("&Label"));
+    m_label->setAccessibleName(tr("Label"));
+    m_label->setToolTip(tr("A short name, shown in lists: “reference, tested”"));
+    m_noteName->setText(tr("&Note"));
+    m_note->setAccessibleName(tr("Note"));
+    m_note->setToolTip(tr("Anything worth knowing later"));
+    QPushButton* save = m_buttons->button(QDialogButtonBox::Save);
+    save->setText(tr("Save"));
+    save->setAccessibleName(save->text());
+    save->setToolTip(tr("Keep label and note"));
+    QPushButton* cancel = m_buttons->button(QDialogButtonBox::Cancel);
+    cancel->setText(tr("Cancel"));
+    cancel->setAccessibleName(cancel->text());
+    cancel->setToolTip(tr("Change nothing"));
+}
+
+void NoteDialog::changeEvent(QEvent* event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_buttons != nullptr)
+        retranslate();
+}
+} // namespace ui

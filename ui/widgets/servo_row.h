@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One servo of the list in words: what is known of it, in what state it is, what is remarkable.
+// Only what was really read; what was not is said to be unknown. A value; main thread. The words
+// are made in the language of the moment.
+#pragma once
+
+#include "session/desk.h"
+#include "ui/common/theme.h"
+
+#include <QMetaType>
+
+namespace ui {
+struct ServoRemark {
+    Tone tone = Tone::Warn;
+    QString text;
+    bool operator==(const ServoRemark&) const = default;
+};
+
+struct ServoRow {
+    session::ServoRef ref = 0;
+    int id = -1;
+    QString model;
+    QString firmware; ///< "3.10"; empty: not told
+    QString map;
+    QString line;
+    QString rate;
+    QString protocol;
+    QString alarm; ///< "fine", "overload", "no answer" …
+    Tone alarmTone = Tone::Quiet;
+    QString lastSeen; ///< "12 s ago"
+    std::vector<ServoRemark> remarks;
+    bool isSilent = false;
+
+    QString details() const;     ///< "fw 3.10 · sts-sms · TTL · 1 M"
+    QString toolTipText() const; ///< many lines: the tooltip
+    bool operator==(const ServoRow&) const = default;
+};
+
+ServoRow servoRow(const session::ServoEntry& entry,
+                  const std::optional<catalog::KnownFirmware>& newer, base::Duration now);
+} // namespace ui
+Q_DECLARE_METATYPE(ui::ServoRow)

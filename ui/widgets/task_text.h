@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the dialogs of the servo menu say about servos, writes and their ends. Pure functions, in
+// the language of the moment; main thread.
+#pragma once
+
+#include "base/error.h"
+#include "device/writer.h"
+#include "session/servo_entry.h"
+#include "ui/common/theme.h"
+
+namespace ui {
+/// What a dialog tells: a headline with its sign, and what there is more to say.
+struct TaskText {
+    Tone tone = Tone::Quiet;
+    QString message;
+    QStringList details{};
+};
+
+QString servoTitle(const session::ServoEntry& entry); ///< "ID 3 · STS3250 · firmware 3.10"
+QString modelName(const session::ServoEntry& entry);
+
+/// A register's number as a person reads it, or a dash.
+QString valueText(const device::Servo& servo, const QString& key,
+                  const std::optional<std::int64_t>& raw);
+
+QString registerText(const device::Servo& servo, const QString& key); ///< its name, else the key
+
+QString lockLine(device::LockState lock); ///< "EPROM lock: closed"
+QStringList noticeLines(const device::Notices& notices);
+TaskText errorText(const base::Error& error); ///< what, likely cause, what to do
+TaskText refusedText(const base::Error& error, const QString& what);
+
+/// How a write ended, with where the servo answers now. `done` is the headline if all is well.
+TaskText writeText(const session::ServoEntry& entry, const device::WriteReport& report,
+                   const QString& done);
+} // namespace ui
