@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kills every writing command (SIGKILL), without and with noise on the wire, and cuts its cable,
 // each at random moments between its first write and its end, and counts what is left:
-//   bench_break_campaign [rounds of each kind, 200 [seed, 1 [command]]]
+//   bench_interruption_campaign [rounds of each kind, 200 [seed, 1 [command]]]
 // Exit code 1 if a servo was left unlocked or lost, a claim was false, a program hung, or no break
 // of a command met an open change.
 #include "support/interruption_campaign.h"

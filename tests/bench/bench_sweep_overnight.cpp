@@ -78,7 +78,7 @@ jobs::SweepRequest orderOf(const NightSpec& night, const std::vector<device::Ser
     order.spec.pause = night.pause;
     order.spec.cycles = night.cycles;
     order.spec.length = night.length;
-    order.program = text("bench_sweep_night");
+    order.program = text("bench_sweep_overnight");
     order.simulated = true;
     for (const device::Servo& servo : servos)
         order.limits.push_back(

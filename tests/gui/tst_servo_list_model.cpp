@@ -5,6 +5,7 @@
 #include "text/language.h"
 #include "ui/search/servo_delegate.h"
 #include "ui/search/servo_list_model.h"
+#include "ui/widgets/rate_text.h"
 
 #include <QAbstractItemModelTester>
 #include <QPainter>

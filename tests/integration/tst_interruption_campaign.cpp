@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every writing command killed, or its cable cut, at a random moment; a few rounds of the campaign
-// that tests/bench/bench_break_campaign runs hundreds of.
+// that tests/bench/bench_interruption_campaign runs hundreds of.
 #include "support/interruption_campaign.h"
 
 #include <QRegularExpression>

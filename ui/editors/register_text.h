@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "catalog/register.h"
+#include "catalog/value.h"
 
 #include <QString>
 

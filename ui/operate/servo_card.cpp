@@ -4,6 +4,7 @@
 #include "session/polling/max_reading_age.h"
 #include "ui/widgets/feedback.h"
 #include "ui/widgets/rate_text.h"
+#include "ui/widgets/servo_row.h"
 
 #include <QPainter>
 

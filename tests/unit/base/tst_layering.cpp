@@ -50,6 +50,40 @@ QList<Layer> parseTable(const QString& markdown)
     return layers;
 }
 
+/// Rows `| folder, folder | may use |` of the table of ui's folders; "all" is every folder named.
+QMap<QString, QStringList> parseUiFolders(const QString& markdown)
+{
+    QMap<QString, QStringList> folders;
+    bool inTable = false;
+    for (const QString& line : markdown.split(QLatin1Char('\n'))) {
+        const QStringList cells = line.split(QLatin1Char('|'));
+        if (cells.size() != 4) {
+            inTable = false;
+        } else if (cells[1].trimmed() == QLatin1String("ui folder")) {
+            inTable = true;
+        } else if (inTable && !cells[1].contains(QLatin1String("---"))) {
+            for (const QString& folder : wordsOf(cells[1]))
+                folders.insert(folder, wordsOf(cells[2]));
+        }
+    }
+    for (QStringList& used : folders) {
+        if (used == QStringList(QStringLiteral("all")))
+            used = folders.keys();
+    }
+    return folders;
+}
+
+/// The folders of ui that a source includes.
+QStringList uiFoldersIn(const QString& source)
+{
+    static const QRegularExpression line(QStringLiteral("^#include \"ui/([a-z]+)/"),
+                                         QRegularExpression::MultilineOption);
+    QStringList folders;
+    for (auto it = line.globalMatch(source); it.hasNext();)
+        folders.append(it.next().captured(1));
+    return folders;
+}
+
 const Layer* find(const QList<Layer>& layers, const QString& name)
 {
     for (const Layer& layer : layers) {
@@ -205,6 +239,52 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+    }
+
+    void uiFoldersFollowTheirTable()
+    {
+        const auto table = parseUiFolders(contentOf(m_root + QStringLiteral("/CONTRIBUTING.md")));
+        const QDir ui(m_root + QStringLiteral("/ui"));
+        const QStringList folders = ui.entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+        QVERIFY(folders.size() > 10);
+        QStringList wrong;
+        for (const QString& folder : folders) {
+            QVERIFY2(table.contains(folder), qPrintable(folder));
+            QDirIterator files(ui.filePath(folder), QDir::Files);
+            while (files.hasNext()) {
+                const QString file = files.next();
+                for (const QString& used : uiFoldersIn(contentOf(file))) {
+                    if (used != folder && !table[folder].contains(used))
+                        wrong.append(file + QStringLiteral(" includes ui/") + used);
+                }
+            }
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+    }
+
+    void everySourceIsListed()
+    {
+        QStringList missing;
+        for (const char* top : {"src", "ui"}) {
+            const QDir root(m_root + u'/' + QLatin1String(top));
+            QDirIterator files(root.path(), {QStringLiteral("*.h"), QStringLiteral("*.cpp")},
+                               QDir::Files, QDirIterator::Subdirectories);
+            while (files.hasNext()) {
+                const QString path = root.relativeFilePath(files.next());
+                const QString layer = QLatin1String(top) == QLatin1String("src")
+                                          ? path.section(u'/', 0, 0)
+                                          : QString();
+                const QString listed = layer.isEmpty() ? path : path.section(u'/', 1);
+                const QString lists = contentOf(root.filePath(layer + "/CMakeLists.txt"));
+                // The mains of the command line: main_${name}.cpp.
+                const bool isMain = path.contains(QLatin1String("cli/main_"));
+                const QRegularExpression line(
+                    QStringLiteral("[\\s(]%1[\\s)]").arg(QRegularExpression::escape(listed)));
+                if (!isMain && !line.match(lists).hasMatch())
+                    missing.append(path);
+            }
+        }
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u'\n')));
     }
 
     void buildLinksMatchTheTable()

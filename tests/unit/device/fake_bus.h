@@ -312,7 +312,7 @@ struct DeviceFixture {
         auto found = device::identify(context(), there.id, there.profile->protocol);
         if (!found || !device::readSettings(context(), *found))
             qFatal("servo %d does not answer", there.id);
-        // That nobody else answers has been looked at before (tst_write_twins has that look).
+        // That nobody else answers has been looked at before (tst_write_duplicate_id does that).
         bus.verifiedIds().add(found->protocol, found->id, bus.baud());
         bus.requests.clear();
         notices.clear();

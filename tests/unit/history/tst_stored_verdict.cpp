@@ -5,12 +5,11 @@
 #include "history/history_file.h"
 #include "results/sweep_json.h"
 #include "results/sweep_verdict.h"
+#include "unit/results/sweep_example.h"
 
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
-
-#include "sweep_example.h"
 
 using record::Grade;
 using record::History;
