@@ -273,9 +273,10 @@ private Q_SLOTS:
                 const QString path = root.relativeFilePath(files.next());
                 const QString layer = QLatin1String(top) == QLatin1String("src")
                                           ? path.section(u'/', 0, 0)
-                                          : QString();
-                const QString listed = layer.isEmpty() ? path : path.section(u'/', 1);
-                const QString lists = contentOf(root.filePath(layer + "/CMakeLists.txt"));
+                                          : QStringLiteral(".");
+                const QString listed = layer == u'.' ? path : path.section(u'/', 1);
+                const QString lists = contentOf(
+                    QDir(root.filePath(layer)).filePath(QStringLiteral("CMakeLists.txt")));
                 // The mains of the command line: main_${name}.cpp.
                 const bool isMain = path.contains(QLatin1String("cli/main_"));
                 const QRegularExpression line(
