@@ -194,7 +194,7 @@ bool WriteExecutor::writeRange(std::size_t first, std::size_t last)
 bool WriteExecutor::writeGroups(std::size_t first, std::size_t last)
 {
     while (first < last) {
-        // Neighbours go in one frame: both angle limits change at once, never one alone.
+        // Neighbors go in one frame: both angle limits change at once, never one alone.
         std::size_t end = first + 1;
         while (end < last && sharesFrame(*m_items[end - 1].reg, *m_items[end].reg))
             ++end;

@@ -27,6 +27,11 @@ QByteArray jsonFlag(bool value)
     return value ? "true" : "false";
 }
 
+QByteArray jsonInteger(std::optional<std::int64_t> value)
+{
+    return value ? QByteArray::number(qint64(*value)) : QByteArray("null");
+}
+
 QByteArray jsonNumber(std::optional<double> value, std::optional<int> digits)
 {
     if (!value || !std::isfinite(*value))

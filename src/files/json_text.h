@@ -17,6 +17,11 @@ QByteArray jsonFlag(bool value);
 
 /// The shortest text that reads as the same number again; with `digits`, not more of them.
 QByteArray jsonNumber(std::optional<double> value, std::optional<int> digits = {});
+/// Significant digits of a register's value in its unit: enough for every register, and without the
+/// noise of raw × scale.
+inline constexpr int registerValueDigits = 12;
+/// An integer, or null.
+QByteArray jsonInteger(std::optional<std::int64_t> value);
 
 /// One object on one line, its members in the order they are added.
 class JsonObjectWriter {

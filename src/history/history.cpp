@@ -3,6 +3,7 @@
 #include "history/history.h"
 
 #include "history/history_file.h"
+#include "history/history_query.h"
 #include "history/journal_import.h"
 #include "history/sweep_reevaluation.h"
 #include "results/step_json.h"
@@ -11,7 +12,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QUuid>
 
 #include <algorithm>
 
@@ -19,15 +19,9 @@ namespace record {
 namespace {
 constexpr qsizetype pieceSize = qsizetype(1) << 20; ///< before it is compressed
 
-/// An SQL NULL is not an empty text.
-QString nonNull(const QString& text)
-{
-    return text.isNull() ? QStringLiteral("") : text;
-}
-
 QVariantList valuesOf(const TestRun& head)
 {
-    return {QUuid::createUuid().toString(QUuid::WithoutBraces),
+    return {newUuid(),
             nonNull(head.kind),
             head.at.toMSecsSinceEpoch(),
             nonNull(head.program),

@@ -4,17 +4,10 @@
 #include "history/history_log.h"
 #include "history/history_query.h"
 
-#include <QUuid>
-
 #include <map>
 
 namespace record {
 namespace {
-QString newUuid()
-{
-    return QUuid::createUuid().toString(QUuid::WithoutBraces);
-}
-
 QString selectAlarms(const QString& inner)
 {
     return QStringLiteral("SELECT a.number, a.uuid, a.servo, s.id, s.model, s.label, a.\"key\", "

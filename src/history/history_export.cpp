@@ -12,7 +12,7 @@
 
 namespace record {
 namespace {
-const QString operation = QStringLiteral("export");
+const QString exportOperation = QStringLiteral("export");
 constexpr int pageSize = 2000;
 
 struct KindName {
@@ -184,7 +184,7 @@ save(const QString& path, const std::function<base::Result<std::int64_t>(Buffere
 {
     std::int64_t count = 0;
     const auto saved = saveTextFileIfValid(
-        operation,
+        exportOperation,
         [&](const TextSink& sink) -> base::Result<void> {
             BufferedSink out(sink);
             const auto written = write(out);

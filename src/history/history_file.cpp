@@ -18,7 +18,7 @@
 
 namespace record {
 namespace {
-const QString operation = QStringLiteral("history");
+const QString historyOperation = QStringLiteral("history");
 const QString driver = QStringLiteral("QSQLITE");
 
 // The result codes of SQLite, as its documentation fixes them; the low byte of the extended ones.
@@ -52,17 +52,17 @@ base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path
                                                              std::chrono::milliseconds timeout)
 {
     if (!QSqlDatabase::isDriverAvailable(driver))
-        return base::fail(base::ErrorCode::NotSupported, operation,
+        return base::fail(base::ErrorCode::NotSupported, historyOperation,
                           QStringLiteral("Qt's SQLite driver is missing (libqt6sql6-sqlite)"));
     const QString folder = QFileInfo(path).absolutePath();
     const bool isNew = !QFileInfo::exists(path);
     const QString existingAncestor = existingFolder(path);
     // SQLite would wait for ever for a pipe to say something.
     if (!isNew && !QFileInfo(path).isFile())
-        return base::fail(base::ErrorCode::FileUnwritable, operation,
+        return base::fail(base::ErrorCode::FileUnwritable, historyOperation,
                           path + QStringLiteral(": not a regular file"));
     if (!QDir().mkpath(folder))
-        return base::fail(base::ErrorCode::FileUnwritable, operation,
+        return base::fail(base::ErrorCode::FileUnwritable, historyOperation,
                           folder + QStringLiteral(": the folder cannot be made"));
     std::unique_ptr<HistoryFile> file(new HistoryFile(
         path, QStringLiteral("history-") + QUuid::createUuid().toString(QUuid::WithoutBraces)));
@@ -80,7 +80,7 @@ base::Result<std::unique_ptr<HistoryFile>> HistoryFile::open(const QString& path
     if (!ready)
         return tl::unexpected(ready.error());
     if (isNew && !syncFolders(path, existingAncestor))
-        return base::fail(base::ErrorCode::FileUnwritable, operation,
+        return base::fail(base::ErrorCode::FileUnwritable, historyOperation,
                           folder + QStringLiteral(": the folder cannot be written to the disk"));
     return file;
 }
@@ -120,7 +120,7 @@ base::Error HistoryFile::error(const QSqlError& error) const
     default:
         break;
     }
-    return {code, operation, m_path + QStringLiteral(": ") + error.databaseText()};
+    return {code, historyOperation, m_path + QStringLiteral(": ") + error.databaseText()};
 }
 
 base::Result<QueryResult> HistoryFile::run(const QString& sql, const QVariantList& values) const
@@ -172,7 +172,7 @@ base::Result<int> HistoryFile::version() const
         return tl::unexpected(asked.error());
     const int found = asked->rows.empty() ? 0 : asked->rows.front().value(0).toInt();
     if (found > newest())
-        return base::fail(base::ErrorCode::FileFormat, operation,
+        return base::fail(base::ErrorCode::FileFormat, historyOperation,
                           m_path + QStringLiteral(": from a newer version of the program: schema "
                                                   "%1, this one knows up to %2")
                                        .arg(found)

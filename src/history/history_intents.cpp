@@ -5,7 +5,6 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QUuid>
 
 #include <algorithm>
 #include <map>
@@ -27,11 +26,6 @@ QVariantList valuesOf(const base::ServoIdentity& identity)
             identity.firmwareMajor,
             identity.firmwareMinor,
             nonNull(identity.map)};
-}
-
-QString newUuid()
-{
-    return QUuid::createUuid().toString(QUuid::WithoutBraces);
 }
 
 base::Result<std::int64_t> insertServo(const HistoryFile& file, const base::ServoIdentity& identity,

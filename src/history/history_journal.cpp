@@ -3,10 +3,10 @@
 
 #include "files/file_handle.h"
 #include "history/history_intents.h"
+#include "history/history_query.h"
 #include "history/journal_import.h"
 
 #include <QFileInfo>
-#include <QUuid>
 
 #include <algorithm>
 #include <condition_variable>
@@ -168,7 +168,7 @@ HistoryJournal::~HistoryJournal() = default;
 base::Result<QString> HistoryJournal::begin(const base::Intent& intent)
 {
     base::Intent kept = intent;
-    kept.uuid = QUuid::createUuid().toString(QUuid::WithoutBraces);
+    kept.uuid = newUuid();
     kept.at = QDateTime::currentDateTimeUtc();
     m_locks.acquire(kept.uuid); // before any other program can see it
     auto intentCount =

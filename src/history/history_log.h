@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Servos, writes, snapshots, alarms and recordings of the history database: what is added, listed,
-// labelled, taken out again. Borrows the connection of a record::History (its thread). Writes are
+// labeled, taken out again. Borrows the connection of a record::History (its thread). Writes are
 // added by record/history_journal.h only. Lists are pages: `most` rows, and filter.after for the
 // next. Fails as record/history_file.h says; BadArgument for a number that is not there.
 #pragma once

@@ -6,6 +6,7 @@
 #include "history/history_file.h"
 #include "history/history_rows.h"
 
+#include <QUuid>
 #include <QVariant>
 
 #include <algorithm>
@@ -16,6 +17,12 @@ namespace record {
 inline QString nonNull(const QString& text)
 {
     return text.isNull() ? QStringLiteral("") : text;
+}
+
+/// Identifies a row in every copy of the history.
+inline QString newUuid()
+{
+    return QUuid::createUuid().toString(QUuid::WithoutBraces);
 }
 
 inline QDateTime readTime(const QVariant& value)

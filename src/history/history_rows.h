@@ -2,7 +2,7 @@
 // The rows of the history besides the test runs, and what chooses among them. Plain values; any
 // thread. Times are UTC. `number` counts within one file and is never given twice; `uuid` is the
 // same in every copy. Servos carry no serial number: a servo is its language, model, firmware, map
-// and ID, and the user's label, which tells two alike apart. Two servos that nobody has labelled
+// and ID, and the user's label, which tells two alike apart. Two servos that nobody has labeled
 // and that are alike in all this are one to the history, and there is no way to know better.
 #pragma once
 

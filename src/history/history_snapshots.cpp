@@ -5,8 +5,6 @@
 #include "history/history_log.h"
 #include "history/history_query.h"
 
-#include <QUuid>
-
 namespace record {
 namespace {
 QString selectRows(const QString& inner)
@@ -104,10 +102,10 @@ base::Result<std::int64_t> HistoryLog::addSnapshot(const Snapshot& snapshot, Sna
             QStringLiteral("INSERT INTO snapshots (uuid, servo, at, reason, program, port, baud, "
                            "file, label, note, registers, data) "
                            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-            {QUuid::createUuid().toString(QUuid::WithoutBraces), qint64(*servo),
-             snapshot.at.toMSecsSinceEpoch(), snapshotReasonName(reason), nonNull(snapshot.program),
-             nonNull(snapshot.port), snapshot.baud, nonNull(file), nonNull(snapshot.label),
-             nonNull(snapshot.note), int(known), qCompress(encodeSnapshot(snapshot))});
+            {newUuid(), qint64(*servo), snapshot.at.toMSecsSinceEpoch(), snapshotReasonName(reason),
+             nonNull(snapshot.program), nonNull(snapshot.port), snapshot.baud, nonNull(file),
+             nonNull(snapshot.label), nonNull(snapshot.note), int(known),
+             qCompress(encodeSnapshot(snapshot))});
         if (!added)
             return tl::unexpected(added.error());
         number = added->insertedId;

@@ -14,12 +14,12 @@
 
 namespace record {
 namespace {
-const QString operation = QStringLiteral("journal");
+const QString importOperation = QStringLiteral("journal");
 const QString importedSuffix = QStringLiteral(".taken-");
 
 tl::unexpected<base::Error> unreadable(const QString& path)
 {
-    return base::fail(base::ErrorCode::FileUnreadable, operation, path);
+    return base::fail(base::ErrorCode::FileUnreadable, importOperation, path);
 }
 
 /// What was found in files that were taken over, until it is told. One for the program: whoever
@@ -29,7 +29,7 @@ public:
     void add(const QString& path, int lines)
     {
         const std::lock_guard lock(m_mutex);
-        m_found.push_back({base::ErrorCode::FileFormat, operation,
+        m_found.push_back({base::ErrorCode::FileFormat, importOperation,
                            QStringLiteral("%1: %2").arg(path).arg(lines)});
     }
     std::vector<base::Error> take()

@@ -7,7 +7,7 @@
 
 namespace record {
 namespace {
-constexpr int formatVersion = 1;
+constexpr int journalVersion = 1;
 
 /// Lines from before there was more than one language do not name it.
 base::Protocol readProtocol(const JsonReader& json)
@@ -78,7 +78,7 @@ base::Result<JournalLine> decodeJournalLine(const QByteArray& text)
         return base::fail(base::ErrorCode::FileFormat, operation, document.error());
     const JsonReader json(*document, readError);
     JournalLine line;
-    if (const int version = json.smallInteger("v"); version != formatVersion) {
+    if (const int version = json.smallInteger("v"); version != journalVersion) {
         json.reportError("v", QStringLiteral("format version %1 is not known").arg(version));
     } else if (const QString type = json.text("type"); type == QLatin1String("begin")) {
         line = readBegin(json);

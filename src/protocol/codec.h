@@ -54,7 +54,7 @@ public:
 
     virtual Expectation expect(const Request& request) const = 0;
 
-    /// Looks at the front of `buffer`. Resynchronises after noise: a false header never hides a
+    /// Looks at the front of `buffer`. Resynchronizes after noise: a false header never hides a
     /// valid reply behind it, and a frame cut short never blocks the next one. With `atDeadline`
     /// an unfinished false header is given up as noise.
     virtual ScanResult scan(base::ByteView buffer, const Expectation& expected,

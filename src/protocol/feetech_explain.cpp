@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/explain.h"
 #include "protocol/feetech_codec.h"
 #include "protocol/feetech_frame.h"
 
@@ -11,11 +12,6 @@ using base::ByteView;
 QString idText(int id)
 {
     return id == broadcastId ? QStringLiteral("all") : QString::number(id);
-}
-
-QString withData(const QString& head, ByteView data)
-{
-    return data.empty() ? head : head + QStringLiteral(": ") + base::toHex(data);
 }
 
 QString instructionName(std::uint8_t code)

@@ -23,7 +23,7 @@ bool isEchoProbe(const Request& request)
            request.count == probe.count;
 }
 
-Result<void> checkId(const Request& request)
+Result<void> checkLxId(const Request& request)
 {
     const bool toAll =
         request.id == broadcastId && (request.op != Op::Read || isEchoProbe(request));
@@ -44,7 +44,7 @@ Result<void> checkCommand(const Request& request, std::size_t params)
     return {};
 }
 
-Result<Bytes> encodeRead(const Request& request)
+Result<Bytes> encodeLxRead(const Request& request)
 {
     if (request.count < 1)
         return refuse(request, QStringLiteral("no bytes"));
@@ -53,7 +53,7 @@ Result<Bytes> encodeRead(const Request& request)
     });
 }
 
-Result<Bytes> encodeWrite(const Request& request)
+Result<Bytes> encodeLxWrite(const Request& request)
 {
     return checkCommand(request, request.data.size()).transform([&] {
         return lx::buildFrame(request.id, commandOf(request), request.data);
@@ -66,9 +66,9 @@ Result<Bytes> encodeAddressed(const Request& request)
     case Op::Ping:
         return lx::buildFrame(request.id, lx::cmdIdRead, {});
     case Op::Read:
-        return encodeRead(request);
+        return encodeLxRead(request);
     case Op::Write:
-        return encodeWrite(request);
+        return encodeLxWrite(request);
     case Op::Action:
         return lx::buildFrame(request.id, lx::cmdMoveStart, {});
     default:
@@ -97,7 +97,7 @@ Result<Bytes> encodeLx(const Request& request)
     case Op::Write:
     case Op::Action:
     case Op::Halt:
-        return checkId(request).and_then([&] { return encodeAddressed(request); });
+        return checkLxId(request).and_then([&] { return encodeAddressed(request); });
     default:
         return refuseUnsupported(request);
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "protocol/explain.h"
 #include "protocol/lx_codec.h"
 #include "protocol/lx_frame.h"
 
@@ -54,10 +55,6 @@ QString commandName(int command)
                                        : QStringLiteral("command %1").arg(command);
 }
 
-QString withData(const QString& head, ByteView data)
-{
-    return data.empty() ? head : head + QStringLiteral(": ") + base::toHex(data);
-}
 } // namespace
 
 QString explainLx(ByteView frame, bool fromHost)

@@ -7,12 +7,12 @@
 
 namespace record {
 namespace {
-const QString operation = QStringLiteral("write-csv");
+const QString csvOperation = QStringLiteral("write-csv");
 
 // Enough for every register there is, and hides the noise of raw × scale.
 constexpr int valueDigits = 12;
 
-QByteArray cell(const QString& text)
+QByteArray utf8Cell(const QString& text)
 {
     QByteArray bytes = text.toUtf8();
     if (bytes.contains(',') || bytes.contains('"') || bytes.contains('\n'))
@@ -20,7 +20,7 @@ QByteArray cell(const QString& text)
     return bytes;
 }
 
-QByteArray cell(std::optional<double> value)
+QByteArray utf8Cell(std::optional<double> value)
 {
     if (!value || !std::isfinite(*value))
         return {};
@@ -32,15 +32,15 @@ base::Result<std::unique_ptr<CsvWriter>> CsvWriter::create(const QString& path,
                                                            const std::vector<CsvColumn>& columns)
 {
     if (path.isEmpty())
-        return tl::unexpected(noFileNameError(operation));
-    if (auto special = writeRefusal(operation, path))
+        return tl::unexpected(noFileNameError(csvOperation));
+    if (auto special = writeRefusal(csvOperation, path))
         return tl::unexpected(std::move(*special));
     std::unique_ptr<CsvWriter> writer(new CsvWriter(path));
     if (!writer->m_file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered))
-        return tl::unexpected(fileError(operation, writer->m_file));
+        return tl::unexpected(fileError(csvOperation, writer->m_file));
     QByteArray header = "time_us,id";
     for (const CsvColumn& column : columns)
-        header += ',' + cell(QStringLiteral("%1[%2]").arg(column.key, column.unit));
+        header += ',' + utf8Cell(QStringLiteral("%1[%2]").arg(column.key, column.unit));
     if (const auto written = writer->append(header); !written)
         return tl::unexpected(written.error());
     return writer;
@@ -54,7 +54,7 @@ base::Result<void> CsvWriter::write(base::Duration at, int id,
     QByteArray line =
         QByteArray::number(qint64((at - *m_start).count())) + ',' + QByteArray::number(id);
     for (const std::optional<double>& value : values)
-        line += ',' + cell(value);
+        line += ',' + utf8Cell(value);
     const auto written = append(line);
     if (written)
         ++m_rows;
@@ -68,7 +68,7 @@ base::Result<void> CsvWriter::append(const QByteArray& line)
         m_size += bytes.size();
         return {};
     }
-    const base::Error error = fileError(operation, m_file);
+    const base::Error error = fileError(csvOperation, m_file);
     m_file.resize(m_size);
     return tl::unexpected(error);
 }

@@ -12,9 +12,9 @@
 
 namespace record {
 namespace {
-const QString operation = QStringLiteral("record");
+const QString recordOperation = QStringLiteral("record");
 constexpr auto flushPeriod = std::chrono::milliseconds(400);
-constexpr std::size_t blockSize = std::size_t(256) << 10;
+constexpr std::size_t recorderBlockSize = std::size_t(256) << 10;
 
 struct Batch {
     std::vector<RecordingRow> rows;
@@ -174,7 +174,7 @@ base::Result<Recorder::Worker::Next> Recorder::Worker::write(std::deque<Batch>& 
     while (!batches.empty() && next == Next::Continue) {
         const Batch& batch = batches.front();
         next = add(batch);
-        if (m_blockSize.text.size() >= blockSize) {
+        if (m_blockSize.text.size() >= recorderBlockSize) {
             if (const auto written = writeBlock(); !written)
                 return tl::unexpected(written.error());
         }
@@ -270,7 +270,7 @@ void Recorder::Worker::end(const std::optional<base::Error>& error)
 base::Result<std::unique_ptr<Recorder>> Recorder::start(const RecorderSpec& spec)
 {
     if (spec.head.channels.empty())
-        return base::fail(base::ErrorCode::BadArgument, operation,
+        return base::fail(base::ErrorCode::BadArgument, recordOperation,
                           QStringLiteral("nothing to record"));
     auto file = RecordingFile::create(spec.path, RecordingFormatter(spec.format, spec.head).head());
     if (!file)

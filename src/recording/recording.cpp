@@ -12,9 +12,9 @@
 
 namespace record {
 namespace {
-const QString operation = QStringLiteral("load-recording");
-constexpr std::size_t blockSize = std::size_t(1) << 20;
-constexpr std::size_t maxLineLength = blockSize; ///< far more than any servo has registers
+const QString loadOperation = QStringLiteral("load-recording");
+constexpr std::size_t readBlockSize = std::size_t(1) << 20;
+constexpr std::size_t maxLineLength = readBlockSize; ///< far more than any servo has registers
 
 class RecordingLoader {
 public:
@@ -48,7 +48,7 @@ private:
 
 tl::unexpected<base::Error> RecordingLoader::formatError(const QString& what) const
 {
-    return base::fail(base::ErrorCode::FileFormat, operation,
+    return base::fail(base::ErrorCode::FileFormat, loadOperation,
                       QStringLiteral("%1: line %2: %3").arg(m_path).arg(m_lines).arg(what));
 }
 
@@ -167,14 +167,14 @@ void RecordingLoader::discard()
 base::Result<void> readInto(RecordingLoader& loader, QFile& file, const base::StopToken& stop,
                             const std::function<void(double)>& onProgress)
 {
-    std::vector<char> block(blockSize);
+    std::vector<char> block(readBlockSize);
     const auto size = double(std::max<qint64>(file.size(), 1));
     while (true) {
         if (stop.isRequested())
-            return base::fail(base::ErrorCode::Stopped, operation);
+            return base::fail(base::ErrorCode::Stopped, loadOperation);
         const qint64 got = file.read(block.data(), qint64(block.size()));
         if (got < 0)
-            return base::fail(base::ErrorCode::FileUnreadable, operation,
+            return base::fail(base::ErrorCode::FileUnreadable, loadOperation,
                               file.fileName() + QStringLiteral(": ") + file.errorString());
         if (got == 0)
             return {};
@@ -198,13 +198,13 @@ base::Result<LoadedRecording> loadRecording(const QString& path, SampleStore& in
 {
     const QFileInfo source(path);
     if (!source.exists())
-        return base::fail(base::ErrorCode::FileMissing, operation, path);
+        return base::fail(base::ErrorCode::FileMissing, loadOperation, path);
     if (!source.isFile())
-        return base::fail(base::ErrorCode::FileUnreadable, operation,
+        return base::fail(base::ErrorCode::FileUnreadable, loadOperation,
                           path + QStringLiteral(": not a regular file"));
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
-        return base::fail(base::ErrorCode::FileUnreadable, operation,
+        return base::fail(base::ErrorCode::FileUnreadable, loadOperation,
                           path + QStringLiteral(": ") + file.errorString());
     RecordingLoader loader(path, into);
     if (const auto read = readInto(loader, file, stop, onProgress); !read) {

@@ -10,7 +10,7 @@
 
 namespace record {
 namespace {
-const QString operation = QStringLiteral("record");
+const QString fileOperation = QStringLiteral("record");
 
 QByteArray bytesOf(const std::string& text)
 {
@@ -33,7 +33,7 @@ base::Result<std::unique_ptr<RecordingFile>> RecordingFile::create(const QString
                                                                    const std::string& head)
 {
     if (path.isEmpty())
-        return tl::unexpected(noFileNameError(operation));
+        return tl::unexpected(noFileNameError(fileOperation));
     std::unique_ptr<RecordingFile> made(new RecordingFile(path));
     FileHandle& file = made->m_file;
     if (!file.isOpen())
@@ -100,12 +100,12 @@ base::Result<void> RecordingFile::checkFile() const
                          : !named         ? QStringLiteral("the file was deleted or moved away")
                          : mine           ? QStringLiteral("another program changed the file")
                                           : QStringLiteral("another file took its place");
-    return base::fail(base::ErrorCode::FileUnwritable, operation,
+    return base::fail(base::ErrorCode::FileUnwritable, fileOperation,
                       m_path + QStringLiteral(": ") + what);
 }
 
 base::Error RecordingFile::lastError() const
 {
-    return fileError(base::ErrorCode::FileUnwritable, operation, m_path, errno);
+    return fileError(base::ErrorCode::FileUnwritable, fileOperation, m_path, errno);
 }
 } // namespace record

@@ -14,7 +14,7 @@
 
 namespace record {
 namespace {
-constexpr base::Duration maxTime = std::chrono::hours(24 * 366 * 10);
+constexpr base::Duration maxTextTime = std::chrono::hours(24 * 366 * 10);
 
 template <typename Number>
 void appendNumber(std::string& out, Number number)
@@ -239,6 +239,6 @@ std::optional<base::Duration> parseInstant(std::string_view text)
 
 bool isValidTime(base::Duration at)
 {
-    return at >= -maxTime && at <= maxTime;
+    return at >= -maxTextTime && at <= maxTextTime;
 }
 } // namespace record

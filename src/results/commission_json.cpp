@@ -7,8 +7,8 @@
 
 namespace record {
 namespace {
-const QLatin1String formatName("servodesk-commission");
-constexpr int formatVersion = 1;
+const QLatin1String commissionFormat("servodesk-commission");
+constexpr int commissionVersion = 1;
 
 QString timeText(const QDateTime& at)
 {
@@ -141,8 +141,8 @@ base::Result<CommissionBatch> fail(const QString& detail)
 
 QByteArray encodeCommissionBatch(const CommissionBatch& batch)
 {
-    QByteArray text = "{\n  \"format\": " + jsonText(formatName) +
-                      ",\n  \"version\": " + QByteArray::number(formatVersion) +
+    QByteArray text = "{\n  \"format\": " + jsonText(commissionFormat) +
+                      ",\n  \"version\": " + QByteArray::number(commissionVersion) +
                       ",\n  \"program\": " + jsonText(batch.program) +
                       ",\n  \"servos\": " + list(batch.rows, rowText) +
                       ",\n  \"unfinished\": " + list(batch.pending, pendingText);
@@ -164,7 +164,7 @@ base::Result<CommissionBatch> decodeCommissionBatch(const QByteArray& text)
         return fail(twice);
     JsonReadError readError;
     const JsonReader json(*document, readError);
-    checkFormat(json, formatName, formatVersion,
+    checkFormat(json, commissionFormat, commissionVersion,
                 QStringLiteral("not the state of a commissioning batch of ServoDesk"));
     CommissionBatch batch;
     batch.program = json.text("program");

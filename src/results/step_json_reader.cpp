@@ -11,9 +11,9 @@
 
 namespace record {
 namespace {
-const QString loading = QStringLiteral("load-step-response");
-constexpr qint64 maxFileSize = 256 * 1024 * 1024;
-constexpr int formatVersion = 1;
+const QString loadStepOperation = QStringLiteral("load-step-response");
+constexpr qint64 maxStepFileSize = 256 * 1024 * 1024;
+constexpr int stepVersion = 1;
 constexpr double maxMs = 1e9;
 constexpr int cells = 5; ///< of a sample
 
@@ -139,22 +139,22 @@ base::Result<std::vector<StepRun>> decodeStepRuns(const QByteArray& text)
 {
     const auto document = parseJson(text);
     if (!document)
-        return base::fail(base::ErrorCode::FileFormat, loading, document.error());
+        return base::fail(base::ErrorCode::FileFormat, loadStepOperation, document.error());
     JsonReadError readError;
     const JsonReader json(*document, readError);
-    checkFormat(json, QLatin1StringView("servodesk-step-response"), formatVersion,
+    checkFormat(json, QLatin1StringView("servodesk-step-response"), stepVersion,
                 QStringLiteral("not a step response of ServoDesk"));
     std::vector<StepRun> runs;
     for (const JsonReader& run : json.objects("runs"))
         runs.push_back(readRun(run));
     if (readError.isSet())
-        return base::fail(base::ErrorCode::FileFormat, loading, readError.text());
+        return base::fail(base::ErrorCode::FileFormat, loadStepOperation, readError.text());
     return runs;
 }
 
 base::Result<std::vector<StepRun>> loadStepRuns(const QString& path)
 {
-    const auto text = readTextFile(loading, path, maxFileSize);
+    const auto text = readTextFile(loadStepOperation, path, maxStepFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto runs = decodeStepRuns(*text);

@@ -12,9 +12,9 @@
 
 namespace record {
 namespace {
-const QString loading = QStringLiteral("load-sweep");
-constexpr qint64 maxFileSize = 512 * 1024 * 1024;
-constexpr int formatVersion = 1;
+const QString loadSweepOperation = QStringLiteral("load-sweep");
+constexpr qint64 maxSweepFileSize = 512 * 1024 * 1024;
+constexpr int sweepVersion = 1;
 constexpr double maxMs = 1e12; ///< thirty years
 
 double number(const JsonReader& json, const char* key)
@@ -220,7 +220,7 @@ void readRows(const JsonReader& json, const char* key, std::vector<SweepServo>& 
 
 SweepRun readRun(const JsonReader& json)
 {
-    checkFormat(json, QLatin1StringView("servodesk-sweep"), formatVersion,
+    checkFormat(json, QLatin1StringView("servodesk-sweep"), sweepVersion,
                 QStringLiteral("not a sweep test of ServoDesk"));
     SweepRun run;
     run.program = json.text("program");
@@ -247,17 +247,17 @@ base::Result<SweepRun> decodeSweepRun(const QByteArray& text)
 {
     const auto document = parseJson(text);
     if (!document)
-        return base::fail(base::ErrorCode::FileFormat, loading, document.error());
+        return base::fail(base::ErrorCode::FileFormat, loadSweepOperation, document.error());
     JsonReadError readError;
     SweepRun run = readRun(JsonReader(*document, readError));
     if (readError.isSet())
-        return base::fail(base::ErrorCode::FileFormat, loading, readError.text());
+        return base::fail(base::ErrorCode::FileFormat, loadSweepOperation, readError.text());
     return run;
 }
 
 base::Result<SweepRun> loadSweepRun(const QString& path)
 {
-    const auto text = readTextFile(loading, path, maxFileSize);
+    const auto text = readTextFile(loadSweepOperation, path, maxSweepFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto run = decodeSweepRun(*text);

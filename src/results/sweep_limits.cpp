@@ -21,11 +21,11 @@ static void initLimitsResource()
 
 namespace record {
 namespace {
-const QString loading = QStringLiteral("load-limits");
+const QString loadLimitsOperation = QStringLiteral("load-limits");
 const QString saving = QStringLiteral("save-limits");
-const QLatin1String formatName("servodesk-limits");
-constexpr int formatVersion = 1;
-constexpr qint64 maxFileSize = 1024 * 1024;
+const QLatin1String limitsFormat("servodesk-limits");
+constexpr int limitsVersion = 1;
+constexpr qint64 maxLimitsFileSize = 1024 * 1024;
 
 const SweepMetricKind* kindOf(const QString& key)
 {
@@ -127,8 +127,8 @@ const std::vector<SweepLimits>& builtIn()
 
 QByteArray encodeSweepLimits(const SweepLimits& limits)
 {
-    QByteArray text = "{\n  \"format\": " + jsonText(formatName) +
-                      ",\n  \"version\": " + QByteArray::number(formatVersion) +
+    QByteArray text = "{\n  \"format\": " + jsonText(limitsFormat) +
+                      ",\n  \"version\": " + QByteArray::number(limitsVersion) +
                       ",\n  \"name\": " + jsonText(limits.name) +
                       ",\n  \"models\": " + jsonText(limits.models) +
                       ",\n  \"tolerance\": " + jsonNumber(limits.tolerance) + ",\n  \"lines\": [";
@@ -146,7 +146,8 @@ SweepLimits readSweepLimits(const JsonReader& json)
                                    QStringLiteral("version"), QStringLiteral("name"),
                                    QStringLiteral("models"),  QStringLiteral("tolerance"),
                                    QStringLiteral("lines"),   QStringLiteral("comment")};
-    checkFormat(json, formatName, formatVersion, QStringLiteral("not a file of ServoDesk limits"));
+    checkFormat(json, limitsFormat, limitsVersion,
+                QStringLiteral("not a file of ServoDesk limits"));
     json.rejectUnknownKeys(known);
     SweepLimits limits;
     limits.name = json.text("name");
@@ -163,7 +164,7 @@ base::Result<SweepLimits> decodeSweepLimits(const QByteArray& text)
 {
     const auto document = parseJson(text);
     if (!document)
-        return base::fail(base::ErrorCode::FileFormat, loading, document.error());
+        return base::fail(base::ErrorCode::FileFormat, loadLimitsOperation, document.error());
     JsonReadError readError;
     const JsonReader json(*document, readError);
     const SweepLimits limits = readSweepLimits(json);
@@ -172,13 +173,13 @@ base::Result<SweepLimits> decodeSweepLimits(const QByteArray& text)
     if (limits.lines.empty())
         json.reportError("lines", QStringLiteral("without a line every servo would pass"));
     if (readError.isSet())
-        return base::fail(base::ErrorCode::FileFormat, loading, readError.text());
+        return base::fail(base::ErrorCode::FileFormat, loadLimitsOperation, readError.text());
     return limits;
 }
 
 base::Result<SweepLimits> loadSweepLimits(const QString& path)
 {
-    const auto text = readTextFile(loading, path, maxFileSize);
+    const auto text = readTextFile(loadLimitsOperation, path, maxLimitsFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto limits = decodeSweepLimits(*text);

@@ -10,7 +10,7 @@ namespace record {
 using base::ErrorCode;
 
 namespace {
-const QString operation = QStringLiteral("load");
+const QString loadPointsOperation = QStringLiteral("load");
 constexpr int maxPause = 3'600'000; ///< ms
 
 QString toQString(std::string_view text)
@@ -22,12 +22,13 @@ base::Result<SweepPoint> pointOf(const std::vector<std::string_view>& cells, int
 {
     SweepPoint point{toQString(cells.front())};
     if (point.target.isEmpty() || cells.size() > 2)
-        return base::fail(ErrorCode::FileFormat, operation, QStringLiteral("line %1").arg(line));
+        return base::fail(ErrorCode::FileFormat, loadPointsOperation,
+                          QStringLiteral("line %1").arg(line));
     if (cells.size() == 2 && !cells[1].empty()) {
         bool whole = false;
         const int pause = toQString(cells[1]).toInt(&whole);
         if (!whole || pause < 1 || pause > maxPause)
-            return base::fail(ErrorCode::FileFormat, operation,
+            return base::fail(ErrorCode::FileFormat, loadPointsOperation,
                               QStringLiteral("line %1, pause").arg(line));
         point.pause = std::chrono::milliseconds(pause);
     }
@@ -61,7 +62,7 @@ base::Result<std::vector<SweepPoint>> decodeSweepPoints(const QByteArray& text)
 base::Result<std::vector<SweepPoint>> loadSweepPoints(const QString& path)
 {
     constexpr qint64 maxFileSize = 16 << 20;
-    const auto text = readTextFile(operation, path, maxFileSize);
+    const auto text = readTextFile(loadPointsOperation, path, maxFileSize);
     if (!text)
         return tl::unexpected(text.error());
     return decodeSweepPoints(*text);

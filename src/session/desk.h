@@ -81,7 +81,7 @@ public:
     /// Closes what is open first. linkChanged follows; a failure arrives as connectFailed.
     void connectTo(const PortRequest& request);
     /// Ends searches and polls, finishes the writes asked for, drops other tasks that wait. The
-    /// list stays, greyed by the state.
+    /// list stays, grayed by the state.
     void disconnectFrom(MotionOnClose moving = MotionOnClose::Stop,
                         LockOnClose lock = LockOnClose::Close);
     /// Like disconnectFrom(), for closing the window: closed() follows, once.

@@ -33,7 +33,7 @@ QString defaultPath()
            QStringLiteral("/servodesk.ini");
 }
 
-/// QSettings takes nearly anything for an ini file. Serialised objects are never written here, and
+/// QSettings takes nearly anything for an ini file. Serialized objects are never written here, and
 /// are nothing to be loaded from a file that anybody may have edited.
 bool isIniLine(const QByteArray& line)
 {

@@ -13,10 +13,10 @@
 
 namespace record {
 namespace {
-const QLatin1String formatName("servodesk-bundle");
-constexpr int formatVersion = 1;
-constexpr qint64 maxFileSize = 64 * 1024 * 1024; ///< 254 servos with long notes are 4 MB
-const QString loading = QStringLiteral("load-bundle");
+const QLatin1String bundleFormat("servodesk-bundle");
+constexpr int bundleVersion = 1;
+constexpr qint64 maxBundleFileSize = 64 * 1024 * 1024; ///< 254 servos with long notes are 4 MB
+const QString loadBundleOperation = QStringLiteral("load-bundle");
 
 std::vector<Snapshot> readServos(const JsonReader& json)
 {
@@ -35,7 +35,7 @@ std::vector<Snapshot> readServos(const JsonReader& json)
 
 base::Result<Bundle> fail(const QString& detail)
 {
-    return base::fail(base::ErrorCode::FileFormat, loading, detail);
+    return base::fail(base::ErrorCode::FileFormat, loadBundleOperation, detail);
 }
 } // namespace
 
@@ -47,8 +47,8 @@ QByteArray encodeBundle(const Bundle& bundle)
     std::stable_sort(servos.begin(), servos.end(), [](const Snapshot* a, const Snapshot* b) {
         return std::tie(a->servo.id, a->servo.protocol) < std::tie(b->servo.id, b->servo.protocol);
     });
-    QByteArray text = "{\n  \"format\": " + jsonText(formatName) +
-                      ",\n  \"version\": " + QByteArray::number(formatVersion) +
+    QByteArray text = "{\n  \"format\": " + jsonText(bundleFormat) +
+                      ",\n  \"version\": " + QByteArray::number(bundleVersion) +
                       ",\n  \"program\": " + jsonText(bundle.program) +
                       ",\n  \"time\": " + jsonText(bundle.at.toUTC().toString(Qt::ISODate)) +
                       ",\n  \"label\": " + jsonText(bundle.label) +
@@ -71,7 +71,7 @@ base::Result<Bundle> decodeBundle(const QByteArray& text)
         return fail(twice);
     JsonReadError readError;
     const JsonReader json(*document, readError);
-    checkFormat(json, formatName, formatVersion, QStringLiteral("not a ServoDesk bundle"));
+    checkFormat(json, bundleFormat, bundleVersion, QStringLiteral("not a ServoDesk bundle"));
     Bundle bundle;
     bundle.program = json.text("program");
     bundle.at = json.time("time");
@@ -91,7 +91,7 @@ base::Result<void> saveBundle(const Bundle& bundle, const QString& path)
 
 base::Result<Bundle> loadBundle(const QString& path)
 {
-    const auto text = readTextFile(loading, path, maxFileSize);
+    const auto text = readTextFile(loadBundleOperation, path, maxBundleFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto bundle = decodeBundle(*text);

@@ -7,14 +7,8 @@
 
 namespace record {
 namespace {
-const QLatin1String formatName("servodesk-restore");
-constexpr int formatVersion = 1;
-constexpr int valueDigits = 12;
-
-QByteArray number(std::optional<std::int64_t> raw)
-{
-    return raw ? QByteArray::number(qint64(*raw)) : QByteArray("null");
-}
+const QLatin1String restoreFormat("servodesk-restore");
+constexpr int restoreVersion = 1;
 
 QString cell(std::optional<std::int64_t> raw)
 {
@@ -25,9 +19,9 @@ QByteArray rowLine(const RestoreResultRow& row)
 {
     return "        {\"key\": " + jsonText(row.key) +
            ", \"address\": " + QByteArray::number(row.address) +
-           ", \"before\": " + number(row.before) + ", \"wanted\": " + number(row.newRaw) +
-           ", \"value\": " + jsonNumber(row.newValue, valueDigits) +
-           ", \"unit\": " + jsonText(row.unit) + ", \"read_back\": " + number(row.readBack) +
+           ", \"before\": " + jsonInteger(row.before) + ", \"wanted\": " + jsonInteger(row.newRaw) +
+           ", \"value\": " + jsonNumber(row.newValue, registerValueDigits) +
+           ", \"unit\": " + jsonText(row.unit) + ", \"read_back\": " + jsonInteger(row.readBack) +
            ", \"outcome\": " + jsonText(row.outcome) + ", \"error\": " + jsonText(row.error) +
            ", \"rolled_back\": " + jsonFlag(row.rolledBack) + '}';
 }
@@ -59,8 +53,8 @@ QByteArray servoBlock(const RestoreResult& result)
 
 QByteArray encodeRestoreResults(const std::vector<RestoreResult>& results)
 {
-    QByteArray text = "{\n  \"format\": " + jsonText(formatName) +
-                      ",\n  \"version\": " + QByteArray::number(formatVersion) +
+    QByteArray text = "{\n  \"format\": " + jsonText(restoreFormat) +
+                      ",\n  \"version\": " + QByteArray::number(restoreVersion) +
                       ",\n  \"servos\": [";
     const char* separator = "\n";
     for (const RestoreResult& result : results) {
@@ -89,8 +83,9 @@ QByteArray encodeRestoreResultsCsv(const std::vector<RestoreResult>& results)
             text += csvLine(
                 head + QStringList{row.key, QString::number(row.address), cell(row.before),
                                    QString::number(row.newRaw),
-                                   row.newValue ? QString::number(*row.newValue, 'g', valueDigits)
-                                                : QString(),
+                                   row.newValue
+                                       ? QString::number(*row.newValue, 'g', registerValueDigits)
+                                       : QString(),
                                    row.unit, cell(row.readBack), row.outcome, row.error,
                                    row.rolledBack ? QStringLiteral("1") : QStringLiteral("0")});
         }

@@ -13,24 +13,17 @@
 
 namespace record {
 namespace {
-const QLatin1String formatName("servodesk-snapshot");
-constexpr int formatVersion = 1;
+const QLatin1String snapshotFormat("servodesk-snapshot");
+constexpr int snapshotVersion = 1;
 constexpr int maxAddress = 65535;
 constexpr int maxId = 255;
-
-// Enough for every register there is, and hides the noise of raw × scale.
-constexpr int valueDigits = 12;
-
-QByteArray number(std::optional<std::int64_t> raw)
-{
-    return raw ? QByteArray::number(qint64(*raw)) : QByteArray("null");
-}
 
 QByteArray registerLine(const SnapshotRegister& reg)
 {
     return "    {\"key\": " + jsonText(reg.key) +
-           ", \"address\": " + QByteArray::number(reg.address) + ", \"raw\": " + number(reg.raw) +
-           ", \"value\": " + jsonNumber(reg.value, valueDigits) +
+           ", \"address\": " + QByteArray::number(reg.address) +
+           ", \"raw\": " + jsonInteger(reg.raw) +
+           ", \"value\": " + jsonNumber(reg.value, registerValueDigits) +
            ", \"unit\": " + jsonText(reg.unit) +
            ", \"area\": " + jsonText(catalog::areaName(reg.area)) +
            ", \"access\": " + jsonText(catalog::accessName(reg.access)) + '}';
@@ -124,8 +117,8 @@ QByteArray encodeSnapshot(const Snapshot& snapshot)
     std::sort(registers.begin(), registers.end(), [](const auto& left, const auto& right) {
         return std::tie(left.address, left.key) < std::tie(right.address, right.key);
     });
-    QByteArray text = "{\n  \"format\": " + jsonText(formatName) +
-                      ",\n  \"version\": " + QByteArray::number(formatVersion) +
+    QByteArray text = "{\n  \"format\": " + jsonText(snapshotFormat) +
+                      ",\n  \"version\": " + QByteArray::number(snapshotVersion) +
                       (snapshot.isTemplate ? ",\n  \"template\": true" : "") +
                       ",\n  \"program\": " + jsonText(snapshot.program) +
                       ",\n  \"time\": " + jsonText(snapshot.at.toUTC().toString(Qt::ISODate)) +
@@ -144,7 +137,7 @@ QByteArray encodeSnapshot(const Snapshot& snapshot)
 
 Snapshot readSnapshot(const JsonReader& json)
 {
-    checkFormat(json, formatName, formatVersion, QStringLiteral("not a ServoDesk snapshot"));
+    checkFormat(json, snapshotFormat, snapshotVersion, QStringLiteral("not a ServoDesk snapshot"));
     Snapshot snapshot;
     snapshot.isTemplate = json.contains("template") && json.flag("template");
     snapshot.program = json.text("program");

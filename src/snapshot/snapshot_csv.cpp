@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/csv_text.h"
+#include "files/json_text.h"
 #include "files/text_file.h"
 #include "snapshot/snapshot.h"
 
@@ -8,7 +9,6 @@
 
 namespace record {
 namespace {
-constexpr int valueDigits = 12; ///< as in the file
 
 QString cellText(std::optional<std::int64_t> raw)
 {
@@ -17,7 +17,8 @@ QString cellText(std::optional<std::int64_t> raw)
 
 QString cellText(std::optional<double> value)
 {
-    return value && std::isfinite(*value) ? QString::number(*value, 'g', valueDigits) : QString();
+    return value && std::isfinite(*value) ? QString::number(*value, 'g', registerValueDigits)
+                                          : QString();
 }
 } // namespace
 

@@ -6,8 +6,8 @@
 namespace record {
 namespace {
 const QString saving = QStringLiteral("save-snapshot");
-const QString loading = QStringLiteral("load-snapshot");
-constexpr qint64 maxFileSize = 4 * 1024 * 1024;
+const QString loadSnapshotOperation = QStringLiteral("load-snapshot");
+constexpr qint64 maxSnapshotFileSize = 4 * 1024 * 1024;
 } // namespace
 
 base::Result<void> saveSnapshot(const Snapshot& snapshot, const QString& path)
@@ -17,7 +17,7 @@ base::Result<void> saveSnapshot(const Snapshot& snapshot, const QString& path)
 
 base::Result<Snapshot> loadSnapshot(const QString& path)
 {
-    const auto text = readTextFile(loading, path, maxFileSize);
+    const auto text = readTextFile(loadSnapshotOperation, path, maxSnapshotFileSize);
     if (!text)
         return tl::unexpected(text.error());
     auto snapshot = decodeSnapshot(*text);

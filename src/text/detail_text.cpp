@@ -81,7 +81,7 @@ QString insteadWrite(const base::Error& error)
     return so ? error.detail.mid(prefix.size()) : QString();
 }
 
-QString notSupported(const base::Error& error)
+QString notSupportedText(const base::Error& error)
 {
     if (!insteadWrite(error).isEmpty())
         return translate("text", "it has no command for this");
@@ -106,7 +106,7 @@ bool standsOutside(const base::Error& error)
     return error.code == ErrorCode::OutOfRange && error.operation == QLatin1String("torque");
 }
 
-QString badArgument(const base::Error& error)
+QString badArgumentText(const base::Error& error)
 {
     // Words of the command line are complained about in full sentences already.
     if (error.operation == QLatin1String("arguments"))
@@ -147,7 +147,7 @@ bool adaptersClaimedByBrltty(const base::Error& error)
     return error.code == ErrorCode::PortMissing && error.detail.endsWith(brailleMark);
 }
 
-QString refused(const base::Error& error)
+QString refusedText(const base::Error& error)
 {
     if (error.operation == QLatin1String("arrive") && error.detail == QLatin1String("time"))
         return translate("text", "it did not come to rest in time");
@@ -197,11 +197,11 @@ QString specialCase(const base::Error& error)
                    ? translate("text", "it stands outside its limits (%1)").arg(error.detail)
                    : QString();
     case ErrorCode::NotSupported:
-        return notSupported(error);
+        return notSupportedText(error);
     case ErrorCode::BadArgument:
-        return badArgument(error);
+        return badArgumentText(error);
     case ErrorCode::Refused:
-        return refused(error);
+        return refusedText(error);
     case ErrorCode::PortMissing:
         return adaptersClaimedByBrltty(error)
                    ? translate("text", "the braille service (brltty) has taken the adapter (%1)")

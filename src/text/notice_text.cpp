@@ -11,122 +11,134 @@ using base::NoticeCode;
 
 namespace {
 /// %1 and %2 are the notice's numbers, %3 its register; %recover as in text/front_end.h.
-struct Entry {
+struct NoticeEntry {
     NoticeCode code;
     const char* name;
     const char* sentence;
 };
 
-constexpr std::array entries{
-    Entry{NoticeCode::TorqueSwitchedOff, "torque-switched-off",
-          QT_TRANSLATE_NOOP("text", "Torque was switched off.")},
-    Entry{NoticeCode::TorqueSwitchedOn, "torque-switched-on",
-          QT_TRANSLATE_NOOP("text", "The goal switched torque on.")},
-    Entry{NoticeCode::TorqueStaysOff, "torque-stays-off",
-          QT_TRANSLATE_NOOP("text", "Torque stays off until you switch it on.")},
-    Entry{NoticeCode::HoldingAt, "holding-at",
-          QT_TRANSLATE_NOOP("text", "It holds where it is (%3 = %1).")},
-    Entry{NoticeCode::LockFoundOpen, "lock-found-open",
-          QT_TRANSLATE_NOOP("text", "The EPROM lock was found open.")},
-    Entry{NoticeCode::LockClosed, "lock-closed",
-          QT_TRANSLATE_NOOP("text", "The EPROM lock has been closed.")},
-    Entry{NoticeCode::LockLeftOpen, "lock-left-open",
-          QT_TRANSLATE_NOOP(
-              "text", "The EPROM lock could not be proven closed; it is noted in the journal. "
-                      "Use %recover when the servo answers again.")},
-    Entry{NoticeCode::CommandZeroed, "command-zeroed",
-          QT_TRANSLATE_NOOP("text", "%3 was set to 0, so that nothing moves in the new mode.")},
-    Entry{NoticeCode::LimitsSaved, "limits-kept",
-          QT_TRANSLATE_NOOP("text", "The angle limits %1 … %2 are kept for the way back.")},
-    Entry{NoticeCode::LimitsRestored, "limits-restored",
-          QT_TRANSLATE_NOOP("text", "The angle limits %1 … %2 are back.")},
-    Entry{NoticeCode::LimitsSetToDefault, "limits-defaulted",
-          QT_TRANSLATE_NOOP("text", "No earlier angle limits are known; %1 … %2 were set.")},
-    Entry{NoticeCode::SpeedRestored, "speed-restored",
-          QT_TRANSLATE_NOOP("text", "The position speed %1 (%3) is back.")},
-    Entry{NoticeCode::SpeedZeroedForTime, "speed-zero-for-time",
-          QT_TRANSLATE_NOOP("text", "%3 was set to 0, because the time acts only then.")},
-    Entry{
+constexpr std::array noticeEntries{
+    NoticeEntry{NoticeCode::TorqueSwitchedOff, "torque-switched-off",
+                QT_TRANSLATE_NOOP("text", "Torque was switched off.")},
+    NoticeEntry{NoticeCode::TorqueSwitchedOn, "torque-switched-on",
+                QT_TRANSLATE_NOOP("text", "The goal switched torque on.")},
+    NoticeEntry{NoticeCode::TorqueStaysOff, "torque-stays-off",
+                QT_TRANSLATE_NOOP("text", "Torque stays off until you switch it on.")},
+    NoticeEntry{NoticeCode::HoldingAt, "holding-at",
+                QT_TRANSLATE_NOOP("text", "It holds where it is (%3 = %1).")},
+    NoticeEntry{NoticeCode::LockFoundOpen, "lock-found-open",
+                QT_TRANSLATE_NOOP("text", "The EPROM lock was found open.")},
+    NoticeEntry{NoticeCode::LockClosed, "lock-closed",
+                QT_TRANSLATE_NOOP("text", "The EPROM lock has been closed.")},
+    NoticeEntry{
+        NoticeCode::LockLeftOpen, "lock-left-open",
+        QT_TRANSLATE_NOOP("text",
+                          "The EPROM lock could not be proven closed; it is noted in the journal. "
+                          "Use %recover when the servo answers again.")},
+    NoticeEntry{
+        NoticeCode::CommandZeroed, "command-zeroed",
+        QT_TRANSLATE_NOOP("text", "%3 was set to 0, so that nothing moves in the new mode.")},
+    NoticeEntry{NoticeCode::LimitsSaved, "limits-kept",
+                QT_TRANSLATE_NOOP("text", "The angle limits %1 … %2 are kept for the way back.")},
+    NoticeEntry{NoticeCode::LimitsRestored, "limits-restored",
+                QT_TRANSLATE_NOOP("text", "The angle limits %1 … %2 are back.")},
+    NoticeEntry{NoticeCode::LimitsSetToDefault, "limits-defaulted",
+                QT_TRANSLATE_NOOP("text", "No earlier angle limits are known; %1 … %2 were set.")},
+    NoticeEntry{NoticeCode::SpeedRestored, "speed-restored",
+                QT_TRANSLATE_NOOP("text", "The position speed %1 (%3) is back.")},
+    NoticeEntry{NoticeCode::SpeedZeroedForTime, "speed-zero-for-time",
+                QT_TRANSLATE_NOOP("text", "%3 was set to 0, because the time acts only then.")},
+    NoticeEntry{
         NoticeCode::ReplyLostButWritten, "answer-lost-but-done",
         QT_TRANSLATE_NOOP("text", "The acknowledgement was lost; reading proved that it is done.")},
-    Entry{NoticeCode::ReplyLostResent, "answer-lost-sent-again",
-          QT_TRANSLATE_NOOP("text", "The acknowledgement was lost; reading proved that nothing had "
-                                    "happened, so it was sent again.")},
-    Entry{NoticeCode::AckFromNewId, "ack-from-new-id",
-          QT_TRANSLATE_NOOP("text", "The change was acknowledged under ID %1.")},
-    Entry{NoticeCode::AlreadySet, "already-so",
-          QT_TRANSLATE_NOOP("text", "It was so already; nothing was written.")},
-    Entry{NoticeCode::EffectiveAfterRestart, "acts-after-restart",
-          QT_TRANSLATE_NOOP("text", "This takes effect at the next power-on.")},
-    Entry{NoticeCode::AboveRecommended, "above-usual",
-          QT_TRANSLATE_NOOP("text", "%3 is above %1, which is the highest useful value.")},
-    Entry{NoticeCode::StoppedByUser, "stopped-before",
-          QT_TRANSLATE_NOOP("text", "Stopped before %3 was written.")},
-    Entry{NoticeCode::OverloadActive, "overload-holds",
-          QT_TRANSLATE_NOOP("text",
-                            "Overload: only the holding torque is left. Take the load off and "
+    NoticeEntry{NoticeCode::ReplyLostResent, "answer-lost-sent-again",
+                QT_TRANSLATE_NOOP("text",
+                                  "The acknowledgement was lost; reading proved that nothing had "
+                                  "happened, so it was sent again.")},
+    NoticeEntry{NoticeCode::AckFromNewId, "ack-from-new-id",
+                QT_TRANSLATE_NOOP("text", "The change was acknowledged under ID %1.")},
+    NoticeEntry{NoticeCode::AlreadySet, "already-so",
+                QT_TRANSLATE_NOOP("text", "It was so already; nothing was written.")},
+    NoticeEntry{NoticeCode::EffectiveAfterRestart, "acts-after-restart",
+                QT_TRANSLATE_NOOP("text", "This takes effect at the next power-on.")},
+    NoticeEntry{NoticeCode::AboveRecommended, "above-usual",
+                QT_TRANSLATE_NOOP("text", "%3 is above %1, which is the highest useful value.")},
+    NoticeEntry{NoticeCode::StoppedByUser, "stopped-before",
+                QT_TRANSLATE_NOOP("text", "Stopped before %3 was written.")},
+    NoticeEntry{NoticeCode::OverloadActive, "overload-holds",
+                QT_TRANSLATE_NOOP(
+                    "text", "Overload: only the holding torque is left. Take the load off and "
                             "give a goal away from the stall.")},
-    Entry{NoticeCode::OvercurrentActive, "overcurrent-holds",
-          QT_TRANSLATE_NOOP("text",
-                            "Overcurrent: torque is off until a new goal is given. Remove the "
+    NoticeEntry{NoticeCode::OvercurrentActive, "overcurrent-holds",
+                QT_TRANSLATE_NOOP(
+                    "text", "Overcurrent: torque is off until a new goal is given. Remove the "
                             "cause first.")},
-    Entry{NoticeCode::VoltageAlarmActive, "voltage-holds",
-          QT_TRANSLATE_NOOP("text",
-                            "Voltage: it passes when the supply is inside the servo's limits "
-                            "again.")},
-    Entry{NoticeCode::TemperatureAlarmActive, "temperature-holds",
-          QT_TRANSLATE_NOOP("text", "Temperature: it passes by cooling only.")},
-    Entry{NoticeCode::SensorAlarmActive, "sensor-holds",
-          QT_TRANSLATE_NOOP("text",
-                            "Encoder: switch the servo off and on; if it returns, the servo "
-                            "needs repair.")},
-    Entry{NoticeCode::RebootedAfter, "rebooted-after",
-          QT_TRANSLATE_NOOP("text", "It answered %1 ms after the restart.")},
-    Entry{NoticeCode::RateChanged, "rate-changed",
-          QT_TRANSLATE_NOOP("text", "It answers at %1 baud now.")},
-    Entry{NoticeCode::StillMoving, "still-moving",
-          QT_TRANSLATE_NOOP(
-              "text", "It is still on its way to the goal, until it is stopped or torque is off.")},
-    Entry{NoticeCode::IdChanged, "id-changed",
-          QT_TRANSLATE_NOOP("text", "It answers as ID %1 now.")},
-    Entry{NoticeCode::Resent, "sent-again",
-          QT_TRANSLATE_NOOP("text", "Reading proved that nothing had happened, so it was sent "
-                                    "again.")},
-    Entry{NoticeCode::PersistenceUndocumented, "persistence-not-stated",
-          QT_TRANSLATE_NOOP("text", "Whether %3 survives power-off is not documented.")},
-    Entry{NoticeCode::SaveUnverified, "saved-per-sheet",
-          QT_TRANSLATE_NOOP("text", "%3 was saved, as the data sheet has it; only switching the "
-                                    "servo off and on could prove it.")},
-    Entry{NoticeCode::CurrentLimitZero, "no-current-allowed",
-          QT_TRANSLATE_NOOP("text", "%3 is 0, which allows no current: the servo has no torque.")},
-    Entry{NoticeCode::CurrentRestored, "current-restored",
-          QT_TRANSLATE_NOOP("text", "The current limit %1 (%3) is back.")},
-    Entry{NoticeCode::DerivedTemperature, "derived-temperature",
-          QT_TRANSLATE_NOOP("text", "The temperature is above its limit (derived from its limits, "
-                                    "not reported by the servo).")},
-    Entry{NoticeCode::DerivedVoltage, "derived-voltage",
-          QT_TRANSLATE_NOOP("text", "The voltage is outside its limits (derived from its limits, "
-                                    "not reported by the servo).")},
-    Entry{NoticeCode::MixedFamilies, "families-mixed",
-          QT_TRANSLATE_NOOP("text", "SCS servos share this line with STS, SMS or HLS servos; the "
-                                    "vendor advises against it.")},
-    Entry{NoticeCode::LedNotRestored, "led-not-put-back",
-          QT_TRANSLATE_NOOP("text", "The LED setting (%3) could not be put back; it is noted in "
-                                    "the journal. Use %recover when the servo answers again.")},
-    Entry{NoticeCode::NotRecorded, "not-recorded",
-          QT_TRANSLATE_NOOP("text",
-                            "Not recorded: the outcome of this change could not be saved to "
+    NoticeEntry{NoticeCode::VoltageAlarmActive, "voltage-holds",
+                QT_TRANSLATE_NOOP("text",
+                                  "Voltage: it passes when the supply is inside the servo's limits "
+                                  "again.")},
+    NoticeEntry{NoticeCode::TemperatureAlarmActive, "temperature-holds",
+                QT_TRANSLATE_NOOP("text", "Temperature: it passes by cooling only.")},
+    NoticeEntry{NoticeCode::SensorAlarmActive, "sensor-holds",
+                QT_TRANSLATE_NOOP("text",
+                                  "Encoder: switch the servo off and on; if it returns, the servo "
+                                  "needs repair.")},
+    NoticeEntry{NoticeCode::RebootedAfter, "rebooted-after",
+                QT_TRANSLATE_NOOP("text", "It answered %1 ms after the restart.")},
+    NoticeEntry{NoticeCode::RateChanged, "rate-changed",
+                QT_TRANSLATE_NOOP("text", "It answers at %1 baud now.")},
+    NoticeEntry{
+        NoticeCode::StillMoving, "still-moving",
+        QT_TRANSLATE_NOOP(
+            "text", "It is still on its way to the goal, until it is stopped or torque is off.")},
+    NoticeEntry{NoticeCode::IdChanged, "id-changed",
+                QT_TRANSLATE_NOOP("text", "It answers as ID %1 now.")},
+    NoticeEntry{NoticeCode::Resent, "sent-again",
+                QT_TRANSLATE_NOOP("text",
+                                  "Reading proved that nothing had happened, so it was sent "
+                                  "again.")},
+    NoticeEntry{NoticeCode::PersistenceUndocumented, "persistence-not-stated",
+                QT_TRANSLATE_NOOP("text", "Whether %3 survives power-off is not documented.")},
+    NoticeEntry{NoticeCode::SaveUnverified, "saved-per-sheet",
+                QT_TRANSLATE_NOOP("text",
+                                  "%3 was saved, as the data sheet has it; only switching the "
+                                  "servo off and on could prove it.")},
+    NoticeEntry{
+        NoticeCode::CurrentLimitZero, "no-current-allowed",
+        QT_TRANSLATE_NOOP("text", "%3 is 0, which allows no current: the servo has no torque.")},
+    NoticeEntry{NoticeCode::CurrentRestored, "current-restored",
+                QT_TRANSLATE_NOOP("text", "The current limit %1 (%3) is back.")},
+    NoticeEntry{NoticeCode::DerivedTemperature, "derived-temperature",
+                QT_TRANSLATE_NOOP("text",
+                                  "The temperature is above its limit (derived from its limits, "
+                                  "not reported by the servo).")},
+    NoticeEntry{NoticeCode::DerivedVoltage, "derived-voltage",
+                QT_TRANSLATE_NOOP("text",
+                                  "The voltage is outside its limits (derived from its limits, "
+                                  "not reported by the servo).")},
+    NoticeEntry{NoticeCode::MixedFamilies, "families-mixed",
+                QT_TRANSLATE_NOOP("text",
+                                  "SCS servos share this line with STS, SMS or HLS servos; the "
+                                  "vendor advises against it.")},
+    NoticeEntry{NoticeCode::LedNotRestored, "led-not-put-back",
+                QT_TRANSLATE_NOOP("text",
+                                  "The LED setting (%3) could not be put back; it is noted in "
+                                  "the journal. Use %recover when the servo answers again.")},
+    NoticeEntry{NoticeCode::NotRecorded, "not-recorded",
+                QT_TRANSLATE_NOOP(
+                    "text", "Not recorded: the outcome of this change could not be saved to "
                             "the history (%3). It stays listed as open; use %recover when the "
                             "history can be written again.")},
-    Entry{NoticeCode::SettingNotRestored, "setting-not-put-back",
-          QT_TRANSLATE_NOOP("text", "%3 could not be put back to %1; it is noted in the journal. "
-                                    "Use %recover when the servo answers again. At power-off the "
-                                    "servo forgets the temporary value by itself.")},
+    NoticeEntry{NoticeCode::SettingNotRestored, "setting-not-put-back",
+                QT_TRANSLATE_NOOP("text",
+                                  "%3 could not be put back to %1; it is noted in the journal. "
+                                  "Use %recover when the servo answers again. At power-off the "
+                                  "servo forgets the temporary value by itself.")},
 };
 
-const Entry* entryFor(NoticeCode code)
+const NoticeEntry* entryFor(NoticeCode code)
 {
-    for (const Entry& entry : entries) {
+    for (const NoticeEntry& entry : noticeEntries) {
         if (entry.code == code)
             return &entry;
     }
@@ -191,7 +203,7 @@ QString describe(const base::Notice& notice)
     if (notice.code == NoticeCode::StillMoving && notice.a == 1)
         return translate("text", "It may still be on its way to the goal, with torque on, until it "
                                  "is stopped or torque is off.");
-    const Entry* entry = entryFor(notice.code);
+    const NoticeEntry* entry = entryFor(notice.code);
     return withRecoveryName(translate("text", entry->sentence))
         .replace(QLatin1String("%1"), QString::number(notice.a))
         .replace(QLatin1String("%2"), QString::number(notice.b))

@@ -295,10 +295,10 @@ struct ErrorScene {
     const char* dialog; ///< empty: the window
 };
 
-template <typename Deed>
-void onTheWire(gui::MainWindowFixture& fixture, Deed&& deed)
+template <typename Action>
+void onTheWire(gui::MainWindowFixture& fixture, Action&& action)
 {
-    fixture.desk().connection()->simulation()->with(std::forward<Deed>(deed));
+    fixture.desk().connection()->simulation()->with(std::forward<Action>(action));
 }
 
 void leaveServoTurning(gui::MainWindowFixture& fixture)

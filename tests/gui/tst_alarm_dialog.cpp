@@ -58,7 +58,7 @@ void TestAlarmDialog::overloadIsReleasedOnlyAfterConsent()
     QTRY_COMPARE(cell(dialog, 0, 0), text("overload"));
     QVERIFY(gui::textOf(dialog, "release").contains(text("away from the stall")));
 
-    gui::click(dialog, "taskDeed");
+    gui::click(dialog, "taskAction");
     QDialog* question = fixture.dialog("question");
     QVERIFY(question);
     QVERIFY(gui::textOf(question, "questionRisk").contains(text("fingers")));
@@ -68,8 +68,8 @@ void TestAlarmDialog::overloadIsReleasedOnlyAfterConsent()
     QVERIFY(fixture.session.journal().entries()->empty());
     const std::int64_t before = fixture.raw(5, "present_position");
 
-    QTRY_VERIFY(gui::button(dialog, "taskDeed")->isEnabled());
-    gui::click(dialog, "taskDeed");
+    QTRY_VERIFY(gui::button(dialog, "taskAction")->isEnabled());
+    gui::click(dialog, "taskAction");
     question = fixture.dialog("question");
     QVERIFY(question);
     gui::click(question, "questionYes");
@@ -79,7 +79,7 @@ void TestAlarmDialog::overloadIsReleasedOnlyAfterConsent()
     QCOMPARE(fixture.raw(5, "servo_status"), 0);
     const std::int64_t turned = before - fixture.raw(5, "present_position");
     QVERIFY2(turned > 20 && turned < 90, qPrintable(QString::number(turned)));
-    QTRY_VERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
+    QTRY_VERIFY(!gui::button(dialog, "taskAction")->isEnabled());
 }
 
 void TestAlarmDialog::overcurrentIsReleasedOnlyAfterConsent()
@@ -99,7 +99,7 @@ void TestAlarmDialog::overcurrentIsReleasedOnlyAfterConsent()
     QVERIFY(dialog);
     QTRY_COMPARE(cell(dialog, 0, 0), text("overcurrent"));
     QVERIFY(cell(dialog, 0, 3).startsWith(text("100 (650")));
-    gui::click(dialog, "taskDeed");
+    gui::click(dialog, "taskAction");
     QDialog* question = fixture.dialog("question");
     QVERIFY(question);
     QCOMPARE(fixture.raw(1, "torque_switch"), 0);
@@ -120,7 +120,7 @@ void TestAlarmDialog::voltageIsShownUntilItReturns()
     QVERIFY(cell(dialog, 0, 1).contains(text("8.6 V")));
     QVERIFY(cell(dialog, 0, 3).contains(text("8.0 V")));
     QVERIFY(gui::textOf(dialog, "release").contains(text("Nothing is written")));
-    QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
+    QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
     // Live: still too much, then right.
     const auto supply = [&](double volts) {
         fixture.withBus(
@@ -142,7 +142,7 @@ void TestAlarmDialog::lxHeatIsShownUntilItReturns()
     QVERIFY(dialog);
     QTRY_COMPARE(cell(dialog, 0, 0), text("temperature"));
     QVERIFY(gui::textOf(dialog, "release").contains(text("reports no alarms")));
-    QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
+    QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
     fixture.withBus([](sim::VirtualBus& wire) {
         wire.servo(3)->environment().ambientCelsius = 25;
         wire.servo(3)->setTemperature(40);
@@ -160,8 +160,8 @@ void TestAlarmDialog::modbusIsReset()
     QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
     QTRY_COMPARE(cell(dialog, 0, 0), text("encoder"));
-    QTRY_VERIFY(gui::button(dialog, "taskDeed")->isEnabled());
-    gui::click(dialog, "taskDeed"); // nothing moves, so nobody is asked
+    QTRY_VERIFY(gui::button(dialog, "taskAction")->isEnabled());
+    gui::click(dialog, "taskAction"); // nothing moves, so nobody is asked
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).contains(text("The alarm is gone")),
              qPrintable(gui::resultOf(dialog)));
@@ -175,7 +175,7 @@ void TestAlarmDialog::noAlarmOffersNothing()
     QDialog* dialog = fixture.open(Command::ClearAlarm, "alarmDialog");
     QVERIFY(dialog);
     QTRY_VERIFY(gui::textOf(dialog, "release").contains(text("There is no alarm")));
-    QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
+    QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
 }
 
 void TestAlarmDialog::aServoThatStopsAnsweringShowsNoValues()

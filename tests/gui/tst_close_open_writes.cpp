@@ -19,10 +19,10 @@ QString text(const char* latin)
 }
 
 struct Fixture : gui::MainWindowFixture {
-    template <typename Deed>
-    auto withBus(Deed&& deed)
+    template <typename Action>
+    auto withBus(Action&& action)
     {
-        return desk().connection()->simulation()->with(std::forward<Deed>(deed));
+        return desk().connection()->simulation()->with(std::forward<Action>(action));
     }
     void mute(bool mute)
     {

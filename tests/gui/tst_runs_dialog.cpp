@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Earlier tests in the window: listed, found, labelled, marked, held against each other, saved as
+// Earlier tests in the window: listed, found, labeled, marked, held against each other, saved as
 // pages, deleted after a question; in both languages.
 #include "history/history_file.h"
 #include "report/sweep_compare_text.h"

@@ -85,7 +85,7 @@ void TestServoTasks::idByKeyboardKeepsTheServoSelected()
     QCOMPARE(fixture.entry().servo.id, 42);
     QCOMPARE(fixture.raw(42, "lock"), 1);
     QVERIFY(gui::textOf(dialog, "who").contains(text("ID 42")));
-    QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled()); // it has this ID now
+    QVERIFY(!gui::button(dialog, "taskAction")->isEnabled()); // it has this ID now
     QVERIFY(!fixture.entry().snapshotPath.isEmpty());
 }
 
@@ -103,7 +103,7 @@ void TestServoTasks::idByMouseFromTheSuggestions()
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualItemRect(list->item(row)).center());
     QCOMPARE(newId(dialog)->value(), 9);
-    gui::click(dialog, "taskDeed");
+    gui::click(dialog, "taskAction");
     QVERIFY(gui::ended(dialog));
     QCOMPARE(fixture.entry().servo.id, 9);
     QVERIFY(lines(dialog).contains(QStringLiteral("9 — this servo (STS3250)")));
@@ -117,7 +117,7 @@ void TestServoTasks::aTakenIdIsNotOffered()
     QVERIFY(dialog);
     newId(dialog)->setValue(5);
     QVERIFY(gui::textOf(dialog, "idState").contains(text("SCS15")));
-    QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
+    QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
     QTest::keyClick(newId(dialog), Qt::Key_Return);
     QVERIFY(fixture.waitUntilIdle());
     QCOMPARE(fixture.entry().servo.id, 1);
@@ -133,7 +133,7 @@ void TestServoTasks::anUndiscoveredTakenIdIsRefused()
     // The quick look noticed them all the same.
     QTRY_COMPARE(newId(dialog)->value(), 7);
     newId(dialog)->setValue(5);
-    gui::click(dialog, "taskDeed");
+    gui::click(dialog, "taskAction");
     QVERIFY(gui::ended(dialog));
     const QString message = gui::resultOf(dialog);
     QVERIFY2(message.startsWith(QStringLiteral("✗")), qPrintable(message));
@@ -150,10 +150,10 @@ void TestServoTasks::baudRateChangeIsFollowed()
     QDialog* dialog = fixture.open(Command::SetBaud, "setBaudDialog");
     QVERIFY(dialog);
     auto* rates = dialog->findChild<QComboBox*>(text("newBaud"));
-    QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
+    QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
     QTest::keyClick(rates, Qt::Key_Down);                            // 500 000
     QVERIFY(gui::textOf(dialog, "baudState").contains(text(": 5"))); // others stay behind
-    gui::click(dialog, "taskDeed");
+    gui::click(dialog, "taskAction");
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).startsWith(QStringLiteral("✓")),
              qPrintable(gui::resultOf(dialog)));
@@ -178,7 +178,7 @@ void TestServoTasks::anInterruptedRateChangeNamesBothRates()
             return servo.baud() == 500'000; // has obeyed, but is not heard any more
         };
     });
-    gui::click(dialog, "taskDeed");
+    gui::click(dialog, "taskAction");
     QVERIFY(gui::ended(dialog));
     const QString message = gui::resultOf(dialog);
     QVERIFY2(message.startsWith(QStringLiteral("✗")), qPrintable(message));
@@ -199,7 +199,7 @@ void TestServoTasks::aFixedRateIsReported()
     QDialog* dialog = fixture.open(Command::SetBaud, "setBaudDialog");
     QVERIFY(dialog);
     QVERIFY(gui::resultOf(dialog).contains(text("one rate")));
-    QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
+    QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
     QVERIFY(fixture.waitUntilIdle());
     QVERIFY(fixture.session.journal().entries()->empty());
 }
@@ -213,7 +213,7 @@ void TestServoTasks::centeringShowsBeforeAndAfter()
     QVERIFY(gui::textOf(dialog, "explanation").contains(text("stays off")));
     QTRY_VERIFY(gui::textOf(dialog, "positionBefore").startsWith(text("15"))); // 135°
     QCOMPARE(gui::textOf(dialog, "positionAfter"), QStringLiteral("–"));
-    gui::click(dialog, "taskDeed");
+    gui::click(dialog, "taskAction");
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).startsWith(QStringLiteral("✓")),
              qPrintable(gui::resultOf(dialog)));
@@ -231,7 +231,7 @@ void TestServoTasks::centeringIsNotAvailableEverywhere()
     QDialog* dialog = fixture.open(Command::Center, "centerDialog");
     QVERIFY(dialog);
     QVERIFY(!gui::resultOf(dialog).isEmpty());
-    QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
+    QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
 }
 
 void TestServoTasks::restoringShowsTheSnapshotPath()
@@ -244,7 +244,7 @@ void TestServoTasks::restoringShowsTheSnapshotPath()
     QVERIFY(dialog);
     QVERIFY(gui::textOf(dialog, "restoreWhat").contains(text("ID")));
     QVERIFY(gui::textOf(dialog, "restoreWhat").contains(text("Baud rate")));
-    gui::click(dialog, "taskDeed");
+    gui::click(dialog, "taskAction");
     QVERIFY(gui::ended(dialog));
     const QString message = gui::resultOf(dialog);
     QVERIFY2(message.startsWith(QStringLiteral("✓")), qPrintable(message));
@@ -262,7 +262,7 @@ void TestServoTasks::restartWaitsForTheServo()
     QVERIFY(fixture.ready("sim:demo", 0, 10, 1));
     QDialog* dialog = fixture.open(Command::Reboot, "rebootDialog");
     QVERIFY(dialog);
-    gui::click(dialog, "taskDeed");
+    gui::click(dialog, "taskAction");
     QVERIFY(gui::button(dialog, "taskStop")->isVisible());
     QVERIFY(gui::ended(dialog));
     QVERIFY2(gui::resultOf(dialog).startsWith(QStringLiteral("✓")),
@@ -279,7 +279,7 @@ void TestServoTasks::anIgnoredRestartIsNotReportedDone()
     cable.dropInstruction(support::Reboot);
     QDialog* dialog = fixture.open(Command::Reboot, "rebootDialog");
     QVERIFY(dialog);
-    gui::click(dialog, "taskDeed");
+    gui::click(dialog, "taskAction");
     QVERIFY(gui::ended(dialog));
     const QString message = gui::resultOf(dialog);
     QVERIFY2(message.startsWith(QStringLiteral("✗")), qPrintable(message));
@@ -294,7 +294,7 @@ void TestServoTasks::lxHasNoRestart()
     QDialog* dialog = fixture.open(Command::Reboot, "rebootDialog");
     QVERIFY(dialog);
     QVERIFY(gui::resultOf(dialog).contains(text("supply off and on")));
-    QVERIFY(!gui::button(dialog, "taskDeed")->isEnabled());
+    QVERIFY(!gui::button(dialog, "taskAction")->isEnabled());
 }
 
 void TestServoTasks::identifyRestoresTheLed()

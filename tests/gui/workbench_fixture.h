@@ -29,12 +29,12 @@ public:
     void plug(const session::PortInfo& port)
     {
         const std::lock_guard lock(m_mutex);
-        m_look.ports.push_back(port);
+        m_portList.ports.push_back(port);
     }
     void unplug(const QString& path)
     {
         const std::lock_guard lock(m_mutex);
-        auto& ports = m_look.ports;
+        auto& ports = m_portList.ports;
         ports.erase(
             std::remove_if(ports.begin(), ports.end(),
                            [&](const session::PortInfo& port) { return port.path == path; }),
@@ -43,19 +43,19 @@ public:
     void adaptersClaimedByBrltty(const QStringList& chips)
     {
         const std::lock_guard lock(m_mutex);
-        m_look.claimedAdapters = chips;
+        m_portList.claimedAdapters = chips;
     }
     session::PortWatcher::PortLister lister()
     {
         return [this] {
             const std::lock_guard lock(m_mutex);
-            return m_look;
+            return m_portList;
         };
     }
 
 private:
     std::mutex m_mutex;
-    session::PortWatcher::PortList m_look;
+    session::PortWatcher::PortList m_portList;
 };
 
 inline session::PortInfo adapter(const QString& path, const QString& serial)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making one servo recognisable: its LED is really seen to blink, its setting is as before on every
+// Making one servo recognizable: its LED is really seen to blink, its setting is as before on every
 // way out, nothing survives a power-off, and what was interrupted is put back by recovery.
 #include "device/reader.h"
 #include "jobs/change/blink.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The history as a user of servodesk-cli sees it: every command that writes saves the table first
-// and shows where, and all of it is found again, labelled, exported and taken out.
+// and shows where, and all of it is found again, labeled, exported and taken out.
 #include "history/history_file.h"
 #include "support/cli_program.h"
 

@@ -185,7 +185,7 @@ void TestScanProtocols::fullScanTakesTheExpectedTime_data()
 {
     QTest::addColumn<Protocol>("protocol");
     QTest::addColumn<int>("baud");
-    QTest::addColumn<int>("mostMs");
+    QTest::addColumn<int>("maxMs");
     QTest::newRow("LX") << Protocol::Lx << commonBaud << 8'000;
     QTest::newRow("Modbus") << Protocol::Modbus << commonBaud << 247 * 50;
     QTest::newRow("Modbus at 9600") << Protocol::Modbus << 9'600 << 247 * 80;
@@ -195,7 +195,7 @@ void TestScanProtocols::fullScanTakesTheExpectedTime()
 {
     QFETCH(Protocol, protocol);
     QFETCH(int, baud);
-    QFETCH(int, mostMs);
+    QFETCH(int, maxMs);
     SimFixtureOptions options;
     options.baud = baud;
     SimFixture fixture(QStringLiteral("sts3215@1"), options); // silent in every other language
@@ -204,7 +204,7 @@ void TestScanProtocols::fullScanTakesTheExpectedTime()
     const auto report = jobs::scan(fixture.context(), spec);
     QVERIFY(report);
     QVERIFY(report->found.empty());
-    QVERIFY2(report->elapsed <= milliseconds(mostMs),
+    QVERIFY2(report->elapsed <= milliseconds(maxMs),
              qPrintable(QString::number(report->elapsed.count())));
     QVERIFY2(report->elapsed > estimate * 9 / 10 && report->elapsed < estimate * 11 / 10,
              qPrintable(QString::number(estimate.count())));

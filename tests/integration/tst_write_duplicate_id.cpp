@@ -178,7 +178,7 @@ private Q_SLOTS:
 
 void TestWriteDuplicateId::nothingIsWrittenToTwoResponders_data()
 {
-    QTest::addColumn<int>("deed");
+    QTest::addColumn<int>("action");
     QTest::addColumn<SecondReply>("second");
     for (std::size_t i = 0; i < actions().size(); ++i) {
         const char* name = actions()[i].first;
@@ -190,7 +190,7 @@ void TestWriteDuplicateId::nothingIsWrittenToTwoResponders_data()
 
 void TestWriteDuplicateId::nothingIsWrittenToTwoResponders()
 {
-    QFETCH(int, deed);
+    QFETCH(int, action);
     QFETCH(SecondReply, second);
     Bytes fixture;
     fixture.line.servos = {rawSts3215(1, 2048), rawSts3215(1, 900)};
@@ -204,7 +204,7 @@ void TestWriteDuplicateId::nothingIsWrittenToTwoResponders()
     }
     fixture.open();
     device::Servo servo = fixture.servo();
-    const auto done = actions()[std::size_t(deed)].second(fixture.context(), servo);
+    const auto done = actions()[std::size_t(action)].second(fixture.context(), servo);
     QVERIFY(!done);
     // Colliding replies may not even be readable beforehand.
     const bool repliesSeen =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Version, licence, and where the program keeps its files. Open it with open(); it deletes itself.
+// Version, license, and where the program keeps its files. Open it with open(); it deletes itself.
 #pragma once
 
 #include <QDialog>

@@ -12,7 +12,7 @@ constexpr double minContrast = 3.0;
 struct ColorPair {
     QRgb onLight, onDark;
 };
-// Blue, orange, green, purple, sky, vermilion, yellow, grey.
+// Blue, orange, green, purple, sky, vermilion, yellow, gray.
 constexpr std::array<ColorPair, trendColorCount> colors{{
     {0xff0a62c4, 0xff4c9bff},
     {0xffb06f00, 0xffe9a52b},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colours of curves that stay apart for color-blind eyes (after Okabe and Ito) and stand out from
+// Colors of curves that stay apart for color-blind eyes (after Okabe and Ito) and stand out from
 // the plot's ground by at least 3:1, on light and on dark. Pure functions; ask when painting, since
 // the theme may change at any time.
 #pragma once
@@ -7,7 +7,7 @@
 #include <QColor>
 
 namespace ui {
-constexpr int trendColorCount = 8; ///< 7 is the grey one, for goals and other company
+constexpr int trendColorCount = 8; ///< 7 is the gray one, for goals and other company
 
 /// Any number; after the last comes the first again.
 QColor trendColor(int index, const QColor& background);

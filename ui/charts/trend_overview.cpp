@@ -20,7 +20,7 @@ constexpr double handleTolerance = 6; ///< pixels around an edge of the handle
 constexpr double minHandleWidth = 6;  ///< pixels painted at least
 constexpr qint64 renewInterval = 700; ///< ms
 
-/// Each curve as high as the strip: it is for recognising, not for reading.
+/// Each curve as high as the strip: it is for recognizing, not for reading.
 void fillHeight(Trace& trace)
 {
     bool any = false;

@@ -166,12 +166,12 @@ void PortPicker::refresh()
 void PortPicker::sync(const std::vector<Entry>& entries)
 {
     auto* items = static_cast<QStandardItemModel*>(model());
-    const auto isWanted = [&](const QString& key) {
+    const auto hasEntry = [&](const QString& key) {
         return std::any_of(entries.begin(), entries.end(),
                            [&](const Entry& entry) { return entry.key == key; });
     };
     for (int row = items->rowCount() - 1; row >= 0; --row) {
-        if (!isWanted(items->item(row)->data(keyRole).toString()))
+        if (!hasEntry(items->item(row)->data(keyRole).toString()))
             items->removeRow(row);
     }
     for (int row = 0; row < int(entries.size()); ++row) {

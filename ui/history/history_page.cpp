@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked and shown. The parts are made in history_page_build.cpp, the deeds are in
-// history_page_deeds.cpp.
+// What is asked and shown. The parts are made in history_page_build.cpp, the actions are in
+// history_page_actions.cpp.
 #include "ui/history/history_page.h"
 
 #include "session/history/history_server_choice.h"

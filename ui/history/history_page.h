@@ -66,7 +66,7 @@ private:
     void showServer();
     static QString sendErrorText(const session::SendState& state);
 
-    // history_page_deeds.cpp
+    // history_page_actions.cpp
     void openTable();
     void openSnapshot(std::int64_t number);
     void openTableAt(const HistoryLine& line);

@@ -14,7 +14,7 @@
 
 namespace ui {
 namespace {
-const QString operation = QStringLiteral("export");
+const QString memoryOutputOperation = QStringLiteral("export");
 const QString csv = QStringLiteral(".csv");
 const QString html = QStringLiteral(".html");
 
@@ -63,12 +63,12 @@ void MemoryOutput::copyRows()
 base::Result<void> MemoryOutput::save(const TableSheet& sheet, const QString& path)
 {
     if (path.isEmpty())
-        return tl::unexpected(record::noFileNameError(operation));
+        return tl::unexpected(record::noFileNameError(memoryOutputOperation));
     QSaveFile file(path);
     const QByteArray bytes = isHtmlPath(path) ? toHtml(sheet) : toCsv(sheet);
     if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ||
         !record::writeAll(file, bytes) || !file.commit())
-        return tl::unexpected(record::fileError(operation, file));
+        return tl::unexpected(record::fileError(memoryOutputOperation, file));
     return {};
 }
 

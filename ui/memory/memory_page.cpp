@@ -212,7 +212,7 @@ void MemoryPage::requestWrite(const QString& key, std::int64_t raw, bool tempora
     ask(this, *question, [this, ref, key, raw, temporary] { send(ref, key, raw, temporary); });
 }
 
-/// Registers whose value is a deed of its own go the way of that deed.
+/// Registers whose value is an action of its own are written by that action.
 bool MemoryPage::writeWithQuestion(const session::ServoEntry& entry, const catalog::Register& reg,
                                    std::int64_t raw)
 {

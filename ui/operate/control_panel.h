@@ -129,8 +129,8 @@ private:
     ControlLimit* m_limit = nullptr;
     QLabel* m_resultLabel = nullptr;
 
-    std::optional<HintTargets> m_hintTargets; ///< what the hint's deed was asked for
-    device::Notices m_notices;                ///< how the latest deed was done
+    std::optional<HintTargets> m_hintTargets; ///< what the hint's action was asked for
+    device::Notices m_notices;                ///< how the latest action was done
     catalog::ProfilePtr m_resultProfile;
     bool m_isDragging = false;
     bool m_selectionChanged = false; ///< the way of writing is not settled yet for these servos

@@ -115,16 +115,16 @@ QWidget* ControlPanel::buildWrite(QWidget* body)
         ways->layout()->addWidget(button);
     }
     m_writeMode->button(0)->setChecked(true);
-    QWidget* deeds = group();
-    m_execute = new QPushButton(deeds);
+    QWidget* actions = group();
+    m_execute = new QPushButton(actions);
     m_execute->setObjectName(QStringLiteral("execute"));
-    m_set = new QPushButton(deeds);
+    m_set = new QPushButton(actions);
     m_set->setObjectName(QStringLiteral("setGoal"));
     m_set->setProperty("mainAction", true);
     for (QWidget* widget : {m_execute, m_set})
         new PressGuard(widget);
-    deeds->layout()->addWidget(m_execute);
-    deeds->layout()->addWidget(m_set);
+    actions->layout()->addWidget(m_execute);
+    actions->layout()->addWidget(m_set);
     return box;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What to look at before a servo is given torque for the first time in a session. Keeps the deed
+// What to look at before a servo is given torque for the first time in a session. Keeps the action
 // that waits for the answer. Owned by the control panel; main thread.
 #pragma once
 
@@ -20,7 +20,7 @@ class TorqueHint final : public QFrame {
 public:
     TorqueHint(session::Settings& settings, QWidget* parent);
 
-    /// True: it has been answered, or is never to be shown. False: it is shown now, and `deed`
+    /// True: it has been answered, or is never to be shown. False: it is shown now, and `action`
     /// (which may be empty) is done when the user goes on.
     bool isConfirmed(std::function<void()> action);
     /// The question has lost its point: another servo, the port closed.

@@ -107,7 +107,7 @@ QWidget* ChecklistView::rowWidget(const AdviceRow& row)
     return widget;
 }
 
-/// Ruled out: a tick and the reason, grey. Else a box to tick off, the cause and what to look at.
+/// Ruled out: a tick and the reason, gray. Else a box to tick off, the cause and what to look at.
 QWidget* ChecklistView::itemWidget(const AdviceItem& item, int row)
 {
     const bool chinese = text::isUiChinese();

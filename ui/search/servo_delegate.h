@@ -13,7 +13,7 @@ class ServoDelegate final : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    /// Everything grey: the port is not open.
+    /// Everything gray: the port is not open.
     void setDimmed(bool asleep) { m_dimmed = asleep; }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,

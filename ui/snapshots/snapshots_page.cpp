@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is shown. The parts are made in snapshots_page_build.cpp, the deeds are in
-// snapshots_page_deeds.cpp.
+// What is shown. The parts are made in snapshots_page_build.cpp, the actions are in
+// snapshots_page_actions.cpp.
 #include "ui/snapshots/snapshots_page.h"
 
 #include "session/polling/max_reading_age.h"

@@ -82,7 +82,7 @@ private:
     bool isOfAnotherModel(const record::Snapshot& table) const;
     QString titleText(const std::vector<SnapshotSelection>& selectedSnapshots) const;
 
-    // snapshots_page_deeds.cpp
+    // snapshots_page_actions.cpp
     void openFiles();
     void saveCopy();
     void saveBundle();

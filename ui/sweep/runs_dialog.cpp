@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What its buttons do is in runs_dialog_deeds.cpp.
+// What its buttons do is in runs_dialog_actions.cpp.
 #include "ui/sweep/runs_dialog.h"
 
 #include "ui/widgets/tone_delegate.h"

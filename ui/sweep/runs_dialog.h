@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Earlier sweep tests: found again, labelled, held against each other, one of a model marked as
+// Earlier sweep tests: found again, labeled, held against each other, one of a model marked as
 // the reference, their reports saved, deleted. Stays open beside the window; follows the archive,
 // which must outlive it. Main thread, never waits.
 #pragma once

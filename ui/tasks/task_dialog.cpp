@@ -73,7 +73,7 @@ void TaskDialog::buildButtons(QVBoxLayout* column)
     m_close = new QPushButton(this);
     m_close->setObjectName(QStringLiteral("taskClose"));
     m_action = new QPushButton(this);
-    m_action->setObjectName(QStringLiteral("taskDeed"));
+    m_action->setObjectName(QStringLiteral("taskAction"));
     m_action->setProperty("mainAction", true);
     row->addWidget(m_stop);
     row->addStretch();

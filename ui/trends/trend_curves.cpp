@@ -51,7 +51,7 @@ QString nameOf(const catalog::Profile& profile, const QString& key)
     return reg != nullptr ? reg->name.in(text::isUiChinese()) : key;
 }
 
-/// The goal is company for the position: grey.
+/// The goal is company for the position: gray.
 QColor colorOf(const TrendCurve& curve, std::size_t place, const QColor& background)
 {
     if (curve.key == QLatin1String("@goal"))

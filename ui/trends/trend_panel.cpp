@@ -242,7 +242,7 @@ void TrendPanel::setCurves(const std::vector<TrendCurve>& curves)
         dialog->setCurves(m_curves);
 }
 
-/// Somebody has hidden or coloured a curve at the legend.
+/// Somebody has hidden or colored a curve at the legend.
 void TrendPanel::applyLegend()
 {
     if (m_updatingChart || isReplaying())

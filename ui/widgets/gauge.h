@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A half-round gauge: title, value, unit, and where the servo's own limits lie. Says so where
-// nothing is measured. Colour goes with a sign: "!" near a limit, "✗" beyond it. Values are
+// nothing is measured. Color goes with a sign: "!" near a limit, "✗" beyond it. Values are
 // physical. Owned by its parent; main thread.
 #pragma once
 
@@ -28,7 +28,7 @@ public:
 
     void setTitle(const QString& title);
     void setScale(const GaugeScale& scale);
-    /// `foot`: the line below, the limits in words. `old`: greyed, nothing new has come.
+    /// `foot`: the line below, the limits in words. `old`: grayed, nothing new has come.
     void setValue(std::optional<double> value, const QString& footer, bool stale);
     /// This family or model measures no such thing; `why` is shown instead of a value.
     void setNotMeasured(const QString& why);

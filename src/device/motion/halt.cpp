@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 namespace {
 constexpr std::int64_t torqueIsOn = 1;
 /// Enough for three steps of the slowest move (LX: 1000 steps in 30 s).
-constexpr base::Duration readInterval = 100ms;
+constexpr base::Duration haltReadInterval = 100ms;
 /// A servo that brakes is slower by `slower` within this time; one that is not goes on turning.
 constexpr base::Duration brakingTimeout = 600ms;
 constexpr double slowdownFactor = 0.95;
@@ -25,7 +25,7 @@ constexpr base::Duration maxBrakingTime = 10s;
 /// Near a position goal (1/64 turn) the shaft may still swing.
 constexpr int nearFraction = 64;
 /// Far from its goal a servo rests when it has not moved in so many readings.
-constexpr int minStuckReadings = 10;
+constexpr int minHeldReadings = 10;
 
 struct MotionReading {
     base::Duration at{};
@@ -72,7 +72,7 @@ public:
         m_standing = moved <= 1 ? m_standing + 1 : 0; // the last step of the encoder flickers
         m_resting = m_standing > 0 && !now.turning;
         if (!m_endless)
-            m_resting = m_resting || (wasNear && isNear(now)) || m_standing >= minStuckReadings;
+            m_resting = m_resting || (wasNear && isNear(now)) || m_standing >= minHeldReadings;
         bool improved = lowerMinimum(m_speed, seconds > 0 ? moved / seconds : 0);
         if (m_goal) {
             const double left = distance(now);
@@ -138,7 +138,7 @@ base::Result<bool> waitForRest(const Context& context, Servo& servo,
         if (check.isStillTurning())
             return false;
         base::Clock& clock = context.bus.clock();
-        if (!context.bus.pauseUntil(clock.now() + readInterval, &context.stop))
+        if (!context.bus.pauseUntil(clock.now() + haltReadInterval, &context.stop))
             return base::fail(ErrorCode::Stopped, QStringLiteral("torque"), {}, servo.id);
         const auto now = readMotion(context, servo);
         if (!now)
@@ -251,7 +251,7 @@ base::Result<bool> hasStopped(const Context& context, Servo& servo)
     const auto first = readMotion(context, servo);
     if (!first)
         return tl::unexpected(first.error());
-    context.bus.clock().sleepFor(readInterval);
+    context.bus.clock().sleepFor(haltReadInterval);
     return readMotion(context, servo).map([&](const MotionReading& second) {
         return std::abs(second.position - first->position) <= 1;
     });

@@ -3,6 +3,7 @@
 #include "device/motion/mode.h"
 #include "device/motion/motion.h"
 #include "device/motion/torque_off.h"
+#include "device/motion/turn_count.h"
 #include "device/write_access.h"
 
 #include <algorithm>
@@ -17,8 +18,6 @@ namespace {
 constexpr std::int64_t torqueIsOff = 0;
 constexpr std::int64_t torqueIsOn = 1;
 constexpr std::int64_t torqueDamps = 2;
-/// Phase bit 4: the position feedback counts whole turns.
-constexpr std::int64_t fullAngleBit = 1 << 4;
 /// A servo this many steps outside its limits may be pulled back to them; further is a surprise.
 constexpr std::int64_t outsideTolerance = 10;
 
@@ -34,7 +33,7 @@ base::Result<std::int64_t> holdingGoal(const Servo& servo, const catalog::Mode& 
     const auto phase = servo.raw(Role::Phase);
     if (!present)
         return refuse(ErrorCode::NotSupported, servo, QStringLiteral("position"));
-    const bool fullAngle = phase && (*phase & fullAngleBit) != 0;
+    const bool fullAngle = phase && (*phase & fullAnglePhaseBit) != 0;
     if (mode.limitsZero && !fullAngle)
         return refuse(ErrorCode::TurnsUnknown, servo, {});
     const std::int64_t factor =

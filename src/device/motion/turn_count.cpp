@@ -9,7 +9,6 @@ namespace device {
 using catalog::Role;
 
 namespace {
-constexpr std::int64_t fullAngleBit = 1 << 4;
 /// Where the servo tells no speed: faster than this (two turns a second) none of them is.
 constexpr double maxUnknownSpeed = 720;
 constexpr double degreesPerTurn = 360;
@@ -24,7 +23,7 @@ TurnBasis turnBasis(const Servo& servo)
     if (mode == nullptr || mode->key == QLatin1StringView("step"))
         return basis; // there the register holds the way that is left
     basis.steps = servo.profile->stepsPerTurn;
-    basis.countsTurns = (servo.raw(Role::Phase).value_or(0) & fullAngleBit) != 0;
+    basis.countsTurns = (servo.raw(Role::Phase).value_or(0) & fullAnglePhaseBit) != 0;
     basis.mode = mode->key;
     basis.offset = servo.raw(Role::PositionOffset).value_or(0);
     return basis;

@@ -8,6 +8,9 @@
 #include "device/servo.h"
 
 namespace device {
+/// Bit of the phase register: the servo reports the angle over several turns.
+inline constexpr std::int64_t fullAnglePhaseBit = 1 << 4;
+
 struct Turns {
     int turns = 0;         ///< whole ones, rounded down
     double degrees = 0;    ///< in sum

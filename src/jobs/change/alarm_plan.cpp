@@ -13,7 +13,7 @@ using catalog::Role;
 using device::NoticeCode;
 
 namespace {
-const QString operation = QStringLiteral("clear-alarm");
+const QString alarmPlanOperation = QStringLiteral("clear-alarm");
 /// Phase bit 4: the position feedback counts whole turns.
 constexpr std::int64_t fullAngleBit = 1 << 4;
 /// The way back from a stall, as a share of a turn: 5°.
@@ -139,7 +139,8 @@ std::int64_t stallDirection(const device::Servo& servo, std::int64_t goal, std::
 
 tl::unexpected<base::Error> refuse(const device::Servo& servo, const char* why)
 {
-    return base::fail(ErrorCode::NotSupported, operation, QString::fromLatin1(why), servo.id);
+    return base::fail(ErrorCode::NotSupported, alarmPlanOperation, QString::fromLatin1(why),
+                      servo.id);
 }
 
 /// The goal a little away from the stall, in steps as the goal register counts them.
@@ -153,7 +154,7 @@ base::Result<void> planBackOff(const device::Servo& servo, AlarmPlan& plan)
         return refuse(servo, "release-mode");
     const bool fullAngle = (servo.raw(Role::Phase).value_or(0) & fullAngleBit) != 0;
     if (mode->limitsZero && !fullAngle)
-        return base::fail(ErrorCode::TurnsUnknown, operation, {}, servo.id);
+        return base::fail(ErrorCode::TurnsUnknown, alarmPlanOperation, {}, servo.id);
     const std::int64_t factor =
         std::max<std::int64_t>(1, servo.raw(Role::AngleResolution).value_or(1));
     const std::int64_t backOff =
@@ -208,7 +209,7 @@ QString clearMethodName(ClearMethod release)
 base::Result<AlarmPlan> planClearAlarm(const device::Context& outer, device::Servo& servo)
 {
     if (!servo.profile)
-        return base::fail(ErrorCode::UnknownModel, operation, {}, servo.id);
+        return base::fail(ErrorCode::UnknownModel, alarmPlanOperation, {}, servo.id);
     const device::Owned owned = device::own(outer, {servo.id});
     if (const auto read = readAlarmState(owned.context, servo); !read)
         return tl::unexpected(read.error());

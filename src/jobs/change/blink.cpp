@@ -15,7 +15,7 @@ using catalog::Role;
 using namespace std::chrono_literals;
 
 namespace {
-const QString operation = QStringLiteral("identify");
+const QString blinkOperation = QStringLiteral("identify");
 constexpr base::Duration slice = 50ms; ///< how late a stop may be noticed
 
 /// How this servo's LED is switched.
@@ -37,9 +37,10 @@ base::Result<const catalog::Register*> ledRegister(const device::Servo& servo)
     if (reg == nullptr)
         reg = servo.profile->byRole(Role::LedCondition);
     if (reg == nullptr || !reg->writable())
-        return base::fail(ErrorCode::NotSupported, operation, QStringLiteral("no-led"), servo.id);
+        return base::fail(ErrorCode::NotSupported, blinkOperation, QStringLiteral("no-led"),
+                          servo.id);
     if (reg->area == Area::Factory)
-        return base::fail(ErrorCode::NotSupported, operation, QStringLiteral("factory-led"),
+        return base::fail(ErrorCode::NotSupported, blinkOperation, QStringLiteral("factory-led"),
                           servo.id);
     return reg;
 }
@@ -65,7 +66,7 @@ base::Result<void> ensureLockClosed(const device::Context& context, device::Serv
         return {};
     context.note(device::NoticeCode::LockFoundOpen, servo.id, lock->key);
     if (device::closeLock(context, servo) != device::LockState::Closed)
-        return base::fail(ErrorCode::LockOpen, operation, {}, servo.id);
+        return base::fail(ErrorCode::LockOpen, blinkOperation, {}, servo.id);
     context.note(device::NoticeCode::LockClosed, servo.id, lock->key);
     return {};
 }
@@ -161,18 +162,18 @@ base::Result<Led> prepare(const device::Context& outer, device::Servo& servo,
 base::Result<BlinkReport> blink(const device::Context& context, device::Servo& servo,
                                 base::Duration time, const ProgressFn& progress)
 {
-    if (const auto writable = device::requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, blinkOperation); !writable)
         return tl::unexpected(writable.error());
     const auto reg = ledRegister(servo);
     if (!reg)
         return tl::unexpected(reg.error());
-    if (const auto may = device::beginWriting(context, servo, operation); !may)
+    if (const auto may = device::beginWriting(context, servo, blinkOperation); !may)
         return tl::unexpected(may.error());
     const auto led = prepare(context, servo, **reg);
     if (!led)
         return tl::unexpected(led.error());
     if (context.stop.isRequested())
-        return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
+        return base::fail(ErrorCode::Stopped, blinkOperation, {}, servo.id);
     const auto uuid = journal(context, servo, *led);
     if (!uuid)
         return tl::unexpected(uuid.error());

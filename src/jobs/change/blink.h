@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes one servo recognisable among many: its LED blinks, then its setting is put back as it was.
+// Makes one servo recognizable among many: its LED blinks, then its setting is put back as it was.
 // Feetech: the LED condition is 0 (off) or not (on), written with the lock closed, so that nothing
 // wears and a power-off puts it back as well. LX keeps every write, so it blinks slower.
 // Journalled: an interrupted one is put back by recovery, whichever way it is settled. Nothing

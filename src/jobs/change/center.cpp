@@ -13,7 +13,7 @@ using catalog::Role;
 using device::NoticeCode;
 
 namespace {
-const QString operation = QStringLiteral("center");
+const QString centerOperation = QStringLiteral("center");
 /// Register 40, SMS and STS: "make the present position 2048".
 constexpr std::int64_t centerCommand = 128;
 /// Fault reset register, SMSMB: the same.
@@ -72,7 +72,7 @@ base::Result<void> checkSupported(const device::Servo& servo)
     const QString detail = offset != nullptr && offset->writable()
                                ? QStringLiteral("write ") + offset->key
                                : servo.profile->series;
-    return base::fail(ErrorCode::NotSupported, operation, detail, servo.id);
+    return base::fail(ErrorCode::NotSupported, centerOperation, detail, servo.id);
 }
 
 /// Sends the calibration; after a lost answer offset and position are read and tell whether it
@@ -102,7 +102,7 @@ base::Result<CalibrationState> calibrate(const device::Context& context, device:
         if (attempt + 1 < sends)
             device::noteResent(context, servo, sent->lost);
     }
-    return base::fail(ErrorCode::Refused, operation, QString::number(now.position), servo.id);
+    return base::fail(ErrorCode::Refused, centerOperation, QString::number(now.position), servo.id);
 }
 
 /// How the journal's row ends. Certain: nothing is open any more.
@@ -145,14 +145,14 @@ base::Result<CenterReport> centerUnlocked(const device::Context& context, device
 
 base::Result<CenterReport> center(const device::Context& outer, device::Servo& servo)
 {
-    if (const auto writable = device::requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, centerOperation); !writable)
         return tl::unexpected(writable.error());
     if (const auto possible = checkSupported(servo); !possible)
         return tl::unexpected(possible.error());
     const catalog::Register& offset = *servo.profile->byRole(Role::PositionOffset);
     const device::Owned owned = device::own(outer, {servo.id});
     const device::Context& context = owned.context;
-    if (const auto may = device::beginWriting(context, servo, operation); !may)
+    if (const auto may = device::beginWriting(context, servo, centerOperation); !may)
         return tl::unexpected(may.error());
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
@@ -160,7 +160,7 @@ base::Result<CenterReport> center(const device::Context& outer, device::Servo& s
     if (!before)
         return tl::unexpected(before.error());
     if (context.stop.isRequested())
-        return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
+        return base::fail(ErrorCode::Stopped, centerOperation, {}, servo.id);
     // With torque on, the moved origin would send the servo to its old goal at full speed.
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
         return tl::unexpected(off.error());

@@ -12,7 +12,7 @@ using device::NoticeCode;
 using device::WriteOutcome;
 
 namespace {
-const QString operation = QStringLiteral("set-baud");
+const QString changeBaudOperation = QStringLiteral("set-baud");
 
 base::Result<std::int64_t> baudCode(const device::Servo& servo, const catalog::Register& reg,
                                     int baud)
@@ -23,7 +23,8 @@ base::Result<std::int64_t> baudCode(const device::Servo& servo, const catalog::R
             return value.value;
         known.append(value.key);
     }
-    return base::fail(ErrorCode::OutOfRange, operation, known.join(QStringLiteral(", ")), servo.id);
+    return base::fail(ErrorCode::OutOfRange, changeBaudOperation, known.join(QStringLiteral(", ")),
+                      servo.id);
 }
 
 /// Opens the new rate and goes back: an adapter that cannot run it must never get the servo there.
@@ -71,7 +72,7 @@ base::Result<void> writeAndVerify(const device::Context& context, device::Servo&
         if (!found)
             return tl::unexpected(found.error());
         if (!*found)
-            return base::fail(ErrorCode::NoReply, operation, {}, servo.id);
+            return base::fail(ErrorCode::NoReply, changeBaudOperation, {}, servo.id);
         servo.baud = context.bus.baud();
         device::transferVerification(context.bus, servo, servo.id, oldBaud);
         const auto back = device::readRegister(context, servo, reg);
@@ -86,7 +87,7 @@ base::Result<void> writeAndVerify(const device::Context& context, device::Servo&
         if (attempt + 1 < sends)
             device::noteResent(context, servo, sent->lost, reg.key);
     }
-    return base::fail(ErrorCode::Refused, operation, {}, servo.id);
+    return base::fail(ErrorCode::Refused, changeBaudOperation, {}, servo.id);
 }
 
 device::WriteReport changeUnlocked(const device::Context& context, device::Servo& servo,
@@ -121,14 +122,15 @@ device::WriteReport changeUnlocked(const device::Context& context, device::Servo
 
 base::Result<void> checkPreconditions(const device::Context& context, const device::Servo& servo)
 {
-    if (const auto writable = device::requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, changeBaudOperation); !writable)
         return writable;
     if (servo.profile->byRole(Role::BaudRate) == nullptr)
-        return base::fail(ErrorCode::NotSupported, operation, QStringLiteral("fixed-rate"),
-                          servo.id);
+        return base::fail(ErrorCode::NotSupported, changeBaudOperation,
+                          QStringLiteral("fixed-rate"), servo.id);
     // Behind a TCP bridge nobody here could follow the servo to its new rate.
     if (!context.bus.canSetBaud())
-        return base::fail(ErrorCode::NotSupported, operation, QStringLiteral("bridge"), servo.id);
+        return base::fail(ErrorCode::NotSupported, changeBaudOperation, QStringLiteral("bridge"),
+                          servo.id);
     return {};
 }
 } // namespace
@@ -144,7 +146,7 @@ base::Result<device::WriteReport> changeBaud(const device::Context& outer, devic
         return tl::unexpected(code.error());
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
-    if (const auto may = device::beginWriting(context, servo, operation); !may)
+    if (const auto may = device::beginWriting(context, servo, changeBaudOperation); !may)
         return tl::unexpected(may.error());
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
@@ -157,7 +159,7 @@ base::Result<device::WriteReport> changeBaud(const device::Context& outer, devic
     if (const auto can = checkRateSupported(context.bus, newBaud); !can)
         return tl::unexpected(can.error());
     if (context.stop.isRequested())
-        return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
+        return base::fail(ErrorCode::Stopped, changeBaudOperation, {}, servo.id);
     const auto uuid = beginIntent(context, servo, base::IntentKind::SetBaud,
                                   {{reg.key, reg.address, servo.raw(reg).value_or(0), *code}});
     if (!uuid)

@@ -12,7 +12,7 @@ using device::NoticeCode;
 using device::WriteOutcome;
 
 namespace {
-const QString operation = QStringLiteral("set-id");
+const QString changeIdOperation = QStringLiteral("set-id");
 
 /// Feetech and LX: 0–253, Modbus: 1–247; never the address that means everybody.
 base::Result<void> checkId(const device::Servo& servo, int newId)
@@ -22,7 +22,7 @@ base::Result<void> checkId(const device::Servo& servo, int newId)
     const std::int64_t highest = reg.max.value_or(protocol::maxId);
     if (newId >= lowest && newId <= highest)
         return {};
-    base::Error error{ErrorCode::OutOfRange, operation,
+    base::Error error{ErrorCode::OutOfRange, changeIdOperation,
                       QStringLiteral("%1 … %2").arg(lowest).arg(highest), servo.id};
     error.registerKey = reg.key;
     return tl::unexpected(error);
@@ -37,13 +37,14 @@ base::Result<void> ensureIdFree(const device::Context& context, base::Protocol p
     if (!free) {
         const ErrorCode code = free.error().code;
         if (code == ErrorCode::Garbled || code == ErrorCode::UnexpectedReply)
-            return base::fail(ErrorCode::IdInUse, operation, QStringLiteral("garbled"), newId);
+            return base::fail(ErrorCode::IdInUse, changeIdOperation, QStringLiteral("garbled"),
+                              newId);
         base::Error error = free.error();
         error.id = oldId;
         return tl::unexpected(error);
     }
     if (!*free)
-        return base::fail(ErrorCode::IdInUse, operation, {}, newId);
+        return base::fail(ErrorCode::IdInUse, changeIdOperation, {}, newId);
     return {};
 }
 
@@ -105,7 +106,7 @@ base::Result<void> writeAndVerify(const device::Context& context, device::Servo&
             // Whoever has acknowledged under the new ID has its lock there.
             servo.id = sent->answeredBy == newId ? newId : oldId;
             device::transferVerification(context.bus, servo, oldId, context.bus.baud());
-            return base::fail(ErrorCode::NoReply, operation, {}, newId);
+            return base::fail(ErrorCode::NoReply, changeIdOperation, {}, newId);
         }
         servo.id = *place;
         device::transferVerification(context.bus, servo, oldId, context.bus.baud());
@@ -117,11 +118,12 @@ base::Result<void> writeAndVerify(const device::Context& context, device::Servo&
             return {};
         // It still answers, and reads, as before: nothing has happened, so writing again is safe.
         if (!canRetryWrite(context, servo, *sent, newId))
-            return base::fail(ErrorCode::Uncertain, operation, QStringLiteral("exchanged"), oldId);
+            return base::fail(ErrorCode::Uncertain, changeIdOperation, QStringLiteral("exchanged"),
+                              oldId);
         if (attempt + 1 < sends)
             device::noteResent(context, servo, sent->lost, reg.key);
     }
-    return base::fail(ErrorCode::Refused, operation, {}, oldId);
+    return base::fail(ErrorCode::Refused, changeIdOperation, {}, oldId);
 }
 
 device::WriteReport changeUnlocked(const device::Context& context, device::Servo& servo, int newId)
@@ -172,7 +174,7 @@ std::vector<base::Protocol> protocolsOnBus(const device::Context& context,
 base::Result<device::WriteReport> changeId(const device::Context& outer, device::Servo& servo,
                                            int newId)
 {
-    if (const auto writable = device::requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, changeIdOperation); !writable)
         return tl::unexpected(writable.error());
     if (const auto possible = checkId(servo, newId); !possible)
         return tl::unexpected(possible.error());
@@ -184,7 +186,7 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
     }
     const device::Owned owned = device::own(outer, {servo.id, newId});
     const device::Context& context = owned.context;
-    if (const auto may = device::beginWriting(context, servo, operation); !may)
+    if (const auto may = device::beginWriting(context, servo, changeIdOperation); !may)
         return tl::unexpected(may.error());
     if (const auto fresh = device::readSettings(context, servo); !fresh)
         return tl::unexpected(fresh.error());
@@ -193,7 +195,7 @@ base::Result<device::WriteReport> changeId(const device::Context& outer, device:
             return tl::unexpected(free.error());
     }
     if (context.stop.isRequested())
-        return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
+        return base::fail(ErrorCode::Stopped, changeIdOperation, {}, servo.id);
     const catalog::Register& reg = *servo.profile->byRole(Role::Id);
     const auto uuid = beginIntent(context, servo, base::IntentKind::SetId,
                                   {{reg.key, reg.address, servo.id, newId}});

@@ -13,7 +13,7 @@ using catalog::Role;
 using namespace std::chrono_literals;
 
 namespace {
-const QString operation = QStringLiteral("clear-alarm");
+const QString clearAlarmOperation = QStringLiteral("clear-alarm");
 constexpr base::Duration moveTimeout = 2s;
 constexpr base::Duration clearTimeout = 1s;
 constexpr base::Duration pollInterval = 50ms;
@@ -27,7 +27,7 @@ base::Result<void> checkConsent(const device::Servo& servo, const AlarmPlan& now
                                 const std::optional<AlarmPlan>& approved)
 {
     const auto refuse = [&](const QString& detail) {
-        return base::fail(ErrorCode::NeedsConsent, operation, detail, servo.id);
+        return base::fail(ErrorCode::NeedsConsent, clearAlarmOperation, detail, servo.id);
     };
     if (!now.needsConsent())
         return {};
@@ -146,7 +146,7 @@ base::Result<AlarmPlan> waitUntilCleared(const device::Context& context, device:
 base::Result<AlarmReport> clearAlarm(const device::Context& outer, device::Servo& servo,
                                      const std::optional<AlarmPlan>& approved)
 {
-    if (const auto writable = device::requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, clearAlarmOperation); !writable)
         return tl::unexpected(writable.error());
     const device::Owned owned = device::own(outer, {servo.id});
     const device::Context& context = owned.context;
@@ -161,8 +161,8 @@ base::Result<AlarmReport> clearAlarm(const device::Context& outer, device::Servo
     if (const auto allowed = checkConsent(servo, *now, approved); !allowed)
         return tl::unexpected(allowed.error());
     if (context.stop.isRequested())
-        return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
-    if (const auto may = device::beginWriting(context, servo, operation); !may)
+        return base::fail(ErrorCode::Stopped, clearAlarmOperation, {}, servo.id);
+    if (const auto may = device::beginWriting(context, servo, clearAlarmOperation); !may)
         return tl::unexpected(may.error());
     const std::size_t noticesBefore = context.notices.size();
     if (const auto done = execute(context, servo, *now); !done)

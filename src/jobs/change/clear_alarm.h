@@ -3,7 +3,7 @@
 // small goal away from the stall, which moves the shaft; an overcurrent by a new goal, its present
 // place; Modbus servos through their fault reset register. Voltage and temperature pass when the
 // value returns, so nothing is written for them; an encoder alarm needs a power-cycle. First a
-// plan, which only reads; then, with the user's consent, the deed.
+// plan, which only reads; then, with the user's consent, the action.
 #pragma once
 
 #include "device/writer.h"

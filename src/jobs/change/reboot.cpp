@@ -14,7 +14,7 @@ using catalog::Role;
 using namespace std::chrono_literals;
 
 namespace {
-const QString operation = QStringLiteral("reboot");
+const QString rebootOperation = QStringLiteral("reboot");
 
 /// Every start passes a loader that listens at this rate for about 0.8 s; a PING there could be
 /// taken for the beginning of a firmware update (protocol sheet §2.5).
@@ -112,8 +112,8 @@ base::Result<bool> isAcknowledged(const device::Context& context, const device::
         if (stray.id != servo.id)
             continue;
         if (stray.exception != 0)
-            return base::fail(ErrorCode::Refused, operation, bus::exceptionName(stray.exception),
-                              servo.id);
+            return base::fail(ErrorCode::Refused, rebootOperation,
+                              bus::exceptionName(stray.exception), servo.id);
         answered = true;
     }
     return answered;
@@ -132,7 +132,7 @@ base::Result<int> waitForReply(const device::Context& context, const device::Ser
         if (answering && *answering)
             return missedPings;
         if (clock.now() > end)
-            return base::fail(ErrorCode::NoReply, operation, {}, servo.id);
+            return base::fail(ErrorCode::NoReply, rebootOperation, {}, servo.id);
         clock.sleepFor(pingInterval);
     }
 }
@@ -199,29 +199,29 @@ base::Result<int> restart(const device::Context& context, device::Servo& servo,
         return tl::unexpected(last.error());
     const QString why = failureDetail(*last, marker);
     if (!why.isEmpty())
-        return base::fail(ErrorCode::Refused, operation, why, servo.id);
+        return base::fail(ErrorCode::Refused, rebootOperation, why, servo.id);
     return static_cast<int>(last->duration / 1ms);
 }
 } // namespace
 
 base::Result<int> reboot(const device::Context& outer, device::Servo& servo)
 {
-    if (const auto writable = device::requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, rebootOperation); !writable)
         return tl::unexpected(writable.error());
     const auto reboots = protocol::Request::reboot(servo.id).in(servo.protocol);
     if (const auto possible =
-            requireEncodable(servo, reboots, operation, QStringLiteral("no-reboot"));
+            requireEncodable(servo, reboots, rebootOperation, QStringLiteral("no-reboot"));
         !possible)
         return tl::unexpected(possible.error());
     // Nothing else is sent meanwhile.
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
-    if (const auto may = device::beginWriting(context, servo, operation); !may)
+    if (const auto may = device::beginWriting(context, servo, rebootOperation); !may)
         return tl::unexpected(may.error());
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
         return tl::unexpected(off.error());
     if (context.stop.isRequested())
-        return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
+        return base::fail(ErrorCode::Stopped, rebootOperation, {}, servo.id);
     auto marker = setMarker(context, servo);
     if (!marker) {
         context.note(device::NoticeCode::TorqueStaysOff, servo.id); // it was proven a moment ago

@@ -13,7 +13,7 @@ using catalog::Role;
 using namespace std::chrono_literals;
 
 namespace {
-const QString operation = QStringLiteral("restore-defaults");
+const QString restoreDefaultsOperation = QStringLiteral("restore-defaults");
 /// The whole EPROM is rewritten; no official time is known.
 constexpr base::Duration rewriteTime = 300ms;
 /// Some sources say that the ID goes back to this one, though the vendor's page exempts it.
@@ -116,7 +116,7 @@ base::Result<void> restore(const device::Context& context, device::Servo& servo,
         if (!found)
             return tl::unexpected(found.error());
         if (!*found)
-            return base::fail(ErrorCode::NoReply, operation, {}, servo.id);
+            return base::fail(ErrorCode::NoReply, restoreDefaultsOperation, {}, servo.id);
         servo.image.clear();
         if (const auto fresh = device::readAll(context, servo); !fresh)
             return fresh;
@@ -127,22 +127,24 @@ base::Result<void> restore(const device::Context& context, device::Servo& servo,
         if (attempt + 1 < sends)
             device::noteResent(context, before, sent->lost);
     }
-    return base::fail(ErrorCode::Uncertain, operation, QStringLiteral("nothing-changed"), servo.id);
+    return base::fail(ErrorCode::Uncertain, restoreDefaultsOperation,
+                      QStringLiteral("nothing-changed"), servo.id);
 }
 } // namespace
 
 base::Result<RestoreDefaultsReport>
 restoreDefaults(const device::Context& outer, device::Servo& servo, const ProgressFn& progress)
 {
-    if (const auto writable = device::requireWritable(servo, operation); !writable)
+    if (const auto writable = device::requireWritable(servo, restoreDefaultsOperation); !writable)
         return tl::unexpected(writable.error());
-    if (const auto possible = requireEncodable(servo, protocol::Request::restore(servo.id),
-                                               operation, QStringLiteral("no-restore"));
+    if (const auto possible =
+            requireEncodable(servo, protocol::Request::restore(servo.id), restoreDefaultsOperation,
+                             QStringLiteral("no-restore"));
         !possible)
         return tl::unexpected(possible.error());
     const device::Owned owned = device::own(outer, {});
     const device::Context& context = owned.context;
-    if (const auto may = device::beginWriting(context, servo, operation); !may)
+    if (const auto may = device::beginWriting(context, servo, restoreDefaultsOperation); !may)
         return tl::unexpected(may.error());
     if (const auto fresh = device::readAll(context, servo); !fresh)
         return tl::unexpected(fresh.error());
@@ -152,7 +154,7 @@ restoreDefaults(const device::Context& outer, device::Servo& servo, const Progre
     if (const auto off = device::setTorque(context, servo, device::Torque::Off); !off)
         return tl::unexpected(off.error());
     if (context.stop.isRequested())
-        return base::fail(ErrorCode::Stopped, operation, {}, servo.id);
+        return base::fail(ErrorCode::Stopped, restoreDefaultsOperation, {}, servo.id);
     const auto uuid = beginIntent(context, servo, base::IntentKind::Restore, epromItems(servo));
     if (!uuid)
         return tl::unexpected(uuid.error());

@@ -10,13 +10,13 @@ namespace jobs {
 using base::ErrorCode;
 
 namespace {
-const QString operation = QStringLiteral("commission");
+const QString commissionOperation = QStringLiteral("commission");
 
 base::Result<void> checkCommissionSpec(const device::Context& context, const CommissionSpec& spec,
                                        const record::CommissionBatch& batch)
 {
     const auto refuse = [](const QString& why) -> base::Result<void> {
-        return base::fail(ErrorCode::BadArgument, operation, why);
+        return base::fail(ErrorCode::BadArgument, commissionOperation, why);
     };
     for (const int id : spec.ids) {
         if (id < 0 || id > protocol::maxId)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commissioning line: one servo after the other is plugged in alone, recognised, given
+// The commissioning line: one servo after the other is plugged in alone, recognized, given
 // template, ID and rate, checked, and unplugged again. Waits for servos at any rate and in every
 // language; writes nothing while two answer; every finished servo is on the disk before the next is
 // asked for. Nothing moves. The job's thread, for as long as the batch takes; it holds the whole
@@ -45,13 +45,13 @@ enum class CommissionObstacle : std::uint8_t {
     None,
     DuplicateId,  ///< see `heard`
     DuplicateIds, ///< two under one ID
-    Unreadable,   ///< somebody answers, but cannot be recognised
+    Unreadable,   ///< somebody answers, but cannot be recognized
     Lost,         ///< went away in the middle: it goes on when it is plugged in again
 };
 QString obstacleName(CommissionObstacle obstacle); ///< "several-servos" …
 
 struct DetectedServo {
-    QString model; ///< empty: not recognised
+    QString model; ///< empty: not recognized
     record::ServoLocation place{};
     bool operator==(const DetectedServo&) const = default;
 };

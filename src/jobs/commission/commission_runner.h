@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line itself: waits for servos, deals with each, keeps the batch. Lives for one call of
 // commission(); internal to jobs; its thread. commission_line.cpp knows who is there,
-// commission_deal.cpp what is done to a servo, commission_end.cpp what becomes of it.
+// commission_setup.cpp what is done to a servo, commission_end.cpp how it ends.
 #pragma once
 
 #include "jobs/commission/commission_detector.h"

@@ -13,7 +13,7 @@ using record::CommissionVerdict;
 using record::PendingCommission;
 
 namespace {
-const QString operation = QStringLiteral("commission");
+const QString commissionSetupOperation = QStringLiteral("commission");
 
 /// What is kept in them tells two of a kind apart, as far as anything does.
 bool sameSettings(const device::Servo& one, const device::Servo& other)
@@ -228,7 +228,7 @@ base::Result<void> CommissionRunner::begin(CommissionWork& work, CommissionView&
     const PendingCommission* known = pendingOf(work);
     const QString first = known != nullptr && view.isResumed ? known->snapshot : QString();
     if (hasWork(work)) {
-        const auto may = device::beginWriting(m_context, work.servo, operation);
+        const auto may = device::beginWriting(m_context, work.servo, commissionSetupOperation);
         if (!may)
             return may;
         view.step = CommissionStep::Snapshot;
@@ -300,7 +300,7 @@ base::Result<void> CommissionRunner::setUp(CommissionWork& work, CommissionView&
 {
     const auto step = [&](CommissionStep now, auto&& action) -> base::Result<void> {
         if (m_context.stop.isRequested())
-            return base::fail(ErrorCode::Stopped, operation, {}, work.servo.id);
+            return base::fail(ErrorCode::Stopped, commissionSetupOperation, {}, work.servo.id);
         view.step = now;
         view.baud = work.servo.baud;
         show(view);

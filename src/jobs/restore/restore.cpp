@@ -12,7 +12,7 @@ using base::ErrorCode;
 using device::NoticeCode;
 
 namespace {
-const QString operation = QStringLiteral("restore");
+const QString restoreOperation = QStringLiteral("restore");
 
 base::Result<void> checkPlan(const device::Servo& servo, const RestorePlan& plan,
                              const RestoreOptions& options)
@@ -21,11 +21,11 @@ base::Result<void> checkPlan(const device::Servo& servo, const RestorePlan& plan
                       plan.servo.profile->mapKey == servo.profile->mapKey &&
                       plan.servo.profile->identity == servo.profile->identity;
     if (!same)
-        return base::fail(ErrorCode::BadArgument, operation, QStringLiteral("other servo"),
+        return base::fail(ErrorCode::BadArgument, restoreOperation, QStringLiteral("other servo"),
                           servo.id);
     if (!plan.needsConsent() || options.dangerous)
         return {};
-    base::Error error{ErrorCode::NeedsConsent, operation, {}, servo.id};
+    base::Error error{ErrorCode::NeedsConsent, restoreOperation, {}, servo.id};
     for (const RestoreRow& row : plan.rows) {
         if (row.selected && row.reasons.testFlag(RestoreReason::NeedsConsent)) {
             error.registerKey = row.key;
@@ -79,7 +79,7 @@ base::Result<RestoreOutcome> restore(const device::Context& outer, device::Servo
             outer.note(NoticeCode::AlreadySet, servo.id);
         return outcome;
     }
-    if (const auto may = device::beginWriting(outer, servo, operation); !may)
+    if (const auto may = device::beginWriting(outer, servo, restoreOperation); !may)
         return tl::unexpected(may.error());
     if (options.beforeWrite) {
         if (const auto saved = options.beforeWrite(outer, servo); !saved)

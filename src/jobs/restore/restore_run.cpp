@@ -28,7 +28,7 @@ bool isLockOpen(const device::Servo& servo)
 }
 
 namespace {
-const QString operation = QStringLiteral("restore");
+const QString restoreRunOperation = QStringLiteral("restore");
 
 bool isAccepted(const WriteResult& result)
 {
@@ -146,7 +146,8 @@ base::Result<device::WriteReport> RestoreRunner::changeIdentity(const RestoreWri
         if (value.value == write.to)
             return changeBaud(m_context, m_servo, value.key.toInt());
     }
-    return base::fail(ErrorCode::OutOfRange, operation, QString::number(write.to), m_servo.id);
+    return base::fail(ErrorCode::OutOfRange, restoreRunOperation, QString::number(write.to),
+                      m_servo.id);
 }
 
 void RestoreRunner::addRefused(const RestoreWrite& write, const base::Error& why)
@@ -162,7 +163,8 @@ void RestoreRunner::addRefused(const RestoreWrite& write, const base::Error& why
 
 base::Error RestoreRunner::skippedAfterFailure(const QString& key) const
 {
-    return {ErrorCode::Stopped, operation, QStringLiteral("after-failure"), m_servo.id, key};
+    return {ErrorCode::Stopped, restoreRunOperation, QStringLiteral("after-failure"), m_servo.id,
+            key};
 }
 
 /// All that no result tells of yet.

@@ -5,7 +5,7 @@
 
 namespace jobs {
 namespace {
-const QString operation = QStringLiteral("search");
+const QString scanAllOperation = QStringLiteral("search");
 constexpr int maxSearches = 4;
 
 bool containsServo(const std::vector<FoundServo>& list, const FoundServo& one)
@@ -34,7 +34,7 @@ base::Result<std::vector<device::Servo>> identifiedServos(const std::vector<Foun
     std::vector<device::Servo> servos;
     for (const FoundServo& one : found) {
         if (!one.servo.profile || one.duplicateSuspected)
-            return base::fail(base::ErrorCode::Garbled, operation, {}, one.servo.id);
+            return base::fail(base::ErrorCode::Garbled, scanAllOperation, {}, one.servo.id);
         servos.push_back(one.servo);
     }
     return servos;
@@ -54,7 +54,7 @@ base::Result<std::vector<device::Servo>> scanAll(const device::Context& context,
         if (!report)
             return tl::unexpected(report.error());
         if (report->stopped)
-            return base::fail(base::ErrorCode::Stopped, operation);
+            return base::fail(base::ErrorCode::Stopped, scanAllOperation);
         if (before) {
             differingId = firstDifference(*before, report->found);
             if (!differingId)
@@ -63,6 +63,6 @@ base::Result<std::vector<device::Servo>> scanAll(const device::Context& context,
         before = std::move(report->found);
         spec.slowPass = spec.slowPass || report->slowPassAdvised;
     }
-    return base::fail(base::ErrorCode::Garbled, operation, {}, differingId.value_or(-1));
+    return base::fail(base::ErrorCode::Garbled, scanAllOperation, {}, differingId.value_or(-1));
 }
 } // namespace jobs

@@ -17,7 +17,7 @@ using catalog::Role;
 using namespace std::chrono_literals;
 
 namespace {
-const QString operation = QStringLiteral("step");
+const QString stepPlanOperation = QStringLiteral("step");
 
 /// Readings of every response are kept.
 constexpr int maxRepeats = 50;
@@ -52,7 +52,7 @@ private:
     tl::unexpected<base::Error> refuse(ErrorCode code, const QString& detail) const
     {
         const catalog::Register* goal = m_servo.profile->byRole(Role::GoalPosition);
-        return tl::unexpected(base::Error{code, operation, detail, m_servo.id,
+        return tl::unexpected(base::Error{code, stepPlanOperation, detail, m_servo.id,
                                           goal != nullptr ? goal->key : QString()});
     }
     base::Result<std::int64_t> goalRaw(const QString& text) const;
@@ -76,7 +76,7 @@ base::Result<std::int64_t> StepPlanner::goalRaw(const QString& text) const
     if (raw)
         return *raw;
     base::Error error = raw.error();
-    error.operation = operation;
+    error.operation = stepPlanOperation;
     error.id = m_servo.id;
     error.registerKey = goal.key;
     return tl::unexpected(error);
@@ -176,7 +176,7 @@ base::Result<StepPlan> StepPlanner::plan()
     const auto kind = device::goalKind(m_servo);
     if (kind != device::GoalKind::Position && kind != device::GoalKind::Turns) {
         const catalog::Mode* mode = m_servo.mode();
-        return tl::unexpected(base::Error{ErrorCode::NotSupported, operation,
+        return tl::unexpected(base::Error{ErrorCode::NotSupported, stepPlanOperation,
                                           QStringLiteral("not-position"), m_servo.id,
                                           mode != nullptr ? mode->key : QString()});
     }

@@ -14,7 +14,7 @@ using record::SweepPace;
 using record::SweepShape;
 
 namespace {
-const QString operation = QStringLiteral("sweep");
+const QString sweepAxisOperation = QStringLiteral("sweep");
 
 /// Settings that are this fresh are not read again for a goal: nobody else writes to a servo that
 /// is being tested.
@@ -29,7 +29,7 @@ tl::unexpected<base::Error> refuse(ErrorCode code, const device::Servo& servo, Q
                                    QString key = {})
 {
     return tl::unexpected(
-        base::Error{code, operation, std::move(detail), servo.id, std::move(key)});
+        base::Error{code, sweepAxisOperation, std::move(detail), servo.id, std::move(key)});
 }
 
 double goalFactor(const device::Servo& servo)
@@ -96,7 +96,7 @@ base::Result<double> AxisBuilder::parseSteps(const QString& text, bool way) cons
     const auto raw = catalog::parseValue(text, goal, m_servo.meaning(goal));
     if (!raw) {
         base::Error error = raw.error();
-        error.operation = operation;
+        error.operation = sweepAxisOperation;
         error.id = m_servo.id;
         error.registerKey = goal.key;
         return tl::unexpected(error);

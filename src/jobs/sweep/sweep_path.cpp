@@ -23,7 +23,7 @@ std::uint64_t hash(std::uint64_t seed, std::uint64_t place)
     return z ^ (z >> 31);
 }
 
-/// 0 … count − 1. The remainder favours none by more than count / 2^64.
+/// 0 … count − 1. The remainder favors none by more than count / 2^64.
 std::int64_t randomIndex(std::uint64_t seed, std::int64_t place, std::int64_t count)
 {
     return std::int64_t(hash(seed, std::uint64_t(place)) % std::uint64_t(count));

@@ -63,7 +63,7 @@ public:
     void load(std::int64_t number, QObject* context, Answer<SharedRun> answer);
     void loadStep(std::int64_t number, QObject* context, Answer<SharedStep> answer);
 
-    /// Any other question or deed: run on the archive's thread with the history open.
+    /// Any other question or action: run on the archive's thread with the history open.
     template <typename T>
     void query(std::function<base::Result<T>(record::History&)> query, QObject* context,
                Answer<T> answer);

@@ -73,13 +73,13 @@ base::Result<MovePlan> planFor(const device::Context& context, device::Servo& se
 }
 
 /// Runs it for every servo; the first error counts.
-template <typename Deed>
-base::Result<void> forAll(TaskContext& context, Deed&& deed)
+template <typename Action>
+base::Result<void> forAll(TaskContext& context, Action&& action)
 {
     base::Result<void> all;
     std::size_t index = 0;
     for (device::Servo* servo : allOf(context)) {
-        auto done = deed(*servo, index++);
+        auto done = action(*servo, index++);
         if (!done && all)
             all = done;
         // The user's stop and a lost link are everybody's.

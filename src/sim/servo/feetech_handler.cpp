@@ -14,7 +14,7 @@ enum Instruction : std::uint8_t {
     RegWrite = 0x04,
     Action = 0x05,
     Restore = 0x06,
-    Reboot = 0x08,
+    InstReboot = 0x08,
     Backup = 0x09,
     StateReset = 0x0A,
     Calibrate = 0x0B,
@@ -155,7 +155,7 @@ bool VirtualServo::State::execute(const ServoRequest& request)
     case StateReset:
         resetTurnBase();
         return true;
-    case Reboot:
+    case InstReboot:
         restart();
         return true;
     default:

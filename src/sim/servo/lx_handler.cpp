@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LX commands as reads and writes of the table. A command is recognised by the places its
+// LX commands as reads and writes of the table. A command is recognized by the places its
 // parameters have in the map, so every parameter of the sheet has its read, its write and its save.
 // Source: Hiwonder LX protocol page. Writes are never answered; what is out of range, of another
 // length or unknown is ignored.

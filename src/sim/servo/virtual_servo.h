@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One simulated servo: register semantics (locks, modes, protections, power cycle) on top of the
 // mechanics. Hears decoded requests of its own language only; bytes, timing and collisions are the
-// wire's business. Owned by a VirtualBus; one thread. Behaviour follows the sheets: a locked EPROM
+// wire's business. Owned by a VirtualBus; one thread. Behavior follows the sheets: a locked EPROM
 // write acts but is lost at power-off, the lock closes at every power-on, an LX servo keeps what it
 // is told, and so on.
 #pragma once

@@ -21,12 +21,12 @@ public:
     void plug(const PortInfo& port)
     {
         const std::lock_guard lock(m_mutex);
-        m_look.ports.push_back(port);
+        m_portList.ports.push_back(port);
     }
     void unplug(const QString& path)
     {
         const std::lock_guard lock(m_mutex);
-        auto& ports = m_look.ports;
+        auto& ports = m_portList.ports;
         ports.erase(std::remove_if(ports.begin(), ports.end(),
                                    [&](const PortInfo& port) { return port.path == path; }),
                     ports.end());
@@ -35,13 +35,13 @@ public:
     {
         return [this] {
             const std::lock_guard lock(m_mutex);
-            return m_look;
+            return m_portList;
         };
     }
 
 private:
     std::mutex m_mutex;
-    PortWatcher::PortList m_look;
+    PortWatcher::PortList m_portList;
 };
 
 PortInfo adapter(const char* path, const char* serial, int product = 0x7523)

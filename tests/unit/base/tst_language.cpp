@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Holds names and texts to the terms of the field: words that were replaced do not come back into
+// the sources, the translations or the documents.
+#include <QDirIterator>
+#include <QRegularExpression>
+#include <QtTest>
+
+namespace {
+QString contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+QStringList filesBelow(const QStringList& folders, const QStringList& patterns)
+{
+    QStringList files;
+    for (const QString& folder : folders) {
+        QDirIterator it(QStringLiteral(SOURCE_DIR "/") + folder, patterns, QDir::Files,
+                        QDirIterator::Subdirectories);
+        while (it.hasNext())
+            files.append(it.next());
+    }
+    return files;
+}
+
+/// "file:line: text" of each line that the expression matches.
+QStringList matches(const QStringList& files, const QRegularExpression& banned)
+{
+    QStringList found;
+    for (const QString& path : files) {
+        if (path.endsWith(QLatin1String("/tst_language.cpp")))
+            continue;
+        const QStringList lines = contentOf(path).split(QLatin1Char('\n'));
+        for (int i = 0; i < lines.size(); ++i) {
+            if (lines[i].contains(banned)) {
+                found.append(QStringLiteral("%1:%2: %3")
+                                 .arg(QDir(QStringLiteral(SOURCE_DIR)).relativeFilePath(path),
+                                      QString::number(i + 1), lines[i].trimmed().left(100)));
+            }
+        }
+    }
+    return found;
+}
+} // namespace
+
+class TestLanguage : public QObject {
+    Q_OBJECT
+private slots:
+    void filesAreFound();
+    void replacedNames_data();
+    void replacedNames();
+    void americanSpelling();
+};
+
+void TestLanguage::filesAreFound()
+{
+    QVERIFY(filesBelow({QStringLiteral("src")}, {QStringLiteral("*.cpp")}).size() > 100);
+    QVERIFY(filesBelow({QStringLiteral("resources")}, {QStringLiteral("*.json")}).size() > 5);
+    QVERIFY(QStringLiteral("void moveWished();")
+                .contains(QRegularExpression(QStringLiteral("[a-z](Wished|Wanted)\\b"))));
+}
+
+void TestLanguage::replacedNames_data()
+{
+    QTest::addColumn<QString>("pattern");
+    // Word boundaries of CamelCase: a capital after it, or the end.
+    QTest::newRow("signals end in Requested") << QStringLiteral("[a-z](Wished|Wanted)\\b");
+    QTest::newRow("limits are min and max")
+        << QStringLiteral("\\b(most|least)(Cycles|Period|Ms|Legs|Rows|Servos|Bytes|Pause)\\b");
+    QTest::newRow("defaults") << QStringLiteral("\\busual[A-Z]|\\busualPause\\b");
+    for (const char* word :
+         {"Deed",        "Feeder",       "FeedWish",       "MoveWish",  "HistoryKeeper",
+          "Inbox",       "LoosePost",    "LooseThread",    "SweepLook", "SnapshotShelf",
+          "ShelfChoice", "SimBag",       "SimulatedHand",  "ServoEar",  "FaultDice",
+          "BentGoal",    "Surroundings", "ServoRecipe",    "LateGuard", "Kinship",
+          "Tongue",      "Scribe",       "CommissionLook", "Stillness", "FlagMeter",
+          "Sieve",       "DesktopLook",  "RoomyColumn",    "Manner"}) {
+        QTest::newRow(word)
+            << QStringLiteral("\\b%1(?![a-z])|[a-z]%1(?![a-z])").arg(QLatin1String(word));
+    }
+    QTest::newRow("file names") << QStringLiteral(
+        "\\b[a-z_]+_(deeds|look|settle|deal|manner)\\.(h|cpp)\\b");
+}
+
+void TestLanguage::replacedNames()
+{
+    QFETCH(QString, pattern);
+    QStringList files = filesBelow(
+        {QStringLiteral("src"), QStringLiteral("ui"), QStringLiteral("tests")},
+        {QStringLiteral("*.cpp"), QStringLiteral("*.h"), QStringLiteral("CMakeLists.txt")});
+    files << QStringLiteral(SOURCE_DIR "/CONTRIBUTING.md")
+          << QStringLiteral(SOURCE_DIR "/README.md");
+    const QStringList found = matches(files, QRegularExpression(pattern));
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+}
+
+/// In comments and documents. Keys of files ("centred") keep the spelling they were released with.
+void TestLanguage::americanSpelling()
+{
+    const QString british = QStringLiteral(
+        "(centre|centring|colour|behaviour|neighbour|favour|honour|recognis|synchronis|initialis|"
+        "normalis|organis|serialis|labelled|labelling|cancelled|cancelling|travelled|licence|"
+        "catalogue)");
+    const QStringList sources =
+        filesBelow({QStringLiteral("src"), QStringLiteral("ui"), QStringLiteral("tests")},
+                   {QStringLiteral("*.cpp"), QStringLiteral("*.h")});
+    QStringList documents = filesBelow({QStringLiteral("resources")}, {QStringLiteral("*.md")});
+    for (const char* name : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"})
+        documents << QStringLiteral(SOURCE_DIR "/") + QLatin1String(name);
+    const auto insensitive = QRegularExpression::CaseInsensitiveOption;
+    const QStringList found =
+        matches(sources, QRegularExpression(QStringLiteral("//.*") + british, insensitive)) +
+        matches(documents, QRegularExpression(british, insensitive));
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+}
+
+QTEST_GUILESS_MAIN(TestLanguage)
+#include "tst_language.moc"
