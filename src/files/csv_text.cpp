@@ -2,6 +2,9 @@
 #include "files/csv_text.h"
 
 #include <QByteArrayList>
+#include <QLocale>
+
+#include <cmath>
 
 namespace record {
 namespace {
@@ -24,6 +27,13 @@ QByteArray csvText(const QString& cell)
     if (!quoted)
         return text.toUtf8();
     return '"' + text.replace(QLatin1Char('"'), QStringLiteral("\"\"")).toUtf8() + '"';
+}
+
+QByteArray csvNumber(std::optional<double> value)
+{
+    return value && std::isfinite(*value)
+               ? QByteArray::number(*value, 'g', QLocale::FloatingPointShortest)
+               : QByteArray();
 }
 
 QByteArray csvLine(const QStringList& cells)

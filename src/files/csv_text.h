@@ -5,8 +5,12 @@
 #include <QByteArray>
 #include <QStringList>
 
+#include <optional>
+
 namespace record {
 /// A text that a spreadsheet would take for a formula is given an apostrophe, as it recommends.
 QByteArray csvText(const QString& cell);
+/// As many digits as tell the number; empty for none, or one that is not finite.
+QByteArray csvNumber(std::optional<double> value);
 QByteArray csvLine(const QStringList& cells); ///< with its line feed
 } // namespace record

@@ -88,6 +88,14 @@ std::optional<std::int64_t> JsonReader::integerOrNull(const char* key) const
     return integer(key);
 }
 
+double JsonReader::number(const char* key) const
+{
+    const auto found = numberOrNull(key);
+    if (!found)
+        reportError(key, QStringLiteral("expected a number"));
+    return found.value_or(0);
+}
+
 std::optional<double> JsonReader::numberOrNull(const char* key) const
 {
     const QJsonValue found = value(key);

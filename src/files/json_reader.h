@@ -48,6 +48,7 @@ public:
     int smallInteger(const char* key) const; ///< fits an int
     std::int64_t integer(const char* key) const;
     std::optional<std::int64_t> integerOrNull(const char* key) const;
+    double number(const char* key) const;
     std::optional<double> numberOrNull(const char* key) const;
     std::vector<std::int64_t> integers(const char* key) const;
     std::vector<double> numbers(const char* key) const;

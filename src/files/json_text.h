@@ -23,6 +23,26 @@ inline constexpr int registerValueDigits = 12;
 /// An integer, or null.
 QByteArray jsonInteger(std::optional<std::int64_t> value);
 
+/// A list on one line; `write` makes the JSON of an item.
+template <typename Items, typename Write>
+QByteArray jsonList(const Items& items, const Write& write)
+{
+    QByteArray text = "[";
+    for (const auto& item : items)
+        text += (text.size() > 1 ? ", " : "") + write(item);
+    return text + ']';
+}
+
+/// A list with an item per line; `indent` is that of the line it begins on.
+template <typename Items, typename Write>
+QByteArray jsonLines(const Items& items, const QByteArray& indent, const Write& write)
+{
+    QByteArray text;
+    for (const auto& item : items)
+        text += (text.isEmpty() ? "\n" : ",\n") + indent + "  " + write(item);
+    return text.isEmpty() ? QByteArray("[]") : '[' + text + '\n' + indent + ']';
+}
+
 /// One object on one line, its members in the order they are added.
 class JsonObjectWriter {
 public:

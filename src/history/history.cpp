@@ -19,7 +19,7 @@ namespace record {
 namespace {
 constexpr qsizetype pieceSize = qsizetype(1) << 20; ///< before it is compressed
 
-QVariantList valuesOf(const TestRun& head)
+QVariantList testValues(const TestRun& head)
 {
     return {newUuid(),
             nonNull(head.kind),
@@ -34,7 +34,7 @@ QVariantList valuesOf(const TestRun& head)
             qint64(head.length.count())};
 }
 
-QVariantList valuesOf(std::int64_t number, int place, const TestServo& servo)
+QVariantList testValues(std::int64_t number, int place, const TestServo& servo)
 {
     return {qint64(number),
             place,
@@ -127,7 +127,7 @@ base::Result<void> History::addParts(const TestRun& head, std::int64_t number,
         const auto added = m_file->run(
             QStringLiteral("INSERT INTO run_servos (run, place, id, model, map, firmware, verdict, "
                            "label, reference) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-            valuesOf(number, place++, servo));
+            testValues(number, place++, servo));
         if (!added)
             return tl::unexpected(added.error());
     }
@@ -153,7 +153,7 @@ base::Result<std::int64_t> History::add(const TestRun& head,
             QStringLiteral("INSERT INTO runs (uuid, kind, at, program, port, simulated, verdict, "
                            "ended, operator, note, length) "
                            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-            valuesOf(head));
+            testValues(head));
         if (!added)
             return tl::unexpected(added.error());
         number = added->insertedId;

@@ -37,7 +37,7 @@ TestRun readRunRow(const QVariantList& row)
     return run;
 }
 
-TestServo readServoRow(const QVariantList& row)
+TestServo readTestServo(const QVariantList& row)
 {
     return {row.value(1).toInt(),    row.value(2).toString(), row.value(3).toString(),
             row.value(4).toString(), readGrade(row.value(5)), row.value(6).toString(),
@@ -144,7 +144,9 @@ base::Result<std::vector<TestRun>> History::read(const QString& whereClause,
     if (const auto read = forEachRow(
             QStringLiteral("SELECT run, id, model, map, firmware, verdict, label, reference "
                            "FROM run_servos"),
-            [](TestRun& run, const QVariantList& row) { run.servos.push_back(readServoRow(row)); });
+            [](TestRun& run, const QVariantList& row) {
+                run.servos.push_back(readTestServo(row));
+            });
         !read)
         return tl::unexpected(read.error());
     if (const auto read = forEachRow(QStringLiteral("SELECT run, path FROM run_files"),

@@ -7,7 +7,7 @@
 
 namespace record {
 namespace {
-QString selectRows(const QString& inner)
+QString selectSnapshotRows(const QString& inner)
 {
     return QStringLiteral(
                "SELECT p.number, p.uuid, p.servo, s.id, s.model, s.firmware_major, "
@@ -121,7 +121,8 @@ base::Result<std::vector<HistorySnapshot>> HistoryLog::snapshots(const HistoryFi
     SqlConditions extra;
     if (filter.reason)
         extra.add(QStringLiteral("reason = ?"), {snapshotReasonName(*filter.reason)});
-    const auto rows = readPage(m_file, filter, QStringLiteral("snapshots"), extra, selectRows);
+    const auto rows =
+        readPage(m_file, filter, QStringLiteral("snapshots"), extra, selectSnapshotRows);
     if (!rows)
         return tl::unexpected(rows.error());
     return newestFirst<HistorySnapshot>(*rows, readSnapshotRow, filter.limit);
@@ -129,8 +130,9 @@ base::Result<std::vector<HistorySnapshot>> HistoryLog::snapshots(const HistoryFi
 
 base::Result<HistorySnapshot> HistoryLog::snapshotRow(std::int64_t number) const
 {
-    const auto row = m_file.run(
-        selectRows(QStringLiteral("SELECT * FROM snapshots WHERE number = ?")), {qint64(number)});
+    const auto row =
+        m_file.run(selectSnapshotRows(QStringLiteral("SELECT * FROM snapshots WHERE number = ?")),
+                   {qint64(number)});
     if (!row)
         return tl::unexpected(row.error());
     if (row->rows.empty())

@@ -7,7 +7,7 @@
 
 namespace record {
 namespace {
-QString selectRows(const QString& inner)
+QString selectWriteRows(const QString& inner)
 {
     return QStringLiteral(
                "SELECT w.number, w.intent, i.uuid, w.place, w.servo, s.id, s.model, s.label, w.at, "
@@ -69,8 +69,8 @@ SqlConditions extraConditions(const HistoryFilter& filter)
 
 base::Result<std::vector<HistoryWrite>> HistoryLog::writes(const HistoryFilter& filter) const
 {
-    const auto rows =
-        readPage(m_file, filter, QStringLiteral("writes"), extraConditions(filter), selectRows);
+    const auto rows = readPage(m_file, filter, QStringLiteral("writes"), extraConditions(filter),
+                               selectWriteRows);
     if (!rows)
         return tl::unexpected(rows.error());
     return newestFirst<HistoryWrite>(*rows, readWriteRow, filter.limit);
@@ -99,8 +99,8 @@ base::Result<std::int64_t> HistoryLog::countWrites(const HistoryFilter& filter) 
 
 base::Result<HistoryWrite> HistoryLog::write(std::int64_t number) const
 {
-    const auto row = m_file.run(selectRows(QStringLiteral("SELECT * FROM writes WHERE number = ?")),
-                                {qint64(number)});
+    const auto row = m_file.run(
+        selectWriteRows(QStringLiteral("SELECT * FROM writes WHERE number = ?")), {qint64(number)});
     if (!row)
         return tl::unexpected(row.error());
     if (row->rows.empty())

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/commission_text.h"
 
+#include "report/bilingual.h"
+
 #include <array>
 
 namespace report {
 namespace {
 using record::CommissionIssue;
 using record::CommissionVerdict;
-
-Text both(const char* english, const char* chinese)
-{
-    return {QString::fromUtf8(english), QString::fromUtf8(chinese)};
-}
 
 struct IssueText {
     const char* word;

@@ -96,6 +96,11 @@ QString escaped(const QString& text)
     return clean.toHtmlEscaped();
 }
 
+QString userText(const QString& text)
+{
+    return QStringLiteral("<span class=\"user\">") + escaped(text) + QStringLiteral("</span>");
+}
+
 QString figure(double value)
 {
     QString text = QString::number(value, 'f', 2);

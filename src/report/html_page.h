@@ -15,6 +15,8 @@
 namespace report {
 /// Safe as text and in attributes; characters that no XML may contain are left out.
 QString escaped(const QString& text);
+/// Text that a person entered, escaped and marked.
+QString userText(const QString& text);
 
 /// Two decimals at most, with a point: "3047.75", "8.1", "12".
 QString figure(double value);

@@ -12,10 +12,10 @@ using catalog::Text;
 namespace {
 constexpr double width = 760;
 constexpr double height = 340;
-constexpr double left = 64;
-constexpr double right = width - 14;
-constexpr double top = 34;
-constexpr double bottom = height - 46;
+constexpr double plotLeft = 64;
+constexpr double plotRight = width - 14;
+constexpr double plotTop = 34;
+constexpr double plotBottom = height - 46;
 constexpr double headroom = 0.12; ///< above the target and below the start
 constexpr int ticks = 8;
 constexpr double minPointDistance = 0.4; ///< px between two points of a curve
@@ -55,7 +55,7 @@ QString line(double x1, double y1, double x2, double y2, const QString& style)
         .arg(px(x1), px(y1), px(x2), px(y2), style);
 }
 
-QString text(double x, double y, const char* anchor, const QString& content)
+QString label(double x, double y, const char* anchor, const QString& content)
 {
     return QStringLiteral("<text x=\"%1\" y=\"%2\" text-anchor=\"%3\" font-size=\"12\" "
                           "fill=\"#1f2328\">%4</text>\n")
@@ -65,8 +65,8 @@ QString text(double x, double y, const char* anchor, const QString& content)
 /// Both scales, wide enough for everything.
 std::pair<Scale, Scale> scalesOf(const std::vector<record::StepRun>& runs)
 {
-    Scale x{0, 1, left, right};
-    Scale y{0, 1, bottom, top};
+    Scale x{0, 1, plotLeft, plotRight};
+    Scale y{0, 1, plotBottom, plotTop};
     for (const record::StepRun& run : runs) {
         for (const record::StepResponse& response : run.responses) {
             y.high = std::max(y.high, std::abs(response.target - response.start));
@@ -108,18 +108,18 @@ QString frame(const HtmlWriter& htmlWriter, const Scale& x, const Scale& y)
     const QString grid = QStringLiteral("stroke=\"#d0d7de\" stroke-width=\"1\"");
     QString marks;
     for (double at = 0; at <= x.high; at += x.step())
-        marks += line(x.at(at), top, x.at(at), bottom, grid) +
-                 text(x.at(at), bottom + 16, "middle", figure(at));
+        marks += line(x.at(at), plotTop, x.at(at), plotBottom, grid) +
+                 label(x.at(at), plotBottom + 16, "middle", figure(at));
     for (double at = std::ceil(y.low / y.step()) * y.step(); at <= y.high; at += y.step())
-        marks += line(left, y.at(at), right, y.at(at), grid) +
-                 text(left - 6, y.at(at) + 4, "end", figure(at));
+        marks += line(plotLeft, y.at(at), plotRight, y.at(at), grid) +
+                 label(plotLeft - 6, y.at(at) + 4, "end", figure(at));
     return marks +
-           text((left + right) / 2, height - 10, "middle",
-                htmlWriter.htmlInSvg({QStringLiteral("ms from the goal on"),
-                                      QString::fromUtf8("发出目标后的时间 (ms)")})) +
-           text(left, top - 14, "start",
-                htmlWriter.htmlInSvg({QStringLiteral("steps towards the target"),
-                                      QString::fromUtf8("朝目标方向的步数")}));
+           label((plotLeft + plotRight) / 2, height - 10, "middle",
+                 htmlWriter.htmlInSvg({QStringLiteral("ms from the goal on"),
+                                       QString::fromUtf8("发出目标后的时间 (ms)")})) +
+           label(plotLeft, plotTop - 14, "start",
+                 htmlWriter.htmlInSvg({QStringLiteral("steps towards the target"),
+                                       QString::fromUtf8("朝目标方向的步数")}));
 }
 
 QString legend(std::size_t runs)
@@ -127,11 +127,11 @@ QString legend(std::size_t runs)
     QString entries;
     constexpr double entry = 60;
     for (std::size_t i = 0; i < runs; ++i) {
-        const double x = right - entry * double(runs - i);
-        entries += line(x, top - 18, x + 26, top - 18,
+        const double x = plotRight - entry * double(runs - i);
+        entries += line(x, plotTop - 18, x + 26, plotTop - 18,
                         QStringLiteral("stroke=\"%1\" stroke-width=\"2\"")
                             .arg(QString::fromLatin1(colors[i % colors.size()]))) +
-                   text(x + 32, top - 14, "start", QString::number(i + 1));
+                   label(x + 32, plotTop - 14, "start", QString::number(i + 1));
     }
     return entries;
 }
@@ -148,7 +148,7 @@ QString stepChart(const HtmlWriter& htmlWriter, const std::vector<record::StepRu
     if (!runs.empty() && !runs.front().responses.empty()) {
         const record::StepResponse& first = runs.front().responses.front();
         const double target = y.at(std::abs(first.target - first.start));
-        content += line(left, target, right, target,
+        content += line(plotLeft, target, plotRight, target,
                         QStringLiteral("stroke=\"#57606a\" stroke-width=\"1\" "
                                        "stroke-dasharray=\"5 3\""));
     }

@@ -2,6 +2,7 @@
 #include "report/step_html.h"
 
 #include "files/text_file.h"
+#include "report/bilingual.h"
 #include "report/step_text.h"
 #include "report/sweep_text.h"
 
@@ -10,11 +11,6 @@ using catalog::Text;
 using record::StepRun;
 
 namespace {
-Text both(const char* english, const char* chinese)
-{
-    return {QString::fromUtf8(english), QString::fromUtf8(chinese)};
-}
-
 QString head(const HtmlWriter& htmlWriter, const StepRun& run)
 {
     const SweepTexts& words = sweepTexts();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/step_text.h"
 
+#include "report/bilingual.h"
 #include "report/sweep_text.h"
 
 #include <QLocale>
@@ -15,11 +16,6 @@ using record::StepRemedy;
 using record::StepSymptom;
 
 namespace {
-Text both(const char* english, const char* chinese)
-{
-    return {QString::fromUtf8(english), QString::fromUtf8(chinese)};
-}
-
 struct FigureText {
     const char* key;
     const char* english;

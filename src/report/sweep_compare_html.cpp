@@ -16,11 +16,6 @@ using Rows = std::vector<QStringList>;
 
 const Text dash{QStringLiteral("–"), QStringLiteral("–")};
 
-QString userText(const QString& text)
-{
-    return QStringLiteral("<span class=\"user\">") + escaped(text) + QStringLiteral("</span>");
-}
-
 QString sidesPart(const HtmlWriter& htmlWriter, const SweepSide& a, const SweepSide& b)
 {
     const SweepTexts& words = sweepTexts();

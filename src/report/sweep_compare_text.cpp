@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sweep_compare_text.h"
 
+#include "report/bilingual.h"
 #include "report/html_page.h"
 #include "report/sweep_text.h"
 
@@ -10,11 +11,6 @@
 namespace report {
 namespace {
 constexpr double noticeable = 0.1; ///< of the larger one
-
-Text both(const char* english, const char* chinese)
-{
-    return {QString::fromUtf8(english), QString::fromUtf8(chinese)};
-}
 
 Text same(const QString& text)
 {

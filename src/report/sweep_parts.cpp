@@ -7,11 +7,6 @@ namespace report {
 namespace {
 using Rows = std::vector<QStringList>;
 
-QString userText(const QString& text)
-{
-    return QStringLiteral("<span class=\"user\">") + escaped(text) + QStringLiteral("</span>");
-}
-
 Text seconds(base::Duration span)
 {
     const QString text = inSeconds(span) + QStringLiteral(" s");

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sweep_text.h"
 
+#include "report/bilingual.h"
+
 #include <array>
 
 namespace report {
 namespace {
-Text both(const char* english, const char* chinese)
-{
-    return {QString::fromUtf8(english), QString::fromUtf8(chinese)};
-}
-
 void fillHeading(SweepTexts& words)
 {
     words.title = both("Sweep test report", "扫描测试报告");

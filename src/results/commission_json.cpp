@@ -10,11 +10,6 @@ namespace {
 const QLatin1String commissionFormat("servodesk-commission");
 constexpr int commissionVersion = 1;
 
-QString timeText(const QDateTime& at)
-{
-    return at.toUTC().toString(Qt::ISODate);
-}
-
 QByteArray servoText(const SnapshotServo& servo)
 {
     return JsonObjectWriter()
@@ -39,7 +34,7 @@ QByteArray issuesText(const std::vector<CommissionIssue>& issues)
 QByteArray rowText(const CommissionRow& row)
 {
     return JsonObjectWriter()
-        .text("time", timeText(row.at))
+        .text("time", row.at.toUTC().toString(Qt::ISODate))
         .raw("servo", servoText(row.servo))
         .integer("was_baud", row.oldBaud)
         .integer("id", row.newId)
@@ -71,16 +66,7 @@ QByteArray pendingText(const PendingCommission& one)
         .done();
 }
 
-template <typename Items, typename Write>
-QByteArray list(const Items& items, const Write& write)
-{
-    QByteArray text;
-    for (const auto& item : items)
-        text += (text.isEmpty() ? "\n    " : ",\n    ") + write(item);
-    return text.isEmpty() ? QByteArray("[]") : '[' + text + "\n  ]";
-}
-
-SnapshotServo readServo(const JsonReader& json)
+SnapshotServo readCommissionServo(const JsonReader& json)
 {
     SnapshotServo servo;
     servo.id = json.smallInteger("id");
@@ -96,7 +82,7 @@ CommissionRow readRow(const JsonReader& json)
 {
     CommissionRow row;
     row.at = json.time("time");
-    row.servo = readServo(json.object("servo"));
+    row.servo = readCommissionServo(json.object("servo"));
     row.oldBaud = json.smallInteger("was_baud");
     row.newId = json.smallInteger("id");
     row.newBaud = json.smallInteger("baud");
@@ -120,7 +106,7 @@ PendingCommission readPending(const JsonReader& json)
 {
     PendingCommission one;
     one.at = json.time("time");
-    one.servo = readServo(json.object("servo"));
+    one.servo = readCommissionServo(json.object("servo"));
     one.oldBaud = json.smallInteger("was_baud");
     one.newId = json.smallInteger("id");
     one.newBaud = json.smallInteger("baud");
@@ -144,8 +130,8 @@ QByteArray encodeCommissionBatch(const CommissionBatch& batch)
     QByteArray text = "{\n  \"format\": " + jsonText(commissionFormat) +
                       ",\n  \"version\": " + QByteArray::number(commissionVersion) +
                       ",\n  \"program\": " + jsonText(batch.program) +
-                      ",\n  \"servos\": " + list(batch.rows, rowText) +
-                      ",\n  \"unfinished\": " + list(batch.pending, pendingText);
+                      ",\n  \"servos\": " + jsonLines(batch.rows, "  ", rowText) +
+                      ",\n  \"unfinished\": " + jsonLines(batch.pending, "  ", pendingText);
     if (batch.attachedServo)
         text += ",\n  \"on_wire\": " + JsonObjectWriter()
                                            .text("protocol", batch.attachedServo->protocol)

@@ -2,8 +2,10 @@
 // Writing; step_json_reader.cpp reads.
 #include "results/step_json.h"
 
+#include "files/csv_text.h"
 #include "files/json_text.h"
 #include "files/text_file.h"
+#include "results/axis_json.h"
 #include "results/sweep_fields.h"
 
 #include <QLocale>
@@ -12,15 +14,6 @@
 
 namespace record {
 namespace {
-template <typename Items, typename Write>
-QByteArray list(const Items& items, const QByteArray& indent, const Write& write)
-{
-    QByteArray text;
-    for (const auto& item : items)
-        text += (text.isEmpty() ? "\n" : ",\n") + indent + "  " + write(item);
-    return text.isEmpty() ? QByteArray("[]") : '[' + text + '\n' + indent + ']';
-}
-
 QByteArray gainText(const StepGain& gain)
 {
     return JsonObjectWriter().text("key", gain.key).integer("raw", gain.raw).done();
@@ -28,7 +21,7 @@ QByteArray gainText(const StepGain& gain)
 
 QByteArray gainsText(const std::vector<StepGain>& gains)
 {
-    return list(gains, "      ", gainText);
+    return jsonLines(gains, "      ", gainText);
 }
 
 QByteArray figuresText(const StepFigures& figures)
@@ -51,18 +44,6 @@ QByteArray specText(const StepSpec& spec)
         .raw("trial", gainsText(spec.trial))
         .text("operator", spec.operatorName)
         .text("note", spec.note)
-        .done();
-}
-
-QByteArray axisText(const SweepAxis& axis)
-{
-    return JsonObjectWriter()
-        .number("from", axis.from)
-        .number("to", axis.to)
-        .number("steps_per_turn", axis.stepsPerTurn)
-        .number("tolerance", axis.tolerance)
-        .number("speed", axis.speed)
-        .number("acceleration", axis.acceleration)
         .done();
 }
 
@@ -104,9 +85,9 @@ QByteArray runText(const StepRun& run)
            ",\n      \"put_back\": " + jsonFlag(run.isReverted) +
            ",\n      \"test\": " + specText(run.spec) +
            ",\n      \"gains\": " + gainsText(run.gains) +
-           ",\n      \"axis\": " + axisText(run.axis) +
+           ",\n      \"axis\": " + encodeAxis(run.axis, AxisFields::Range) +
            ",\n      \"mean\": " + figuresText(run.mean) +
-           ",\n      \"responses\": " + list(run.responses, "      ", responseText) +
+           ",\n      \"responses\": " + jsonLines(run.responses, "      ", responseText) +
            ",\n      \"parameters\": " +
            encodeSnapshot(run.parameters).trimmed().replace("\n", "\n      ") + "\n    }";
 }
@@ -150,21 +131,15 @@ QByteArray adviceText(const StepAdvice& advice)
     return line.done();
 }
 
-QByteArray cell(std::optional<double> value)
-{
-    return value && std::isfinite(*value)
-               ? QByteArray::number(*value, 'g', QLocale::FloatingPointShortest)
-               : QByteArray();
-}
-
 QByteArray sampleLines(int run, const StepResponse& response)
 {
     QByteArray lines;
     for (const StepSample& sample : response.samples) {
         lines += QByteArray::number(run) + ',' + QByteArray::number(response.number) + ',' +
-                 cell(inMs(sample.at)) + ',' + cell(response.start) + ',' + cell(response.target) +
-                 ',' + cell(sample.position) + ',' + cell(sample.speed) + ',' + cell(sample.load) +
-                 ',' + cell(sample.current) + '\n';
+                 csvNumber(inMs(sample.at)) + ',' + csvNumber(response.start) + ',' +
+                 csvNumber(response.target) + ',' + csvNumber(sample.position) + ',' +
+                 csvNumber(sample.speed) + ',' + csvNumber(sample.load) + ',' +
+                 csvNumber(sample.current) + '\n';
     }
     return lines;
 }
@@ -176,9 +151,9 @@ QByteArray encodeStepRuns(const std::vector<StepRun>& runs, const std::vector<St
     if (runs.size() > 1)
         differences = compareSteps(runs.front(), runs.back());
     return "{\n  \"format\": \"servodesk-step-response\",\n  \"version\": 1,\n  \"runs\": " +
-           list(runs, "  ", runText) +
-           ",\n  \"differences\": " + list(differences, "  ", differenceText) +
-           ",\n  \"advice\": " + list(advice, "  ", adviceText) + "\n}\n";
+           jsonLines(runs, "  ", runText) +
+           ",\n  \"differences\": " + jsonLines(differences, "  ", differenceText) +
+           ",\n  \"advice\": " + jsonLines(advice, "  ", adviceText) + "\n}\n";
 }
 
 base::Result<void> saveStepRuns(const std::vector<StepRun>& runs,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/json_format.h"
 #include "files/text_file.h"
+#include "results/axis_json.h"
 #include "results/step_json.h"
 #include "results/sweep_fields.h"
 #include "snapshot/snapshot_json.h"
@@ -14,24 +15,7 @@ namespace {
 const QString loadStepOperation = QStringLiteral("load-step-response");
 constexpr qint64 maxStepFileSize = 256 * 1024 * 1024;
 constexpr int stepVersion = 1;
-constexpr double maxMs = 1e9;
 constexpr int cells = 5; ///< of a sample
-
-base::Duration fromMs(const JsonReader& json, const char* key, double ms)
-{
-    if (std::abs(ms) <= maxMs)
-        return base::Duration(std::llround(ms * usPerMs));
-    json.reportError(key, QStringLiteral("number too large"));
-    return {};
-}
-
-double number(const JsonReader& json, const char* key)
-{
-    const auto found = json.numberOrNull(key);
-    if (!found)
-        json.reportError(key, QStringLiteral("expected a number"));
-    return found.value_or(0);
-}
 
 std::vector<StepGain> readGains(const JsonReader& json, const char* key)
 {
@@ -55,25 +39,13 @@ StepSpec readSpec(const JsonReader& json)
     spec.size = json.text("size");
     spec.from = json.text("from");
     spec.repeats = json.smallInteger("repeats");
-    spec.hold = fromMs(json, "hold_ms", number(json, "hold_ms"));
+    spec.hold = readMilliseconds(json, "hold_ms", json.number("hold_ms"));
     spec.speed = json.text("speed");
     spec.acceleration = json.text("acceleration");
     spec.trial = readGains(json, "trial");
     spec.operatorName = json.text("operator");
     spec.note = json.text("note");
     return spec;
-}
-
-SweepAxis readAxis(const JsonReader& json)
-{
-    SweepAxis axis;
-    axis.from = number(json, "from");
-    axis.to = number(json, "to");
-    axis.stepsPerTurn = number(json, "steps_per_turn");
-    axis.tolerance = number(json, "tolerance");
-    axis.speed = json.numberOrNull("speed");
-    axis.acceleration = json.numberOrNull("acceleration");
-    return axis;
 }
 
 std::vector<StepSample> readSamples(const JsonReader& json)
@@ -89,8 +61,8 @@ std::vector<StepSample> readSamples(const JsonReader& json)
         const auto optional = [&values](int cell) {
             return values[cell].isDouble() ? std::optional(values[cell].toDouble()) : std::nullopt;
         };
-        samples.push_back({fromMs(json, "samples", values[0].toDouble()), values[1].toDouble(),
-                           optional(2), optional(3), optional(4)});
+        samples.push_back({readMilliseconds(json, "samples", values[0].toDouble()),
+                           values[1].toDouble(), optional(2), optional(3), optional(4)});
     }
     return samples;
 }
@@ -99,8 +71,8 @@ StepResponse readResponse(const JsonReader& json)
 {
     StepResponse response;
     response.number = json.smallInteger("number");
-    response.start = number(json, "start");
-    response.target = number(json, "target");
+    response.start = json.number("start");
+    response.target = json.number("target");
     response.missed = json.flag("missed");
     response.lost = json.smallInteger("lost");
     response.seen = !json.contains("seen") || json.flag("seen"); // older files do not say
@@ -110,7 +82,7 @@ StepResponse readResponse(const JsonReader& json)
     return response;
 }
 
-StepRun readRun(const JsonReader& json)
+StepRun readStepRun(const JsonReader& json)
 {
     StepRun run;
     run.program = json.text("program");
@@ -122,11 +94,11 @@ StepRun readRun(const JsonReader& json)
     if (!sweepEndFromName(end))
         json.reportError("end", QStringLiteral("unknown word \"%1\"").arg(end));
     run.end = sweepEndFromName(end).value_or(SweepEnd::Finished);
-    run.sampleRate = number(json, "sample_rate");
+    run.sampleRate = json.number("sample_rate");
     run.isReverted = json.flag("put_back");
     run.spec = readSpec(json.object("test"));
     run.gains = readGains(json, "gains");
-    run.axis = readAxis(json.object("axis"));
+    run.axis = readAxis(json.object("axis"), AxisFields::Range);
     run.mean = readFigures(json.object("mean"));
     for (const JsonReader& response : json.objects("responses"))
         run.responses.push_back(readResponse(response));
@@ -146,7 +118,7 @@ base::Result<std::vector<StepRun>> decodeStepRuns(const QByteArray& text)
                 QStringLiteral("not a step response of ServoDesk"));
     std::vector<StepRun> runs;
     for (const JsonReader& run : json.objects("runs"))
-        runs.push_back(readRun(run));
+        runs.push_back(readStepRun(run));
     if (readError.isSet())
         return base::fail(base::ErrorCode::FileFormat, loadStepOperation, readError.text());
     return runs;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results/sweep_csv.h"
 
+#include "files/csv_text.h"
 #include "files/text_file.h"
 #include "results/sweep_fields.h"
 
@@ -10,13 +11,6 @@
 
 namespace record {
 namespace {
-QByteArray cell(std::optional<double> value)
-{
-    return value && std::isfinite(*value)
-               ? QByteArray::number(*value, 'g', QLocale::FloatingPointShortest)
-               : QByteArray();
-}
-
 void writeLegs(const SweepRun& run, const TextSink& sink)
 {
     sink(sweepLegsHeader());
@@ -44,13 +38,14 @@ QByteArray sweepLegsHeader()
 QByteArray sweepLegsLine(int servo, const SweepLeg& leg)
 {
     QByteArray line = QByteArray::number(servo) + ',' + QByteArray::number(leg.number) + ',' +
-                      QByteArray::number(leg.cycle) + ',' + cell(inMs(leg.at)) + ',' +
-                      cell(inMs(leg.span)) + ',' + cell(leg.start) + ',' + cell(leg.target) + ',' +
-                      cell(inMs(leg.timeToTarget)) + ',' + cell(inMs(leg.settling));
+                      QByteArray::number(leg.cycle) + ',' + csvNumber(inMs(leg.at)) + ',' +
+                      csvNumber(inMs(leg.span)) + ',' + csvNumber(leg.start) + ',' +
+                      csvNumber(leg.target) + ',' + csvNumber(inMs(leg.timeToTarget)) + ',' +
+                      csvNumber(inMs(leg.settling));
     for (const LegFigure& figure : legFigures)
-        line += ',' + cell(leg.*figure.member);
+        line += ',' + csvNumber(leg.*figure.member);
     return line + ',' + QByteArray::number(leg.samples) + ',' + QByteArray::number(leg.lost) +
-           (leg.missed ? ",1," : ",0,") + cell(leg.flagWrong) + ',' +
+           (leg.missed ? ",1," : ",0,") + csvNumber(leg.flagWrong) + ',' +
            QByteArray::number(leg.alarms) + '\n';
 }
 

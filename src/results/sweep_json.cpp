@@ -4,21 +4,13 @@
 
 #include "files/json_text.h"
 #include "files/text_file.h"
+#include "results/axis_json.h"
 #include "results/sweep_fields.h"
 #include "results/sweep_verdict.h"
 
 namespace record {
 namespace {
 constexpr qsizetype pieceSize = 65536;
-
-template <typename Items, typename Write>
-QByteArray list(const Items& items, const Write& write)
-{
-    QByteArray text = "[";
-    for (const auto& item : items)
-        text += (text.size() > 1 ? ", " : "") + write(item);
-    return text + ']';
-}
 
 /// A document that is a file of its own, further in.
 QByteArray indented(const QByteArray& document)
@@ -51,9 +43,9 @@ QByteArray testText(const SweepSpec& spec)
     JsonObjectWriter line;
     line.text("shape", sweepShapeName(spec.shape));
     addRange(line, spec.range)
-        .raw("ranges", list(spec.ranges, rangeText))
+        .raw("ranges", jsonList(spec.ranges, rangeText))
         .text("step", spec.step)
-        .raw("points", list(spec.points, pointText))
+        .raw("points", jsonList(spec.points, pointText))
         .integer("seed", spec.seed)
         .number("period_ms", inMs(spec.period))
         .text("pace", sweepPaceName(spec.pace))
@@ -71,20 +63,6 @@ QByteArray testText(const SweepSpec& spec)
         .text("operator", spec.operatorName)
         .text("note", spec.note);
     return line.done();
-}
-
-QByteArray axisText(const SweepAxis& axis)
-{
-    return JsonObjectWriter()
-        .number("from", axis.from)
-        .number("to", axis.to)
-        .number("step", axis.step)
-        .raw("points", list(axis.points, [](double point) { return jsonNumber(point); }))
-        .number("steps_per_turn", axis.stepsPerTurn)
-        .number("tolerance", axis.tolerance)
-        .number("speed", axis.speed)
-        .number("acceleration", axis.acceleration)
-        .done();
 }
 
 QByteArray errorsText(const SweepErrors& errors)
@@ -120,8 +98,8 @@ QByteArray servoText(const SweepRun& run, const SweepServo& servo)
     return "{\n      \"id\": " + QByteArray::number(servo.parameters.servo.id) +
            ",\n      \"verdict\": " + jsonText(gradeName(servo.verdict)) +
            ",\n      \"no_verdict\": " + (open.isEmpty() ? "null" : jsonText(open)) +
-           ",\n      \"axis\": " + axisText(servo.axis) + ",\n      \"lines\": [" + lines +
-           (lines.isEmpty() ? "]" : "\n      ]") +
+           ",\n      \"axis\": " + encodeAxis(servo.axis, AxisFields::Path) +
+           ",\n      \"lines\": [" + lines + (lines.isEmpty() ? "]" : "\n      ]") +
            ",\n      \"errors\": " + errorsText(servo.errors) +
            ",\n      \"limits\": " + indented(encodeSweepLimits(servo.limits)) +
            ",\n      \"parameters\": " + indented(encodeSnapshot(servo.parameters)) + "\n    }";
@@ -183,7 +161,7 @@ QByteArray headText(const SweepRun& run)
            ",\n  \"length_ms\": " + jsonNumber(inMs(run.length)) +
            ",\n  \"end\": " + jsonText(sweepEndName(run.end)) + ",\n  \"ended_by\": " + endedBy +
            ",\n  \"sample_rate\": " + jsonNumber(run.sampleRate) +
-           ",\n  \"gaps\": " + list(run.gaps, gapText) + ",\n  \"test\": " + testText(run.spec);
+           ",\n  \"gaps\": " + jsonList(run.gaps, gapText) + ",\n  \"test\": " + testText(run.spec);
 }
 
 /// Items of all servos in one list, a line each, handed over now and then.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/json_format.h"
 #include "files/text_file.h"
+#include "results/axis_json.h"
 #include "results/sweep_fields.h"
 #include "results/sweep_json.h"
 #include "results/sweep_limits_json.h"
@@ -15,26 +16,13 @@ namespace {
 const QString loadSweepOperation = QStringLiteral("load-sweep");
 constexpr qint64 maxSweepFileSize = 512 * 1024 * 1024;
 constexpr int sweepVersion = 1;
-constexpr double maxMs = 1e12; ///< thirty years
-
-double number(const JsonReader& json, const char* key)
-{
-    const auto found = json.numberOrNull(key);
-    if (!found)
-        json.reportError(key, QStringLiteral("expected a number"));
-    return found.value_or(0);
-}
 
 std::optional<base::Duration> spanOrNull(const JsonReader& json, const char* key)
 {
     const auto ms = json.numberOrNull(key);
     if (!ms)
         return {};
-    if (std::abs(*ms) > maxMs) {
-        json.reportError(key, QStringLiteral("number too large"));
-        return base::Duration();
-    }
-    return base::Duration(std::llround(*ms * usPerMs));
+    return readMilliseconds(json, key, *ms);
 }
 
 base::Duration span(const JsonReader& json, const char* key)
@@ -100,20 +88,6 @@ SweepSpec readTest(const JsonReader& json)
     return spec;
 }
 
-SweepAxis readAxis(const JsonReader& json)
-{
-    SweepAxis axis;
-    axis.from = number(json, "from");
-    axis.to = number(json, "to");
-    axis.step = number(json, "step");
-    axis.points = json.numbers("points");
-    axis.stepsPerTurn = number(json, "steps_per_turn");
-    axis.tolerance = number(json, "tolerance");
-    axis.speed = json.numberOrNull("speed");
-    axis.acceleration = json.numberOrNull("acceleration");
-    return axis;
-}
-
 VerdictLine readVerdict(const JsonReader& json)
 {
     VerdictLine line;
@@ -133,11 +107,11 @@ SweepErrors readErrors(const JsonReader& json)
             count(json, "foreign"), count(json, "late")};
 }
 
-SweepServo readServo(const JsonReader& json)
+SweepServo readSweepServo(const JsonReader& json)
 {
     SweepServo servo;
     servo.parameters = readSnapshot(json.object("parameters"));
-    servo.axis = readAxis(json.object("axis"));
+    servo.axis = readAxis(json.object("axis"), AxisFields::Path);
     servo.limits = readSweepLimits(json.object("limits"));
     for (const JsonReader& line : json.objects("lines"))
         servo.lines.push_back(readVerdict(line));
@@ -152,7 +126,7 @@ std::vector<SweepServo> readServos(const JsonReader& json)
 {
     std::vector<SweepServo> servos;
     for (const JsonReader& object : json.objects("servos")) {
-        SweepServo servo = readServo(object);
+        SweepServo servo = readSweepServo(object);
         for (const SweepServo& before : servos) {
             if (before.parameters.servo.id == servo.parameters.servo.id)
                 object.reportError("id", QStringLiteral("is there twice"));
@@ -182,8 +156,8 @@ SweepLeg readLeg(const JsonReader& json)
     leg.cycle = json.smallInteger("cycle");
     leg.at = span(json, "at_ms");
     leg.span = span(json, "span_ms");
-    leg.start = number(json, "start");
-    leg.target = number(json, "target");
+    leg.start = json.number("start");
+    leg.target = json.number("target");
     leg.timeToTarget = spanOrNull(json, "time_ms");
     leg.settling = spanOrNull(json, "settling_ms");
     for (const LegFigure& figure : legFigures) {
@@ -218,7 +192,7 @@ void readRows(const JsonReader& json, const char* key, std::vector<SweepServo>& 
     }
 }
 
-SweepRun readRun(const JsonReader& json)
+SweepRun readSweepRun(const JsonReader& json)
 {
     checkFormat(json, QLatin1StringView("servodesk-sweep"), sweepVersion,
                 QStringLiteral("not a sweep test of ServoDesk"));
@@ -231,7 +205,7 @@ SweepRun readRun(const JsonReader& json)
     run.length = span(json, "length_ms");
     run.end = word(json, "end", sweepEndFromName);
     run.endedBy = json.integerOrNull("ended_by") ? json.smallInteger("ended_by") : -1;
-    run.sampleRate = number(json, "sample_rate");
+    run.sampleRate = json.number("sample_rate");
     for (const JsonReader& gap : json.objects("gaps"))
         run.gaps.push_back({span(gap, "at_ms"), span(gap, "span_ms")});
     run.spec = readTest(json.object("test"));
@@ -249,7 +223,7 @@ base::Result<SweepRun> decodeSweepRun(const QByteArray& text)
     if (!document)
         return base::fail(base::ErrorCode::FileFormat, loadSweepOperation, document.error());
     JsonReadError readError;
-    SweepRun run = readRun(JsonReader(*document, readError));
+    SweepRun run = readSweepRun(JsonReader(*document, readError));
     if (readError.isSet())
         return base::fail(base::ErrorCode::FileFormat, loadSweepOperation, readError.text());
     return run;

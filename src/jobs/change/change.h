@@ -8,6 +8,9 @@
 #include "jobs/job.h"
 
 namespace jobs {
+/// What a servo of every family has when it leaves the factory.
+inline constexpr int factoryId = 1;
+
 /// Proves the new ID free first (IdInUse); never 254. The acknowledgement may come from either ID.
 base::Result<device::WriteReport> changeId(const device::Context& context, device::Servo& servo,
                                            int newId);

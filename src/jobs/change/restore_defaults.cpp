@@ -16,8 +16,6 @@ namespace {
 const QString restoreDefaultsOperation = QStringLiteral("restore-defaults");
 /// The whole EPROM is rewritten; no official time is known.
 constexpr base::Duration rewriteTime = 300ms;
-/// Some sources say that the ID goes back to this one, though the vendor's page exempts it.
-constexpr int factoryId = 1;
 
 std::vector<base::JournalItem> epromItems(const device::Servo& servo)
 {

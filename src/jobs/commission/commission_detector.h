@@ -5,12 +5,11 @@
 // Held, RateUnsupported.
 #pragma once
 
+#include "jobs/change/change.h"
 #include "jobs/commission/commission.h"
 #include "jobs/scan/scan.h"
 
 namespace jobs {
-constexpr int factoryId = 1;
-
 class CommissionDetector {
 public:
     CommissionDetector(const device::Context& context, const CommissionSpec& spec);

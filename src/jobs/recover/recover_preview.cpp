@@ -4,6 +4,7 @@
 #include "device/motion/move_limits.h"
 #include "device/persistence.h"
 #include "device/transactions.h"
+#include "jobs/change/change.h"
 #include "jobs/recover/recover_apply.h"
 #include "jobs/restore/restore_rows.h"
 
@@ -80,7 +81,6 @@ std::vector<BusLocation> candidateLocations(const device::Context& context,
 std::vector<BusLocation> factoryLocations(const device::Context& context,
                                           const base::Intent& intent)
 {
-    constexpr int factoryId = 1;
     std::vector<BusLocation> result;
     if (intent.kind != IntentKind::Restore || hasKnownNewValues(intent))
         return result;

@@ -24,7 +24,7 @@ constexpr int maxRepeats = 50;
 constexpr Duration maxHold = 10s;
 
 constexpr Duration minHold = 500ms;
-constexpr Duration settleTime = 400ms; ///< what swings and rest are judged by
+constexpr Duration stepSettleTime = 400ms; ///< what swings and rest are judged by
 
 /// Where no speed is known: half a turn a second, which slow servos do, and a start.
 constexpr double assumedTurnsPerSecond = 0.5;
@@ -32,7 +32,7 @@ constexpr Duration assumedStartTime = 300ms;
 constexpr Duration holdStep = 100ms;
 
 constexpr double minTolerance = 3;
-constexpr double toleranceFraction = 0.1; ///< of short steps, where the usual one is too wide
+constexpr double shortStepTolerance = 0.1; ///< of short steps, where the usual one is too wide
 
 constexpr std::array loopRoles{Role::PositionP,  Role::PositionD,   Role::PositionI,
                                Role::SpeedP,     Role::SpeedI,      Role::StartupForce,
@@ -155,7 +155,7 @@ base::Result<void> StepPlanner::planHold()
         assumedStartTime + Duration(std::llround(turns / assumedTurnsPerSecond * 1e6)));
     if (m_spec.hold < Duration::zero() || m_spec.hold > maxHold)
         return refuse(ErrorCode::BadArgument, QStringLiteral("no-hold"));
-    const Duration proposed = std::max(minHold, 2 * needed + settleTime);
+    const Duration proposed = std::max(minHold, 2 * needed + stepSettleTime);
     m_plan.hold = m_spec.hold > Duration::zero()
                       ? m_spec.hold
                       : std::min(maxHold, (proposed + holdStep - 1us) / holdStep * holdStep);
@@ -194,7 +194,7 @@ base::Result<StepPlan> StepPlanner::plan()
     m_plan.to = axis->to;
     const double way = std::abs(axis->to - axis->from);
     m_plan.limits.tolerance =
-        std::clamp(toleranceFraction * way, minTolerance, std::max(minTolerance, axis->tolerance));
+        std::clamp(shortStepTolerance * way, minTolerance, std::max(minTolerance, axis->tolerance));
     m_plan.travel = travelTime(way, *axis);
     if (const auto held = planHold(); !held)
         return tl::unexpected(held.error());

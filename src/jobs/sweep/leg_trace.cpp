@@ -13,7 +13,7 @@ constexpr std::size_t rawCapacity = LegTrace::capacity / 2;
 constexpr std::size_t newest = 4; ///< readings that no block takes yet
 constexpr int tailDivisor = 5;    ///< the last fifth tells where it rests
 constexpr std::size_t minTailReadings = 3;
-constexpr double maxNoise = 2;
+constexpr double maxTraceNoise = 2;
 constexpr double minBand = 3; ///< a servo that stays within it stands still
 constexpr Duration minRestDuration = std::chrono::milliseconds(100);
 
@@ -120,7 +120,7 @@ void findRestElsewhere(LegRest& rest, const std::vector<LegPoint>& points,
     for (std::size_t i = 0; i < minTailReadings; ++i)
         last[i] = points[points.size() - 1 - i].position;
     std::sort(last.begin(), last.end());
-    const double noise = std::min(maxNoise, tailStatistics(points, 0).spread);
+    const double noise = std::min(maxTraceNoise, tailStatistics(points, 0).spread);
     const double band = std::max(query.tolerance, minBand) + noise;
     const std::size_t since = firstWithin(points, 0, last[1], band);
     if (since < points.size() &&
@@ -186,7 +186,7 @@ std::optional<LegRest> analyzeRest(const std::vector<LegPoint>& points, const Re
     const auto first = std::size_t(arrived - points.begin());
     if (first == points.size())
         return rest;
-    const double noise = std::min(maxNoise, tailStatistics(points, first).spread);
+    const double noise = std::min(maxTraceNoise, tailStatistics(points, first).spread);
     const std::size_t since = firstWithin(points, first, query.target, query.tolerance + noise);
     rest.hasLeft = since > first;
     if (since == points.size()) {

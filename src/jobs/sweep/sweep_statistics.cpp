@@ -15,8 +15,8 @@ namespace {
 using Legs = std::vector<SweepLeg>;
 using Values = std::vector<double>;
 
-constexpr double targetResolution = 10; ///< targets that differ by less are one
-constexpr double minDistance = 1;       ///< a shorter one comes from neither side
+constexpr double targetResolution = 10;   ///< targets that differ by less are one
+constexpr double minApproachDistance = 1; ///< a shorter one comes from neither side
 
 enum class Aggregate : std::uint8_t { Mean, Highest, Lowest, Largest };
 
@@ -93,7 +93,7 @@ std::map<std::int64_t, Approaches> approaches(const Legs& legs)
     std::map<std::int64_t, Approaches> targets;
     for (const SweepLeg& leg : legs) {
         const double way = leg.target - leg.start;
-        if (!leg.steadyError || !(std::abs(way) >= minDistance))
+        if (!leg.steadyError || !(std::abs(way) >= minApproachDistance))
             continue;
         Approaches& target = targets[std::llround(leg.target * targetResolution)];
         (way > 0 ? target.below : target.above).push_back(*leg.steadyError);
